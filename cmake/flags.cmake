@@ -1,0 +1,10 @@
+# One place for every flag. -ffp-contract=off: a fused multiply-add rounds once where the source rounds twice, so the same
+# source would give other bits on other machines. Never -ffast-math: it breaks enclosures and flushes denormals for the process.
+add_library(touchstone_flags INTERFACE)
+target_compile_options(touchstone_flags INTERFACE -ffp-contract=off -Wall -Wextra -Wpedantic -Wshadow -Wconversion
+  -Wno-sign-conversion $<$<BOOL:${TOUCHSTONE_WERROR}>:-Werror>)
+
+if(TOUCHSTONE_SANITIZE)
+  add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=address,undefined)
+endif()

@@ -1,0 +1,15 @@
+// The one way to say "your input is wrong": the message names the place and says what would be right. Exit code 2.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace touchstone {
+
+class InputError : public std::runtime_error {
+ public:
+  InputError(const std::string& place, const std::string& what_is_wrong)
+      : std::runtime_error(place.empty() ? what_is_wrong : place + ": " + what_is_wrong) {}
+};
+
+}  // namespace touchstone

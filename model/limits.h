@@ -1,0 +1,14 @@
+// What a valid scene is, as far as floating point alone can tell; reference/validity.h adds what needs exact arithmetic.
+#pragma once
+
+#include "model/scene.h"
+
+namespace touchstone {
+
+/// Throws InputError naming the first place that breaks a law: a number that is not finite, a zero quaternion (|q|² must
+/// neither vanish nor overflow when evaluated exactly scaled), a radius or half extent ≤ 0, fewer than 4 vertices, equal
+/// vertices, a face index out of range, a face with < 3 or repeated vertices, mass or density ≤ 0, an inertia that is not
+/// symmetric positive definite or breaks the triangle inequality, e outside [0, 1], mu < 0, no parts.
+void validate(const Scene& scene);
+
+}  // namespace touchstone

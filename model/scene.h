@@ -1,0 +1,75 @@
+// A Scene is the question: every input of every query is one. A pair is a scene of two bodies.
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "model/frame.h"
+#include "model/shape.h"
+
+namespace touchstone {
+
+/// v_WBcm: velocity of the centre of mass (m/s); w_WB: angular velocity (rad/s); both measured and expressed in W.
+struct Velocity {
+  Vec3 v_WBcm = Vec3::Zero();
+  Vec3 w_WB = Vec3::Zero();
+
+  bool operator==(const Velocity& other) const { return v_WBcm == other.v_WBcm && w_WB == other.w_WB; }
+};
+
+/// Coefficients of a body; how two bodies' coefficients combine is a clause, not a habit of an engine.
+struct Material {
+  double restitution = 0;  ///< e in [0, 1]
+  double friction = 0;     ///< mu ≥ 0
+
+  bool operator==(const Material&) const = default;
+};
+
+/// Uniform density (kg/m³), > 0: mass properties follow from the shape.
+struct Density {
+  double value = 1;
+
+  bool operator==(const Density&) const = default;
+};
+
+/// Mass (kg, > 0), centre of mass in B (m), inertia about the centre of mass in B's axes (kg m²).
+struct MassProperties {
+  double mass = 0;
+  Vec3 p_BBcm = Vec3::Zero();
+  Mat3 I_BBcm_B = Mat3::Zero();
+
+  bool operator==(const MassProperties& other) const {
+    return mass == other.mass && p_BBcm == other.p_BBcm && I_BBcm_B == other.I_BBcm_B;
+  }
+};
+
+/// A body that nothing moves.
+struct Fixed {
+  bool operator==(const Fixed&) const = default;
+};
+
+using Mass = std::variant<Density, MassProperties, Fixed>;
+
+struct Body {
+  std::string name;
+  Shape shape;
+  Pose X_WB;
+  Velocity velocity;
+  Material material;
+  Mass mass = Density{};
+
+  bool operator==(const Body&) const = default;
+};
+
+struct Scene {
+  std::string name;
+  std::vector<Body> bodies;
+  Vec3 gravity = Vec3::Zero();  ///< m/s², in W
+
+  bool operator==(const Scene& other) const {
+    return name == other.name && bodies == other.bodies && gravity == other.gravity;
+  }
+};
+
+}  // namespace touchstone

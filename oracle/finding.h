@@ -1,0 +1,63 @@
+// What came of asking one subject about one scene under one property.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "model/frame.h"
+
+namespace touchstone::oracle {
+
+enum class Outcome {
+  holds,     ///< asked, answered, right
+  fails,     ///< asked, answered, wrong
+  abstains,  ///< the subject does not answer this; not a pass
+  breaks,    ///< threw, crashed, hung, or answered garbage: a failure
+  outside    ///< the scene is not in the property's domain, or not exact in the subject's precision: says nothing
+};
+
+/// The kind of wrongness, in the words users know.
+enum class Defect {
+  none,
+  phantom,           ///< contact or pair where there is none
+  missed,            ///< no contact or pair where there is one
+  too_far,           ///< distance above the truth
+  too_near,          ///< distance below the truth
+  overdeep,          ///< depth above the truth
+  shallow,           ///< depth below the truth
+  wrong_normal,      ///< direction does not separate by the stated depth
+  wrong_witness,     ///< witness point off its body, or the pair's length is not the distance
+  wrong_feature,     ///< claimed features hold no closest pair
+  wrong_box,         ///< box does not hold the body
+  loose_box,         ///< box wider than allowed
+  wrong_mass,        ///< mass, centre or inertia
+  broken_enclosure,  ///< claimed interval does not hold the truth
+  asymmetric,        ///< changes when the bodies swap
+  moved_with_frame,  ///< changes under a rigid motion of the world
+  scaled,            ///< changes with a power-of-two change of unit
+  relabelled,        ///< changes with the order of bodies, vertices or axes
+  nondeterministic,  ///< the same question twice, two answers
+  not_finite,        ///< NaN or Inf in an answer
+  threw,
+  crashed,
+  hung,
+  garbage  ///< an answer that cannot be read
+};
+
+struct Finding {
+  Outcome outcome = Outcome::holds;
+  Defect defect = Defect::none;
+  std::string observed;             ///< what the subject said, in words and numbers
+  std::string expected;             ///< the exact truth, likewise
+  double error = 0;                 ///< in `unit`
+  double allowed = 0;               ///< in `unit`; the named bound that it was held against
+  std::string unit;                 ///< "ulps of the scene's scale", mostly
+  std::optional<Interval> margin;   ///< m: how far the input is from changing the truth
+  std::string certificate;          ///< the proof of the truth, in words
+  std::string why;                  ///< for abstains, breaks and outside
+};
+
+std::string name_of(Outcome outcome);
+std::string name_of(Defect defect);
+
+}  // namespace touchstone::oracle

@@ -1,0 +1,47 @@
+// A Subject is whatever is on trial. It answers the queries it offers and abstains from the rest.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "model/answers.h"
+#include "model/scene.h"
+
+namespace touchstone::oracle {
+
+enum class Precision { exact, binary64, binary32 };
+
+/// A known departure from the specification, as data: it explains a failing row, it never excuses one.
+struct Deviation {
+  std::string clause;
+  std::string what;
+  std::string link;
+};
+
+/// How a subject introduces itself.
+struct Card {
+  std::string name;     ///< "bullet.double"
+  std::string version;  ///< of the engine, as it reports it
+  Precision precision = Precision::binary64;
+  std::vector<std::string> answers;  ///< the queries it claims: "distance", "penetration", ...
+  bool knows_touching = false;       ///< verdicts have three values, not two
+  double broad_phase_margin = 0;     ///< m; boxes closer than this may be reported as overlapping
+  std::string about;                 ///< one line: what is asked of the engine, with which settings
+  std::string homepage;
+  std::vector<Deviation> deviations;
+};
+
+class Subject {
+ public:
+  virtual ~Subject() = default;
+
+  virtual const Card& card() const = 0;
+
+  virtual Answer<Masses> mass(const Scene&) { return Abstains{"no mass query"}; }
+  virtual Answer<Bounds> bounds(const Scene&) { return Abstains{"no bounds query"}; }
+  virtual Answer<PairSet> broad_phase(const Scene&) { return Abstains{"no broad phase"}; }
+  virtual Answer<Distance> distance(const Scene&) { return Abstains{"no distance query"}; }
+  virtual Answer<Penetration> penetration(const Scene&) { return Abstains{"no penetration query"}; }
+};
+
+}  // namespace touchstone::oracle

@@ -1,0 +1,30 @@
+// The Oracle: the exact truth about a scene, remembered so that several subjects and properties ask for it once.
+//
+// The door through which properties and generators reach the reference; plain values and exact value types only.
+#pragma once
+
+#include <vector>
+
+#include "model/scene.h"
+#include "reference/bounds.h"
+#include "reference/distance.h"
+#include "reference/mass.h"
+#include "reference/penetration.h"
+
+namespace touchstone::oracle::truth {
+
+/// Each remembers the last few scenes of this thread. The reference stays valid until the thread has asked about
+/// `remembered` other scenes.
+inline constexpr int remembered = 8;
+
+const std::vector<std::optional<reference::MassTruth>>& mass(const Scene& scene);
+const std::vector<reference::ExactBox>& bounds(const Scene& scene);
+const PairSet& broad_phase(const Scene& scene);
+const reference::DistanceTruth& distance(const Scene& scene);
+const reference::PenetrationTruth& penetration(const Scene& scene);
+
+/// reference::convex_hull and reference::completed, for generators and the minimiser.
+Polytope convex_hull(const std::vector<Vec3>& points);
+Scene completed(Scene scene);
+
+}  // namespace touchstone::oracle::truth

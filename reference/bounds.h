@@ -1,0 +1,21 @@
+// The exact tight axis-aligned box of each body.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "model/scene.h"
+#include "reference/rational.h"
+
+namespace touchstone::reference {
+
+/// lo and hi of a body in W. Exact: vertices under R(q/|q|) are rational (reference/exact_pose.h).
+struct ExactBox {
+  std::array<Rational, 3> lo;
+  std::array<Rational, 3> hi;
+};
+
+ExactBox box(const Body& body);
+std::vector<ExactBox> bounds(const Scene& scene);
+
+}  // namespace touchstone::reference

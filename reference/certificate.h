@@ -1,0 +1,33 @@
+// A proof of a verdict that a short independent checker verifies: certificate_check.cpp shares no code with distance.cpp.
+#pragma once
+
+#include <array>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "model/answers.h"
+#include "model/scene.h"
+#include "reference/rational.h"
+
+namespace touchstone::reference {
+
+/// For one pair of convex parts, cores only:
+///   apart     `direction` n and `pairs`: n = Σ weights·(a − b) over the pairs, and n·(a − b) ≥ n·n for all vertices a of A,
+///             b of B. So n is the nearest point of A − B to 0, and |n| the cores' distance.
+///   touching  direction n ≠ 0 with n·(a − b) ≥ 0 for all a, b (no common interior), and weights ≥ 0, Σ = 1, with
+///             Σ weights·(a − b) = 0 (a common point).
+///   overlapping  4 pairs whose differences hold 0 strictly inside their tetrahedron (a common interior point).
+struct Certificate {
+  Verdict cores = Verdict::separated;
+  int part_A = 0;
+  int part_B = 0;
+  RationalVec3 direction;
+  std::vector<std::pair<int, int>> pairs;  ///< (vertex of A's part, vertex of B's part)
+  std::vector<Rational> weights;           ///< one a pair
+};
+
+/// Empty if the certificate proves what it says about bodies 0 and 1; else what is wrong with it.
+std::string check(const Certificate& certificate, const Scene& scene);
+
+}  // namespace touchstone::reference
