@@ -28,15 +28,36 @@ Json json_of(const Penetration& answer);
 /// T is any type that json_of writes. `place` is the JSON path that messages start with. Throws InputError.
 template <class T>
 T read(const Json& json, const std::string& place);
+template <>
+Vec3 read<Vec3>(const Json& json, const std::string& place);
+template <>
+Scene read<Scene>(const Json& json, const std::string& place);
+template <>
+Masses read<Masses>(const Json& json, const std::string& place);
+template <>
+Bounds read<Bounds>(const Json& json, const std::string& place);
+template <>
+PairSet read<PairSet>(const Json& json, const std::string& place);
+template <>
+Distance read<Distance>(const Json& json, const std::string& place);
+template <>
+Penetration read<Penetration>(const Json& json, const std::string& place);
 
 /// Parses text; an InputError says the line and column. `place` is the file's name or the like.
 Json parse(std::string_view text, const std::string& place);
 
-/// Reads a file whole; parses, reads and validates (model/limits.h) a scene. Throws InputError.
+/// For people: what fits on a line stands on one; ends with a newline. (For machines: Json::dump.)
+std::string text_of(const Json& json);
+
+/// Parses, reads and validates (model/limits.h) a scene. Throws InputError.
+Scene scene_from(std::string_view text, const std::string& place);
+
+/// Reads a file whole. Throws InputError.
 std::string read_text(const std::string& path);
 Scene read_scene(const std::string& path);
 
-/// Writes beside `path` and renames: a reader sees the old file or the whole new one, never a part.
+/// Writes beside `path` and renames: a reader sees the old file or the whole new one, never a part. Throws InputError, and
+/// the old file stays. (A device or a pipe is written in place.)
 void write_text(const std::string& path, std::string_view text);
 
 }  // namespace touchstone

@@ -5,10 +5,10 @@
 
 namespace touchstone {
 
-/// Throws InputError naming the first place that breaks a law: a number that is not finite, a zero quaternion (|q|² must
-/// neither vanish nor overflow when evaluated exactly scaled), a radius or half extent ≤ 0, fewer than 4 vertices, equal
-/// vertices, a face index out of range, a face with < 3 or repeated vertices, mass or density ≤ 0, an inertia that is not
-/// symmetric positive definite or breaks the triangle inequality, e outside [0, 1], mu < 0, no parts.
+/// Throws InputError naming the first place that breaks a law: a number that is not finite, a zero quaternion (any other
+/// finite one is legal, however small: the reference divides exactly), a radius or half extent ≤ 0, fewer than 4 vertices,
+/// equal vertices, a face index out of range, a face with < 3 or repeated vertices, mass or density ≤ 0, an inertia that is
+/// not symmetric positive definite or breaks the triangle inequality, e outside [0, 1], mu < 0, no parts. Denormals are legal.
 void validate(const Scene& scene);
 
 }  // namespace touchstone

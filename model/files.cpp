@@ -1,0 +1,108 @@
+// Whole files in, whole files out.
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <utility>
+
+#include "model/json.h"
+
+namespace touchstone {
+namespace {
+
+[[noreturn]] void refuse(const std::string& path, const std::string& doing) {
+  throw InputError(path, doing + ": " + std::strerror(errno));
+}
+
+class File {
+ public:
+  /// Complaints name `path`, whatever file stands in for it while it is being written.
+  File(const std::string& file, int flags, const std::string& path, const std::string& doing)
+      : path_(path), doing_(doing), descriptor_(::open(file.c_str(), flags | O_CLOEXEC, 0666)) {
+    if (descriptor_ < 0) refuse(path_, doing_);
+  }
+  File(const File&) = delete;
+  File& operator=(const File&) = delete;
+  ~File() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+  }
+
+  /// 0 at the end of the file.
+  std::size_t read(char* to, std::size_t size) {
+    ssize_t got = -1;
+    do got = ::read(descriptor_, to, size);
+    while (got < 0 && errno == EINTR);
+    if (got < 0) refuse(path_, doing_);
+    return static_cast<std::size_t>(got);
+  }
+
+  void write(std::string_view text) {
+    while (!text.empty()) {
+      const ssize_t put = ::write(descriptor_, text.data(), text.size());
+      if (put < 0 && errno == EINTR) continue;
+      if (put < 0) refuse(path_, doing_);
+      text.remove_prefix(static_cast<std::size_t>(put));
+    }
+  }
+
+  void sync_and_close() {
+    if (::fsync(descriptor_) != 0) refuse(path_, doing_);
+    if (::close(std::exchange(descriptor_, -1)) != 0) refuse(path_, doing_);
+  }
+
+ private:
+  std::string path_;
+  std::string doing_;
+  int descriptor_;
+};
+
+/// A name of our own beside `path`: other processes and threads may be writing the same file.
+std::string name_beside(const std::string& path) {
+  static std::atomic<unsigned> count = 0;
+  return path + ".part-" + std::to_string(::getpid()) + "-" + std::to_string(count++);
+}
+
+bool is_device_or_pipe(const std::string& path) {
+  struct stat status {};
+  return ::stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
+}
+
+}  // namespace
+
+std::string read_text(const std::string& path) {
+  File file(path, O_RDONLY, path, "cannot read");
+  std::string text;
+  constexpr std::size_t chunk = 1 << 16;
+  for (std::size_t got = 1; got > 0;) {
+    const std::size_t before = text.size();
+    text.resize(before + chunk);
+    got = file.read(text.data() + before, chunk);
+    text.resize(before + got);
+  }
+  return text;
+}
+
+Scene read_scene(const std::string& path) { return scene_from(read_text(path), path); }
+
+void write_text(const std::string& path, std::string_view text) {
+  if (is_device_or_pipe(path)) {
+    File(path, O_WRONLY, path, "cannot write").write(text);
+    return;
+  }
+  const std::string part = name_beside(path);
+  try {
+    File file(part, O_WRONLY | O_CREAT | O_EXCL, path, "cannot write");
+    file.write(text);
+    file.sync_and_close();
+    if (std::rename(part.c_str(), path.c_str()) != 0) refuse(path, "cannot write");
+  } catch (const InputError&) {
+    ::unlink(part.c_str());
+    throw;
+  }
+}
+
+}  // namespace touchstone

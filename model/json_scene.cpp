@@ -1,0 +1,207 @@
+// Scenes as JSON: docs/scene.schema.json in code.
+#include "model/json_node.h"
+#include "model/limits.h"
+
+namespace touchstone {
+namespace {
+
+using touchstone::json_of;
+
+constexpr const char* scene_format = "scene/1";
+
+template <class... Cases>
+struct Overloaded : Cases... {
+  using Cases::operator()...;
+};
+
+Json json_of(const Quaternion& q) { return {{"w", q.w}, {"x", q.x}, {"y", q.y}, {"z", q.z}}; }
+Json json_of(const Pose& X) { return {{"p", json_of(X.p_WB)}, {"q", json_of(X.q_WB)}}; }
+Json json_of(const Sphere& sphere) { return {{"type", "sphere"}, {"radius", sphere.radius}}; }
+
+Json json_of(const Box& box) { return {{"type", "box"}, {"half_extents", json_of(box.half_extents)}}; }
+
+Json json_of(const Polytope& polytope) {
+  Json vertices = Json::array();
+  for (const Vec3& vertex : polytope.vertices) vertices.push_back(json_of(vertex));
+  Json json = {{"type", "polytope"}, {"vertices", std::move(vertices)}};
+  if (!polytope.faces.empty()) json["faces"] = polytope.faces;
+  return json;
+}
+
+Json json_of(const Compound& compound) {
+  Json parts = Json::array();
+  for (const Part& part : compound.parts) {
+    parts.push_back({{"X_BP", json_of(part.X_BP)},
+                     {"shape", std::visit([](const auto& shape) { return json_of(shape); }, part.shape)}});
+  }
+  return {{"type", "compound"}, {"parts", std::move(parts)}};
+}
+
+Json json_of(const Mass& mass) {
+  return std::visit(Overloaded{[](const Density& density) -> Json {
+                                 return {{"type", "density"}, {"density", density.value}};
+                               },
+                               [](const MassProperties& given) -> Json {
+                                 Json json = {{"type", "given"}};
+                                 json.update(json_of(Masses{given})[0]);
+                                 return json;
+                               },
+                               [](const Fixed&) -> Json {
+                                 return {{"type", "fixed"}};
+                               }},
+                    mass);
+}
+
+Json json_of(const Body& body) {
+  Json json = Json::object();
+  if (!body.name.empty()) json["name"] = body.name;
+  json["shape"] = std::visit([](const auto& shape) { return json_of(shape); }, body.shape);
+  json["X_WB"] = json_of(body.X_WB);
+  json["velocity"] = {{"v_WBcm", json_of(body.velocity.v_WBcm)}, {"w_WB", json_of(body.velocity.w_WB)}};
+  json["material"] = {{"restitution", body.material.restitution}, {"friction", body.material.friction}};
+  json["mass"] = json_of(body.mass);
+  return json;
+}
+
+Quaternion read_quaternion(const Node& node) {
+  node.expect_object({"w", "x", "y", "z"});
+  return {node.at("w").number(), node.at("x").number(), node.at("y").number(), node.at("z").number()};
+}
+
+Pose read_pose(const Node& node) {
+  node.expect_object({"p", "q"});
+  return {read_vec3(node.at("p")), read_quaternion(node.at("q"))};
+}
+
+Sphere read_sphere(const Node& node) {
+  node.expect_object({"type", "radius"});
+  return {node.at("radius").number()};
+}
+
+Box read_box(const Node& node) {
+  node.expect_object({"type", "half_extents"});
+  return {read_vec3(node.at("half_extents"))};
+}
+
+std::vector<int> read_face(const Node& node) {
+  std::vector<int> face;
+  for (int i = 0; i < node.size(); ++i) face.push_back(node[i].index());
+  return face;
+}
+
+Polytope read_polytope(const Node& node) {
+  node.expect_object({"type", "vertices", "faces"});
+  Polytope polytope;
+  const Node vertices = node.at("vertices");
+  for (int i = 0; i < vertices.size(); ++i) polytope.vertices.push_back(read_vec3(vertices[i]));
+  if (const auto faces = node.find("faces")) {
+    for (int i = 0; i < faces->size(); ++i) polytope.faces.push_back(read_face((*faces)[i]));
+  }
+  return polytope;
+}
+
+ConvexShape read_convex_shape(const Node& node) {
+  const std::string type = node.at("type").text();
+  if (type == "sphere") return read_sphere(node);
+  if (type == "box") return read_box(node);
+  if (type == "polytope") return read_polytope(node);
+  node.at("type").refuse("expected \"sphere\", \"box\" or \"polytope\", found " + Json(type).dump());
+}
+
+Part read_part(const Node& node) {
+  node.expect_object({"X_BP", "shape"});
+  return {read_pose(node.at("X_BP")), read_convex_shape(node.at("shape"))};
+}
+
+Compound read_compound(const Node& node) {
+  node.expect_object({"type", "parts"});
+  Compound compound;
+  const Node parts = node.at("parts");
+  for (int i = 0; i < parts.size(); ++i) compound.parts.push_back(read_part(parts[i]));
+  return compound;
+}
+
+Shape read_shape(const Node& node) {
+  const std::string type = node.at("type").text();
+  if (type == "sphere") return read_sphere(node);
+  if (type == "box") return read_box(node);
+  if (type == "polytope") return read_polytope(node);
+  if (type == "compound") return read_compound(node);
+  node.at("type").refuse("expected \"sphere\", \"box\", \"polytope\" or \"compound\", found " + Json(type).dump());
+}
+
+Velocity read_velocity(const Node& node) {
+  node.expect_object({"v_WBcm", "w_WB"});
+  return {read_vec3(node.at("v_WBcm")), read_vec3(node.at("w_WB"))};
+}
+
+Material read_material(const Node& node) {
+  node.expect_object({"restitution", "friction"});
+  return {node.at("restitution").number(), node.at("friction").number()};
+}
+
+Mass read_mass(const Node& node) {
+  const std::string type = node.at("type").text();
+  if (type == "density") {
+    node.expect_object({"type", "density"});
+    return Density{node.at("density").number()};
+  }
+  if (type == "given") {
+    node.expect_object({"type", "mass", "p_BBcm", "I_BBcm_B"});
+    return read_mass_properties(node);
+  }
+  if (type == "fixed") {
+    node.expect_object({"type"});
+    return Fixed{};
+  }
+  node.at("type").refuse("expected \"density\", \"given\" or \"fixed\", found " + Json(type).dump());
+}
+
+Body read_body(const Node& node) {
+  node.expect_object({"name", "shape", "X_WB", "velocity", "material", "mass"});
+  Body body;
+  if (const auto name = node.find("name")) body.name = name->text();
+  body.shape = read_shape(node.at("shape"));
+  body.X_WB = read_pose(node.at("X_WB"));
+  if (const auto velocity = node.find("velocity")) body.velocity = read_velocity(*velocity);
+  if (const auto material = node.find("material")) body.material = read_material(*material);
+  if (const auto mass = node.find("mass")) body.mass = read_mass(*mass);
+  return body;
+}
+
+}  // namespace
+
+Json json_of(const Scene& scene) {
+  Json json = {{"touchstone", scene_format}};
+  if (!scene.name.empty()) json["name"] = scene.name;
+  json["gravity"] = json_of(scene.gravity);
+  json["bodies"] = Json::array();
+  for (const Body& body : scene.bodies) json["bodies"].push_back(json_of(body));
+  return json;
+}
+
+template <>
+Scene read<Scene>(const Json& json, const std::string& place) {
+  const Node node(json, place);
+  node.expect_object({"touchstone", "name", "gravity", "bodies"});
+  const std::string format = node.at("touchstone").text();
+  if (format != scene_format) {
+    node.at("touchstone").refuse("expected \"" + std::string(scene_format) + "\", found " + Json(format).dump());
+  }
+  Scene scene;
+  if (const auto name = node.find("name")) scene.name = name->text();
+  if (const auto gravity = node.find("gravity")) scene.gravity = read_vec3(*gravity);
+  const Node bodies = node.at("bodies");
+  for (int i = 0; i < bodies.size(); ++i) scene.bodies.push_back(read_body(bodies[i]));
+  return scene;
+}
+
+Scene scene_from(std::string_view text, const std::string& place) try {
+  Scene scene = read<Scene>(parse(text, ""), "");
+  validate(scene);
+  return scene;
+} catch (const InputError& error) {
+  throw InputError(place, error.what());
+}
+
+}  // namespace touchstone

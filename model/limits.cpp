@@ -1,0 +1,152 @@
+#include "model/limits.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <set>
+
+#include "model/input_error.h"
+
+namespace touchstone {
+namespace {
+
+std::string item(const std::string& place, std::size_t index) { return place + '[' + std::to_string(index) + ']'; }
+
+void finite(double number, const std::string& place) {
+  if (std::isnan(number)) throw InputError(place, "NaN; expected a finite number");
+  if (std::isinf(number)) throw InputError(place, "infinite; expected a finite number");
+}
+
+void finite(const Vec3& v, const std::string& place) {
+  for (int i = 0; i < 3; ++i) finite(v[i], item(place, static_cast<std::size_t>(i)));
+}
+
+void positive(double number, const std::string& place) {
+  finite(number, place);
+  if (!(number > 0)) throw InputError(place, "expected a number above 0");
+}
+
+void validate(const Pose& X, const std::string& place) {
+  finite(X.p_WB, place + ".p");
+  const Quaternion& q = X.q_WB;
+  finite(q.w, place + ".q.w");
+  finite(q.x, place + ".q.x");
+  finite(q.y, place + ".q.y");
+  finite(q.z, place + ".q.z");
+  if (q.w == 0 && q.x == 0 && q.y == 0 && q.z == 0) {
+    throw InputError(place + ".q", "zero; expected a quaternion with a non-zero component");
+  }
+}
+
+void validate(const Sphere& sphere, const std::string& place) { positive(sphere.radius, place + ".radius"); }
+
+void validate(const Box& box, const std::string& place) {
+  for (int i = 0; i < 3; ++i) positive(box.half_extents[i], item(place + ".half_extents", static_cast<std::size_t>(i)));
+}
+
+void all_different(const std::vector<Vec3>& vertices, const std::string& place) {
+  const auto before = [&](std::size_t i, std::size_t j) {
+    const Vec3& a = vertices[i];
+    const Vec3& b = vertices[j];
+    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
+  };
+  std::set<std::size_t, decltype(before)> seen(before);
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const auto [same, is_new] = seen.insert(i);
+    if (!is_new) throw InputError(item(place, i), "equal to vertex " + std::to_string(*same) + "; expected each once");
+  }
+}
+
+void validate_face(const std::vector<int>& face, std::size_t vertex_count, const std::string& place) {
+  if (face.size() < 3) throw InputError(place, "expected at least 3 vertices, found " + std::to_string(face.size()));
+  std::set<int> seen;
+  for (std::size_t i = 0; i < face.size(); ++i) {
+    const int vertex = face[i];
+    if (vertex < 0 || static_cast<std::size_t>(vertex) >= vertex_count) {
+      throw InputError(item(place, i), "vertex " + std::to_string(vertex) + " does not exist; expected 0 to " +
+                                           std::to_string(vertex_count - 1));
+    }
+    if (!seen.insert(vertex).second) {
+      throw InputError(item(place, i), "vertex " + std::to_string(vertex) + " stands twice in the face; expected once");
+    }
+  }
+}
+
+void validate(const Polytope& polytope, const std::string& place) {
+  const std::vector<Vec3>& vertices = polytope.vertices;
+  if (vertices.size() < 4) {
+    throw InputError(place + ".vertices", "expected at least 4 vertices, found " + std::to_string(vertices.size()));
+  }
+  for (std::size_t i = 0; i < vertices.size(); ++i) finite(vertices[i], item(place + ".vertices", i));
+  all_different(vertices, place + ".vertices");
+  for (std::size_t i = 0; i < polytope.faces.size(); ++i) {
+    validate_face(polytope.faces[i], vertices.size(), item(place + ".faces", i));
+  }
+}
+
+void validate(const Compound& compound, const std::string& place) {
+  if (compound.parts.empty()) throw InputError(place + ".parts", "expected at least one part");
+  for (std::size_t i = 0; i < compound.parts.size(); ++i) {
+    const Part& part = compound.parts[i];
+    const std::string part_place = item(place + ".parts", i);
+    validate(part.X_BP, part_place + ".X_BP");
+    std::visit([&](const auto& shape) { validate(shape, part_place + ".shape"); }, part.shape);
+  }
+}
+
+/// The principal moments of a solid are positive and none exceeds the sum of the other two (each is a sum of two of the
+/// three second moments of mass, and those are ≥ 0).
+///
+/// The computed moments of a symmetric I scaled to max |I_ij| = 1 are those of I + E with ‖E‖ ≤ c·2⁻⁵³·‖I‖, ‖I‖ ≤ 3,
+/// where c is a modest constant for 3×3 (Golub & Van Loan, Matrix Computations, 8.1: Weyl's inequality). An inertia
+/// that was itself rounded may miss equality by as much (a thin plate), so only a miss beyond 2⁻⁴⁶ is certain to be a
+/// fault.
+void validate_inertia(const Mat3& I, const std::string& place) {
+  for (int i = 0; i < 3; ++i) finite(Vec3(I.row(i)), item(place, static_cast<std::size_t>(i)));
+  if (I != I.transpose()) throw InputError(place, "not symmetric; expected I[i][j] = I[j][i]");
+  const double scale = I.cwiseAbs().maxCoeff();
+  if (scale == 0) throw InputError(place, "zero; expected a positive definite matrix");
+  const Mat3 scaled = I / scale;
+  const Vec3 moments = Eigen::SelfAdjointEigenSolver<Mat3>(scaled, Eigen::EigenvaluesOnly).eigenvalues();
+  if (!(moments[0] > 0)) throw InputError(place, "expected a positive definite matrix");
+  if (moments[2] - moments[1] - moments[0] > std::ldexp(1.0, -46)) {
+    throw InputError(place, "no solid has it: the greatest principal moment exceeds the sum of the other two");
+  }
+}
+
+void validate(const Density& density, const std::string& place) { positive(density.value, place + ".density"); }
+void validate(const Fixed&, const std::string&) {}
+
+void validate(const MassProperties& given, const std::string& place) {
+  positive(given.mass, place + ".mass");
+  finite(given.p_BBcm, place + ".p_BBcm");
+  validate_inertia(given.I_BBcm_B, place + ".I_BBcm_B");
+}
+
+void validate(const Material& material, const std::string& place) {
+  finite(material.restitution, place + ".restitution");
+  if (material.restitution < 0 || material.restitution > 1) {
+    throw InputError(place + ".restitution", "expected a number from 0 to 1");
+  }
+  finite(material.friction, place + ".friction");
+  if (material.friction < 0) throw InputError(place + ".friction", "expected a number that is not negative");
+}
+
+void validate(const Body& body, const std::string& place) {
+  std::visit([&](const auto& shape) { validate(shape, place + ".shape"); }, body.shape);
+  validate(body.X_WB, place + ".X_WB");
+  finite(body.velocity.v_WBcm, place + ".velocity.v_WBcm");
+  finite(body.velocity.w_WB, place + ".velocity.w_WB");
+  validate(body.material, place + ".material");
+  std::visit([&](const auto& mass) { validate(mass, place + ".mass"); }, body.mass);
+}
+
+}  // namespace
+
+void validate(const Scene& scene) {
+  finite(scene.gravity, "gravity");
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) validate(scene.bodies[i], item("bodies", i));
+}
+
+}  // namespace touchstone
