@@ -47,14 +47,14 @@ enum class Defect {
 struct Finding {
   Outcome outcome = Outcome::holds;
   Defect defect = Defect::none;
-  std::string observed;             ///< what the subject said, in words and numbers
-  std::string expected;             ///< the exact truth, likewise
-  double error = 0;                 ///< in `unit`
-  double allowed = 0;               ///< in `unit`; the named bound that it was held against
-  std::string unit;                 ///< "ulps of the scene's scale", mostly
-  std::optional<Interval> margin;   ///< m: how far the input is from changing the truth
-  std::string certificate;          ///< the proof of the truth, in words
-  std::string why;                  ///< for abstains, breaks and outside
+  std::string observed;            ///< what the subject said, in words and numbers
+  std::string expected;            ///< the exact truth, likewise
+  double error = 0;                ///< in `unit`
+  double allowed = 0;              ///< in `unit`; the named bound that it was held against
+  std::string unit;                ///< "ulps of the scene's scale", mostly
+  std::optional<Interval> margin;  ///< m: how far the input is from changing the truth
+  std::string certificate;         ///< the proof of the truth, in words
+  std::string why;                 ///< for abstains, breaks and outside
 };
 
 std::string name_of(Outcome outcome);

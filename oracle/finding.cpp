@@ -1,0 +1,75 @@
+#include "oracle/finding.h"
+
+namespace touchstone::oracle {
+
+std::string name_of(Outcome outcome) {
+  switch (outcome) {
+    case Outcome::holds:
+      return "holds";
+    case Outcome::fails:
+      return "fails";
+    case Outcome::abstains:
+      return "abstains";
+    case Outcome::breaks:
+      return "breaks";
+    case Outcome::outside:
+      return "outside";
+  }
+  return "unknown";
+}
+
+std::string name_of(Defect defect) {
+  switch (defect) {
+    case Defect::none:
+      return "none";
+    case Defect::phantom:
+      return "phantom";
+    case Defect::missed:
+      return "missed";
+    case Defect::too_far:
+      return "too_far";
+    case Defect::too_near:
+      return "too_near";
+    case Defect::overdeep:
+      return "overdeep";
+    case Defect::shallow:
+      return "shallow";
+    case Defect::wrong_normal:
+      return "wrong_normal";
+    case Defect::wrong_witness:
+      return "wrong_witness";
+    case Defect::wrong_feature:
+      return "wrong_feature";
+    case Defect::wrong_box:
+      return "wrong_box";
+    case Defect::loose_box:
+      return "loose_box";
+    case Defect::wrong_mass:
+      return "wrong_mass";
+    case Defect::broken_enclosure:
+      return "broken_enclosure";
+    case Defect::asymmetric:
+      return "asymmetric";
+    case Defect::moved_with_frame:
+      return "moved_with_frame";
+    case Defect::scaled:
+      return "scaled";
+    case Defect::relabelled:
+      return "relabelled";
+    case Defect::nondeterministic:
+      return "nondeterministic";
+    case Defect::not_finite:
+      return "not_finite";
+    case Defect::threw:
+      return "threw";
+    case Defect::crashed:
+      return "crashed";
+    case Defect::hung:
+      return "hung";
+    case Defect::garbage:
+      return "garbage";
+  }
+  return "unknown";
+}
+
+}  // namespace touchstone::oracle

@@ -1,0 +1,163 @@
+#include "oracle/judge.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "oracle/tolerance.h"
+#include "oracle/truth.h"
+#include "oracle/words.h"
+#include "oracle/world_points.h"
+
+namespace touchstone::oracle::judge {
+namespace {
+
+bool finite(double x) { return std::isfinite(x); }
+bool finite(const Vec3& v) { return v.allFinite(); }
+bool finite(const Interval& i) { return finite(i.lo) && finite(i.hi); }
+template <class T>
+bool finite(const std::optional<T>& said) {
+  return !said || finite(*said);
+}
+
+Defect defect_of(Breaks::Kind kind) {
+  switch (kind) {
+    case Breaks::Kind::threw:
+      return Defect::threw;
+    case Breaks::Kind::crashed:
+      return Defect::crashed;
+    case Breaks::Kind::hung:
+      return Defect::hung;
+    case Breaks::Kind::garbage:
+      return Defect::garbage;
+  }
+  return Defect::garbage;
+}
+
+bool is_compound(const Body& body) { return std::holds_alternative<Compound>(body.shape); }
+
+// The certificate of overlap is a tetrahedron of differences around 0: the ball around 0 in it lies in A − B, so no
+// translation shorter than its radius separates the bodies.
+double ball_in_certificate(const Scene& scene, const reference::Certificate& c) {
+  const Points A = world_points(scene.bodies[0], c.part_A), B = world_points(scene.bodies[1], c.part_B);
+  std::array<Point, 4> corner;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const auto [a, b] = c.pairs[i];
+    corner[i] = A[static_cast<std::size_t>(a)] - B[static_cast<std::size_t>(b)];
+  }
+  Real radius = std::numeric_limits<Real>::infinity();
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Point& p = corner[i];
+    const Point n = (corner[(i + 1) % 4] - p).cross(corner[(i + 2) % 4] - p);
+    radius = std::min(radius, std::abs(n.dot(p)) / n.norm());
+  }
+  return static_cast<double>(radius);
+}
+
+// The union of the parts' differences holds the ball of radius r − |d*|, or that of the certificate and r more.
+double least_compound_depth(const Scene& scene, const reference::DistanceTruth& truth) {
+  const double r = truth.radius_sum.nearest();
+  if (truth.certificate.cores != Verdict::overlapping) return r - truth.core_squared.sqrt_enclosure().hi;
+  return ball_in_certificate(scene, truth.certificate) + r;
+}
+
+}  // namespace
+
+bool finite(const Masses& answer) {
+  return std::ranges::all_of(answer, [](const std::optional<MassProperties>& m) {
+    return !m || (finite(m->mass) && finite(m->p_BBcm) && m->I_BBcm_B.allFinite());
+  });
+}
+bool finite(const Bounds& answer) {
+  return std::ranges::all_of(answer, [](const Aabb& box) { return finite(box.lo) && finite(box.hi); });
+}
+bool finite(const PairSet&) { return true; }
+bool finite(const Distance& answer) {
+  return finite(answer.distance) && finite(answer.p_WCa) && finite(answer.p_WCb) && finite(answer.enclosure);
+}
+bool finite(const Penetration& answer) { return finite(answer.depth) && finite(answer.nhat_BA_W); }
+
+Finding holds() { return {}; }
+
+Finding outside(std::string why) {
+  Finding finding;
+  finding.outcome = Outcome::outside;
+  finding.why = std::move(why);
+  return finding;
+}
+
+Finding silent(const std::string& about_what) {
+  Finding finding;
+  finding.outcome = Outcome::abstains;
+  finding.why = "does not say " + about_what;
+  return finding;
+}
+
+Finding broken(const Breaks& breaks) {
+  Finding finding;
+  finding.outcome = Outcome::breaks;
+  finding.defect = defect_of(breaks.kind);
+  finding.why = breaks.how;
+  return finding;
+}
+
+Finding not_a_number() { return wrong(Defect::not_finite, "NaN or infinity", "finite numbers"); }
+
+Finding wrong(Defect defect, std::string observed, std::string expected) {
+  Finding finding;
+  finding.outcome = Outcome::fails;
+  finding.defect = defect;
+  finding.observed = std::move(observed);
+  finding.expected = std::move(expected);
+  finding.error = 1;
+  finding.unit = "broken laws";
+  return finding;
+}
+
+Allowance in_ulps(const Scene& scene, const Card& card, double allowed) {
+  return {allowed, std::max(tolerance::ulp(scene, card.precision), std::numeric_limits<double>::denorm_min())};
+}
+
+Finding near(double claimed, const Interval& truth, const Allowance& allowance, Defect below, Defect above) {
+  const double under = truth.lo - claimed, over = claimed - truth.hi;
+  return at_most(
+      std::max({under, over, 0.0}), allowance, under > over ? below : above, [&] { return words::text(claimed); },
+      [&] { return words::text(truth); });
+}
+
+Interval margin(const Scene& scene) {
+  const reference::DistanceTruth& truth = truth::distance(scene);
+  if (truth.verdict != Verdict::overlapping) return truth.distance;
+  if (!is_compound(scene.bodies[0]) && !is_compound(scene.bodies[1])) return truth::penetration(scene).depth;
+  return {least_compound_depth(scene, truth), std::numeric_limits<double>::infinity()};
+}
+
+Finding verdict(const Scene& scene, const Card& card, Verdict said) {
+  const Verdict truth = truth::distance(scene).verdict;
+  if (said == truth) return holds();
+  const bool exactly = card.knows_touching || card.precision == Precision::exact;
+  const Allowance allowance = in_ulps(scene, card, exactly ? 0 : tolerance::distance(scene, card.precision));
+  const Defect defect = said == Verdict::separated || truth == Verdict::overlapping ? Defect::missed : Defect::phantom;
+  Finding finding = at_most(
+      margin(scene).lo, allowance, defect, [&] { return words::text(said); }, [&] { return words::text(truth); });
+  if (exactly && finding.outcome == Outcome::holds) {  // at touching the margin is 0, yet the claim is wrong
+    finding = wrong(defect, words::text(said), words::text(truth));
+  }
+  return explained(std::move(finding), scene);
+}
+
+Finding explained(Finding finding, const Scene& scene) {
+  if (finding.outcome != Outcome::fails) return finding;
+  const reference::DistanceTruth& truth = truth::distance(scene);
+  finding.margin = margin(scene);
+  finding.certificate = words::text(truth.certificate);
+  return finding;
+}
+
+double off_body(const Body& body, const Vec3& p_W) { return reference::distance_to_body(body, p_W).hi; }
+
+double depth_left(const Scene& scene, const Vec3& translation) { return reference::depth_after(scene, translation).hi; }
+
+}  // namespace touchstone::oracle::judge

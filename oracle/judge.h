@@ -1,0 +1,89 @@
+// From truth and answer to a finding: the few ways in which a property comes to a verdict.
+#pragma once
+
+#include <concepts>
+#include <string>
+#include <type_traits>
+
+#include "model/answers.h"
+#include "oracle/finding.h"
+#include "oracle/subject.h"
+
+namespace touchstone::oracle::judge {
+
+/// Is every number of the answer finite?
+bool finite(const Masses& answer);
+bool finite(const Bounds& answer);
+bool finite(const PairSet& answer);
+bool finite(const Distance& answer);
+bool finite(const Penetration& answer);
+
+Finding holds();
+Finding outside(std::string why);
+Finding silent(const std::string& about_what);  ///< abstains: an answer without the part that is judged
+Finding broken(const Breaks& breaks);
+Finding not_a_number();
+
+/// Wrong in a way that has no size: a broken law of the answer's form, two answers that should be one.
+Finding wrong(Defect defect, std::string observed, std::string expected);
+
+/// A bound and the unit that errors against it are counted in.
+struct Allowance {
+  double bound = 0;  ///< SI
+  double unit = 1;   ///< SI; > 0
+  std::string unit_name = "ulps of the scene's scale";
+};
+
+/// `allowed` in metres, counted in ulps of the scene's scale in the subject's precision.
+Allowance in_ulps(const Scene& scene, const Card& card, double allowed);
+
+/// Holds if claimed is within the bound of the interval that holds the truth.
+Finding near(double claimed, const Interval& truth, const Allowance& allowance, Defect below, Defect above);
+
+/// Holds if error ≤ the bound; texts are made only for a failure. `observed` and `expected` give strings.
+template <std::invocable Observed, std::invocable Expected>
+Finding at_most(double error, const Allowance& allowance, Defect defect, Observed&& observed, Expected&& expected) {
+  Finding finding;
+  finding.error = error / allowance.unit;
+  finding.allowed = allowance.bound / allowance.unit;
+  finding.unit = allowance.unit_name;
+  if (error <= allowance.bound) return finding;
+  finding.outcome = Outcome::fails;
+  finding.defect = defect;
+  finding.observed = observed();
+  finding.expected = expected();
+  return finding;
+}
+
+/// Passes on what is no answer, and what is not finite; else asks `judge_it(const T&)`.
+template <class T, std::invocable<const T&> JudgeIt>
+Finding given(const Answer<T>& answer, JudgeIt&& judge_it) {
+  if (const Abstains* abstains = std::get_if<Abstains>(&answer)) {
+    Finding finding;
+    finding.outcome = Outcome::abstains;
+    finding.why = abstains->why;
+    return finding;
+  }
+  if (const Breaks* breaks = std::get_if<Breaks>(&answer)) return broken(*breaks);
+  const T& said = std::get<T>(answer);
+  return finite(said) ? judge_it(said) : not_a_number();
+}
+
+/// How far the two bodies of a scene are from another verdict, m: the distance, 0, or the depth. Of overlapping
+/// compounds, whose depth is unknown, a certified lower bound; infinity above.
+Interval margin(const Scene& scene);
+
+/// Judges a claimed verdict. A two-valued subject may be wrong where the margin is at most `tolerance::distance`, and
+/// so may say either where the bodies touch; a subject that knows touching claims the exact verdict and is held to it.
+Finding verdict(const Scene& scene, const Card& card, Verdict said);
+
+/// Adds margin and certificate of the scene's verdict to a finding that fails.
+Finding explained(Finding finding, const Scene& scene);
+
+/// Upper bound (a double) of how far a point is from a body, m: 0 on it and in it.
+double off_body(const Body& body, const Vec3& p_W);
+
+/// Upper bound of the common depth that is left after A moved by `translation`, m.
+double depth_left(const Scene& scene, const Vec3& translation);
+
+}  // namespace touchstone::oracle::judge

@@ -1,0 +1,48 @@
+#include "oracle/precision.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace touchstone::oracle {
+namespace {
+
+bool single(double x) { return static_cast<double>(static_cast<float>(x)) == x; }
+
+bool single(const Vec3& v) { return single(v.x()) && single(v.y()) && single(v.z()); }
+
+bool single(const Pose& X) {
+  return single(X.p_WB) && single(X.q_WB.w) && single(X.q_WB.x) && single(X.q_WB.y) && single(X.q_WB.z);
+}
+
+bool single(const Sphere& s) { return single(s.radius); }
+bool single(const Box& b) { return single(b.half_extents); }
+bool single(const Polytope& p) {
+  return std::ranges::all_of(p.vertices, [](const Vec3& v) { return single(v); });
+}
+bool single(const Compound& c) {
+  return std::ranges::all_of(c.parts, [](const Part& part) {
+    return single(part.X_BP) && std::visit([](const auto& shape) { return single(shape); }, part.shape);
+  });
+}
+
+bool single(const Density& d) { return single(d.value); }
+bool single(const MassProperties& m) {
+  return single(m.mass) && single(m.p_BBcm) &&
+         std::all_of(m.I_BBcm_B.data(), m.I_BBcm_B.data() + 9, [](double x) { return single(x); });
+}
+bool single(const Fixed&) { return true; }
+
+bool single(const Body& body) {
+  const auto each = [](const auto& alternative) { return single(alternative); };
+  return single(body.X_WB) && std::visit(each, body.shape) && std::visit(each, body.mass);
+}
+
+}  // namespace
+
+double unit_roundoff(Precision precision) { return std::ldexp(1.0, precision == Precision::binary32 ? -24 : -53); }
+
+bool exact_in(const Scene& scene, Precision precision) {
+  return precision != Precision::binary32 || std::ranges::all_of(scene.bodies, [](const Body& b) { return single(b); });
+}
+
+}  // namespace touchstone::oracle

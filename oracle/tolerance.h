@@ -1,0 +1,45 @@
+// How wrong a correct computation in the subject's precision may be: named bounds, in SI units, derived in
+// tolerance.cpp.
+//
+// They bound what rounding does to a backward stable computation without overflow or underflow. They are not tuned: an
+// engine that stops at a tolerance of its own is outside them, and its grade (oracle/grade.h) says by how much.
+#pragma once
+
+#include "model/scene.h"
+#include "oracle/subject.h"
+
+namespace touchstone::oracle::tolerance {
+
+/// S = max over bodies of (|p_WB|∞ + greatest distance of a point of the body from the body's origin), m.
+double scale(const Scene& scene);
+
+/// u·S, m: the unit that findings count in.
+double ulp(const Scene& scene, Precision precision);
+
+/// m: |computed − exact| of the distance of two bodies, and how near to touching a verdict may be wrong.
+double distance(const Scene& scene, Precision precision);
+
+/// m: how far a computed witness point may be from its body.
+double witness(const Scene& scene, Precision precision);
+
+/// m: |computed − exact| of the penetration depth.
+double penetration(const Scene& scene, Precision precision);
+
+/// m: common depth that may be left after the stated translation.
+double separation(const Scene& scene, Precision precision);
+
+/// 1: ||n| − 1| of a computed unit vector.
+double unit_length(Precision precision);
+
+/// m: how much wider, a side, a conservative tight box may be than the exact one.
+double bounds(const Scene& scene, Precision precision);
+
+/// Of one body's mass (kg), centre of mass (m) and moments and products of inertia (kg m²).
+struct MassBound {
+  double mass = 0;
+  double centre = 0;
+  double inertia = 0;
+};
+MassBound mass(const Body& body, Precision precision);
+
+}  // namespace touchstone::oracle::tolerance
