@@ -1,0 +1,85 @@
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <filesystem>
+
+#include "model/json.h"
+#include "tests/catch.h"
+
+namespace touchstone {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace std::string_literals;
+
+class Folder {
+ public:
+  Folder() { fs::create_directories(path_); }
+  ~Folder() { fs::remove_all(path_); }
+  std::string operator/(const std::string& name) const { return (path_ / name).string(); }
+  auto count() const { return std::distance(fs::directory_iterator(path_), fs::directory_iterator()); }
+
+ private:
+  fs::path path_ = fs::temp_directory_path() / ("touchstone_files_test_" + std::to_string(::getpid()));
+};
+
+/// While it lives, a file that grows beyond `bytes` fails to (EFBIG): a full disk that a test can make.
+class SmallDisk {
+ public:
+  explicit SmallDisk(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
+    ::getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit small{bytes, before_.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &small);
+  }
+  ~SmallDisk() {
+    ::setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, handler_);
+  }
+
+ private:
+  rlimit before_{};
+  void (*handler_)(int);
+};
+
+TEST_CASE("text comes back as it was written") {
+  const Folder folder;
+  const std::string text = "a\0b\r\n"s + std::string(200'000, 'x');
+  write_text(folder / "new", text);
+  CHECK(read_text(folder / "new") == text);
+  write_text(folder / "new", "");
+  CHECK(read_text(folder / "new").empty());
+  CHECK(folder.count() == 1);
+}
+
+TEST_CASE("a failed write leaves the old file and nothing else") {
+  const Folder folder;
+  write_text(folder / "kept", "old");
+  {
+    const SmallDisk small(10'000);
+    CHECK_THROWS_WITH(write_text(folder / "kept", std::string(20'000, 'x')),
+                      (folder / "kept") + ": cannot write: File too large");
+  }
+  CHECK(read_text(folder / "kept") == "old");
+  CHECK(folder.count() == 1);
+}
+
+TEST_CASE("files that cannot be are refused by name") {
+  const Folder folder;
+  CHECK_THROWS_WITH(read_text(folder / "none"), (folder / "none") + ": cannot read: No such file or directory");
+  CHECK_THROWS_WITH(read_text(folder / "."), (folder / ".") + ": cannot read: Is a directory");
+  CHECK_THROWS_WITH(write_text(folder / "none/x", "x"),
+                    (folder / "none/x") + ": cannot write: No such file or directory");
+  CHECK_THROWS_WITH(read_scene(folder / "none"), (folder / "none") + ": cannot read: No such file or directory");
+  CHECK_THROWS_AS(write_text(folder / ".", "x"), InputError);
+  CHECK(folder.count() == 0);
+}
+
+TEST_CASE("a device is written in place") {
+  write_text("/dev/null", "x");
+  CHECK(fs::is_character_file("/dev/null"));
+  CHECK_THROWS_WITH(write_text("/dev/full", "x"), "/dev/full: cannot write: No space left on device");
+}
+
+}  // namespace
+}  // namespace touchstone

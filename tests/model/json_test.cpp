@@ -1,0 +1,161 @@
+#include "model/json.h"
+
+#include <cstring>
+
+#include "tests/catch.h"
+#include "tests/model/random_scene.h"
+
+namespace touchstone {
+namespace {
+
+using tests::Bits;
+
+/// operator== takes -0 for 0; a file must not.
+template <class T>
+bool same_bits(const T& a, const T& b) {
+  return std::memcmp(&a, &b, sizeof(T)) == 0;
+}
+
+template <class T>
+T through_text(const T& value) {
+  return read<T>(parse(json_of(value).dump(), "text"), "value");
+}
+
+template <class T>
+std::string complaint(const std::string& text) {
+  try {
+    read<T>(parse(text, "reply"), "result");
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST_CASE("any finite double survives text bit for bit") {
+  Bits bits(1);
+  for (int i = 0; i < 100'000; ++i) {
+    const Vec3 v = bits.vec3();
+    REQUIRE(same_bits(through_text(v), v));
+  }
+  for (const double number :
+       {-0.0, 5e-324, 2.2250738585072011e-308, 1.7976931348623157e308, -1e308, 0.1, 1e15, 1e16, 9007199254740993.0}) {
+    REQUIRE(same_bits(through_text(Vec3(number, -number, 1))[0], number));
+  }
+}
+
+TEST_CASE("a scene survives text, compact or for people") {
+  for (std::uint64_t seed = 0; seed < 2000; ++seed) {
+    const Scene scene = tests::random_scene(seed);
+    const Scene compact = through_text(scene);
+    REQUIRE(compact == scene);
+    REQUIRE(json_of(compact).dump() == json_of(scene).dump());  // -0 too
+    REQUIRE(text_of(json_of(read<Scene>(parse(text_of(json_of(scene)), ""), ""))) == text_of(json_of(scene)));
+  }
+}
+
+TEST_CASE("answers survive text") {
+  Bits bits(2);
+  for (int i = 0; i < 500; ++i) {
+    const Interval interval{bits.finite(), bits.finite()};
+    const Feature feature{bits.below(9), {bits.below(9), bits.below(9)}};
+    const Distance distance{
+        static_cast<Verdict>(i % 3), bits.finite(), bits.vec3(), bits.vec3(), feature, feature, interval};
+    CHECK(through_text(distance) == distance);
+    const Penetration penetration{static_cast<Verdict>(i % 3), bits.finite(), bits.vec3()};
+    CHECK(through_text(penetration) == penetration);
+    const Bounds bounds{{bits.vec3(), bits.vec3()}, {bits.vec3(), bits.vec3()}};
+    CHECK(through_text(bounds) == bounds);
+    const Masses masses{tests::random_mass_properties(bits), std::nullopt};
+    CHECK(through_text(masses) == masses);
+  }
+  CHECK(through_text(Distance{}) == Distance{});
+  CHECK(through_text(Penetration{}) == Penetration{});
+  CHECK(through_text(Bounds{}).empty());
+  CHECK(through_text(Masses{}).empty());
+  CHECK(through_text(PairSet{}).empty());
+  CHECK(through_text(PairSet{{0, 1}}) == PairSet{{0, 1}});
+  CHECK(through_text(PairSet{{0, 1}, {0, 2}, {1, 2}}) == PairSet{{0, 1}, {0, 2}, {1, 2}});
+}
+
+TEST_CASE("what is not an answer is refused by place") {
+  CHECK(complaint<Distance>(R"({"distance": null})") == "result.distance: expected a number, found null");
+  CHECK(complaint<Distance>(R"({"distance": "nan"})") == "result.distance: expected a number, found a string");
+  CHECK(complaint<Distance>(R"({"distance": true})") == "result.distance: expected a number, found true");
+  CHECK(complaint<Distance>(R"({"depth": 1})").starts_with("result: unknown key \"depth\"; known are \"verdict\", "));
+  CHECK(complaint<Distance>(R"({"verdict": "apart"})") ==
+        "result.verdict: expected \"separated\", \"touching\" or \"overlapping\", found \"apart\"");
+  CHECK(complaint<Distance>(R"({"p_WCa": [1, 2]})") == "result.p_WCa: expected 3 items, found 2");
+  CHECK(complaint<Distance>(R"({"p_WCa": [1, 2, {}]})") == "result.p_WCa[2]: expected a number, found an object");
+  CHECK(complaint<Distance>(R"({"enclosure": [1]})") == "result.enclosure: expected 2 items, found 1");
+  CHECK(complaint<Distance>(R"({"feature_A": {"vertices": []}})") == "result.feature_A: the key \"part\" is missing");
+  CHECK(complaint<Distance>(R"({"feature_A": {"part": -1, "vertices": []}})") ==
+        "result.feature_A.part: expected an integer from 0 to 2147483647, found -1");
+  CHECK(complaint<Distance>("[]") == "result: expected an object, found an array");
+  CHECK(complaint<Penetration>(R"({"depth": [1]})") == "result.depth: expected a number, found an array");
+  CHECK(complaint<Penetration>("null") == "result: expected an object, found null");
+  CHECK(complaint<Bounds>(R"([{"lo": [0, 0, 0]}])") == "result[0]: the key \"hi\" is missing");
+  CHECK(complaint<Bounds>("{}") == "result: expected an array, found an object");
+  CHECK(complaint<Masses>(R"([null, {"mass": 1}])") == "result[1]: the key \"p_BBcm\" is missing");
+  CHECK(complaint<PairSet>("[[0, 1.5]]") == "result[0][1]: expected an integer, found 1.5");
+  CHECK(complaint<PairSet>("[[0, 4294967297]]") ==
+        "result[0][1]: expected an integer from 0 to 2147483647, found 4294967297");
+  CHECK(complaint<PairSet>("[[1, 0]]") == "result[0]: expected the smaller index first");
+  CHECK(complaint<PairSet>("[[0, 2], [0, 1]]") == "result[1]: expected the pairs sorted, each once");
+  CHECK(complaint<PairSet>("[[0, 1], [0, 1]]") == "result[1]: expected the pairs sorted, each once");
+}
+
+TEST_CASE("an integer counts as a number when a double holds it exactly") {
+  const auto of = [](const std::string& integer) { return complaint<Vec3>("[" + integer + ", 0, 0]"); };
+  CHECK(of("9007199254740992") == "accepted");
+  CHECK(of("-9007199254740992") == "accepted");
+  CHECK(of("18446744073709549568") == "accepted");
+  for (const std::string integer :
+       {"9007199254740993", "-9007199254740993", "18446744073709551615", "9223372036854775807"}) {
+    CHECK(of(integer) ==
+          "result[0]: the integer " + integer + " is not a double; write it with a decimal point to have it rounded");
+  }
+}
+
+TEST_CASE("what is not JSON is refused by line and column") {
+  const auto of = [](const std::string& text) {
+    try {
+      parse(text, "f.json");
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string("accepted");
+  };
+  CHECK(of("") == "f.json: empty; expected JSON");
+  CHECK(of(" \n\t") == "f.json: empty; expected JSON");
+  CHECK(of("[1,\n2").starts_with("f.json: line 2, column 2: "));
+  CHECK(of("{\"a\": ").starts_with("f.json: line 1, column 7: "));
+  CHECK(of("{}\n{}").starts_with("f.json: line 2, column 1: "));
+  CHECK(of("[NaN]").starts_with("f.json: line 1, column 2: "));
+  CHECK(of("[-Infinity]").starts_with("f.json: line 1, column 3: "));
+  CHECK(of("[1e400]") == "f.json: number overflow parsing '1e400'");
+  CHECK(of(R"({"a": {"b": 1, "b": 2}})") == "f.json: the key \"b\" stands twice in one object");
+  CHECK(of(R"([{"a": 1}, {"a": 1}])") == "accepted");
+  CHECK(of(std::string(100'000, '[')).starts_with("f.json: line 1, column 100001: "));
+  CHECK(of(std::string(100'000, '[') + std::string(100'000, ']')) == "accepted");
+}
+
+TEST_CASE("a complaint is printable and short, whatever it quotes") {
+  try {
+    parse("\"\xff" + std::string(10'000, 'x'), "f.json");
+    FAIL();
+  } catch (const InputError& error) {
+    const std::string message = error.what();
+    CHECK(message.size() < 400);
+    CHECK(std::all_of(message.begin(), message.end(), [](char c) { return c >= ' ' && c < 0x7f; }));
+  }
+}
+
+TEST_CASE("JSON for people puts on one line what fits") {
+  CHECK(text_of(Json{{"p", {1.0, 2.0}}}) == "{\"p\":[1.0,2.0]}\n");
+  const std::string text = text_of(Json(std::vector<std::vector<int>>(40, {1, 2})));
+  CHECK(text.starts_with("[\n  [1,2],\n  [1,2],\n"));
+  CHECK(text.ends_with("\n  [1,2]\n]\n"));
+}
+
+}  // namespace
+}  // namespace touchstone

@@ -1,0 +1,47 @@
+// Prints scenes as the program writes them, one a line, for schema_test.py. Numbers are random bit patterns made legal.
+#include <iostream>
+
+#include "model/json.h"
+#include "model/limits.h"
+#include "tests/model/random_scene.h"
+
+namespace touchstone {
+namespace {
+
+double above_zero(double number) { return std::abs(number) + 5e-324; }
+
+void legalise(Sphere& sphere) { sphere.radius = above_zero(sphere.radius); }
+void legalise(Box& box) { box.half_extents = box.half_extents.unaryExpr(&above_zero); }
+void legalise(Polytope& polytope) {
+  polytope = {{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1e-300, 0), Vec3(0, 0, 5e-324)}, {}};
+}
+void legalise(Compound& compound) {
+  for (Part& part : compound.parts) std::visit([](auto& shape) { legalise(shape); }, part.shape);
+}
+
+void legalise(Density& density) { density.value = above_zero(density.value); }
+void legalise(Fixed&) {}
+void legalise(MassProperties& given) {
+  given.mass = above_zero(given.mass);
+  given.I_BBcm_B = Mat3::Identity() * given.mass;
+}
+
+Scene legal_scene(std::uint64_t seed) {
+  Scene scene = tests::random_scene(seed);
+  for (Body& body : scene.bodies) {
+    std::visit([](auto& shape) { legalise(shape); }, body.shape);
+    std::visit([](auto& mass) { legalise(mass); }, body.mass);
+    body.material = {seed % 2 ? 1.0 : 5e-324, std::abs(body.material.friction)};
+  }
+  validate(scene);
+  return scene;
+}
+
+}  // namespace
+}  // namespace touchstone
+
+int main() {
+  for (std::uint64_t seed = 0; seed < 500; ++seed) {
+    std::cout << touchstone::json_of(touchstone::legal_scene(seed)).dump() << '\n';
+  }
+}
