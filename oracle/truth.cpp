@@ -1,0 +1,65 @@
+#include "oracle/truth.h"
+
+#include <list>
+#include <utility>
+
+#include "reference/broad_phase.h"
+#include "reference/convex_hull.h"
+#include "reference/validity.h"
+
+namespace touchstone::oracle::truth {
+namespace {
+
+/// The answers to the last few questions, the latest first.
+template <class Truth>
+class Memory {
+ public:
+  template <class Compute>
+  const Truth& of(const Scene& scene, Compute&& compute) {
+    for (auto it = entries_.begin(); it != entries_.end(); ++it) {
+      if (it->first == scene) {
+        entries_.splice(entries_.begin(), entries_, it);
+        return it->second;
+      }
+    }
+    entries_.emplace_front(scene, compute(scene));
+    if (entries_.size() > remembered) entries_.pop_back();
+    return entries_.front().second;
+  }
+
+ private:
+  std::list<std::pair<Scene, Truth>> entries_;
+};
+
+}  // namespace
+
+const std::vector<std::optional<reference::MassTruth>>& mass(const Scene& scene) {
+  thread_local Memory<std::vector<std::optional<reference::MassTruth>>> memory;
+  return memory.of(scene, [](const Scene& s) { return reference::mass(s); });
+}
+
+const std::vector<reference::ExactBox>& bounds(const Scene& scene) {
+  thread_local Memory<std::vector<reference::ExactBox>> memory;
+  return memory.of(scene, [](const Scene& s) { return reference::bounds(s); });
+}
+
+const PairSet& broad_phase(const Scene& scene) {
+  thread_local Memory<PairSet> memory;
+  return memory.of(scene, [](const Scene& s) { return reference::broad_phase(s); });
+}
+
+const reference::DistanceTruth& distance(const Scene& scene) {
+  thread_local Memory<reference::DistanceTruth> memory;
+  return memory.of(scene, [](const Scene& s) { return reference::distance(s); });
+}
+
+const reference::PenetrationTruth& penetration(const Scene& scene) {
+  thread_local Memory<reference::PenetrationTruth> memory;
+  return memory.of(scene, [](const Scene& s) { return reference::penetration(s); });
+}
+
+Polytope convex_hull(const std::vector<Vec3>& points) { return reference::convex_hull(points); }
+
+Scene completed(Scene scene) { return reference::completed(std::move(scene)); }
+
+}  // namespace touchstone::oracle::truth
