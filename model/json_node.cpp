@@ -95,6 +95,11 @@ std::string Node::text() const {
   return json_.get<std::string>();
 }
 
+bool Node::truth() const {
+  if (!json_.is_boolean()) refuse("expected true or false, found " + kind(json_));
+  return json_.get<bool>();
+}
+
 void Node::refuse(const std::string& what_is_wrong) const { throw InputError(place(), what_is_wrong); }
 
 std::string Node::place() const {

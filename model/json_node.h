@@ -1,4 +1,4 @@
-// A JSON value together with the way to it, so that every complaint names the place. Inside model/ only.
+// A JSON value together with the way to it, so that every complaint names the place. Other readers (the pipe, cases) use it too.
 #pragma once
 
 #include <initializer_list>
@@ -30,6 +30,7 @@ class Node {
   double number() const;  ///< an integer counts when a double holds it exactly
   int index() const;      ///< an integer from 0 to the greatest int
   std::string text() const;
+  bool truth() const;
 
   [[noreturn]] void refuse(const std::string& what_is_wrong) const;
 
