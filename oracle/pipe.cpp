@@ -1,0 +1,78 @@
+#include "oracle/pipe.h"
+
+#include <algorithm>
+
+#include "model/json.h"
+#include "oracle/protocol.h"
+
+namespace touchstone::oracle {
+
+PipeSubject::PipeSubject(std::vector<std::string> command, PipeLimits limits)
+    : command_(std::move(command)), limits_(limits), card_(start()) {}
+
+PipeSubject::~PipeSubject() { restart(); }
+
+Answer<Masses> PipeSubject::mass(const Scene& scene) { return ask<Masses>("mass", scene); }
+Answer<Bounds> PipeSubject::bounds(const Scene& scene) { return ask<Bounds>("bounds", scene); }
+Answer<PairSet> PipeSubject::broad_phase(const Scene& scene) { return ask<PairSet>("broad_phase", scene); }
+Answer<Distance> PipeSubject::distance(const Scene& scene) { return ask<Distance>("distance", scene); }
+Answer<Penetration> PipeSubject::penetration(const Scene& scene) { return ask<Penetration>("penetration", scene); }
+
+void PipeSubject::restart() {
+  if (child_) child_->say(protocol::stop(++seq_));
+  child_.reset();
+}
+
+/// The introduction is held to the wall clock alone: loading is not answering, and a large runtime loads for seconds.
+Card PipeSubject::start() try {
+  seq_ = 0;
+  asked_ = 0;
+  child_ = std::make_unique<ChildProcess>(command_);
+  const auto said =
+      child_->exchange(protocol::start(++seq_), {limits_.wall_seconds, limits_.wall_seconds, limits_.longest_line});
+  if (const Breaks* breaks = std::get_if<Breaks>(&said)) {
+    throw InputError("", "did not introduce itself: " + breaks->how);
+  }
+  return protocol::read_introduction(std::get<std::string>(said), seq_);
+} catch (const InputError& error) {
+  child_.reset();
+  throw InputError("subject \"" + command_[0] + '"', error.what());
+}
+
+template <class T>
+Answer<T> PipeSubject::ask(const std::string& query, const Scene& scene) {
+  if (std::find(card_.answers.begin(), card_.answers.end(), query) == card_.answers.end()) {
+    return Abstains{"no " + query + " query"};
+  }
+  if (limits_.recycle_after > 0 && asked_ == limits_.recycle_after) restart();
+  if (!child_) {
+    try {
+      start();
+    } catch (const InputError& error) {
+      return Breaks{Breaks::Kind::crashed, std::string("would not start again: ") + error.what()};
+    }
+  }
+  ++asked_;
+  const auto said = child_->exchange(protocol::ask(++seq_, query, text_of_scene(scene)),
+                                     {limits_.cpu_seconds, limits_.wall_seconds, limits_.longest_line});
+  if (const Breaks* breaks = std::get_if<Breaks>(&said)) {
+    child_.reset();
+    return *breaks;
+  }
+  try {
+    return protocol::read_answer<T>(std::get<std::string>(said), seq_);
+  } catch (const InputError& error) {
+    child_.reset();
+    return Breaks{Breaks::Kind::garbage, error.what()};
+  }
+}
+
+const std::string& PipeSubject::text_of_scene(const Scene& scene) {
+  if (scene_text_.empty() || !(scene == scene_)) {
+    scene_ = scene;
+    scene_text_ = json_of(scene).dump();
+  }
+  return scene_text_;
+}
+
+}  // namespace touchstone::oracle

@@ -1,0 +1,87 @@
+#include "oracle/serve.h"
+
+#include <fcntl.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cfenv>
+#include <cstdio>
+#include <iostream>
+#include <string>
+#include <system_error>
+
+#include "oracle/descriptor.h"
+#include "oracle/protocol.h"
+
+namespace touchstone::oracle {
+namespace {
+
+/// stdout, out of reach of whatever prints.
+Descriptor private_stdout() {
+  Descriptor mine(fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, STDERR_FILENO + 1));
+  if (mine.get() < 0 || dup2(STDERR_FILENO, STDOUT_FILENO) < 0) {
+    throw std::system_error(errno, std::generic_category(), "stdout");
+  }
+  return mine;
+}
+
+void write_all(const Descriptor& out, const std::string& line) {
+  for (std::size_t done = 0; done < line.size();) {
+    const ssize_t count = write(out.get(), line.data() + done, line.size() - done);
+    if (count < 0 && errno != EINTR) throw std::system_error(errno, std::generic_category(), "stdout");
+    if (count > 0) done += static_cast<std::size_t>(count);
+  }
+}
+
+template <class T>
+std::string line_of(protocol::Seq seq, const Answer<T>& answer) {
+  if (const T* result = std::get_if<T>(&answer)) return protocol::answer(seq, json_of(*result));
+  if (const Abstains* abstains = std::get_if<Abstains>(&answer)) return protocol::answer(seq, *abstains);
+  return protocol::answer(seq, std::get<Breaks>(answer));
+}
+
+std::string answer_to(const protocol::Request& request, Subject& subject) try {
+  // A library built with -ffast-math makes the processor flush denormals, for all of us, as soon as it is loaded.
+  const auto in_default_environment = [](auto ask) {
+    std::fesetenv(FE_DFL_ENV);
+    auto answer = ask();
+    std::fesetenv(FE_DFL_ENV);
+    return answer;
+  };
+  const auto answered = [&](auto query) {
+    return line_of(request.seq, in_default_environment([&] { return (subject.*query)(request.scene); }));
+  };
+  if (request.query == "mass") return answered(&Subject::mass);
+  if (request.query == "bounds") return answered(&Subject::bounds);
+  if (request.query == "broad_phase") return answered(&Subject::broad_phase);
+  if (request.query == "distance") return answered(&Subject::distance);
+  if (request.query == "penetration") return answered(&Subject::penetration);
+  return protocol::answer(request.seq, Abstains{"no " + request.query + " query"});
+} catch (const std::exception& error) {
+  return protocol::answer(request.seq, Breaks{Breaks::Kind::threw, error.what()});
+} catch (...) {
+  return protocol::answer(request.seq, Breaks{Breaks::Kind::threw, "not a std::exception"});
+}
+
+}  // namespace
+
+int serve(Subject& subject) try {
+  const Descriptor out = private_stdout();
+  const rlimit no_core_dumps{0, 0};
+  setrlimit(RLIMIT_CORE, &no_core_dumps);
+  std::ios::sync_with_stdio(false);
+  for (std::string line; std::getline(std::cin, line);) {
+    std::fesetenv(FE_DFL_ENV);
+    const protocol::Request request = protocol::read_request(line);
+    if (request.op == protocol::Request::Op::stop) break;
+    write_all(out, request.op == protocol::Request::Op::start ? protocol::introduction(request.seq, subject.card())
+                                                              : answer_to(request, subject));
+  }
+  return 0;
+} catch (const std::exception& error) {
+  std::fprintf(stderr, "%s\n", error.what());
+  return 2;
+}
+
+}  // namespace touchstone::oracle
