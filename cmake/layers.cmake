@@ -1,5 +1,5 @@
 # The only way a target is made. The table says which layer may link which; anything else stops the configuration.
-# tests/layers_test.cpp reads the includes and holds them to the same table.
+# tests/house/layers_test.py reads the includes and holds them to the same table.
 
 set(TOUCHSTONE_MAY_USE_model)
 set(TOUCHSTONE_MAY_USE_reference model)
@@ -21,7 +21,9 @@ function(touchstone_layer target)
     add_executable(${target} ${ARG_SOURCES})
   else()
     add_library(${target} STATIC ${ARG_SOURCES})
-    add_library(touchstone::${target} ALIAS ${target})
+    string(REPLACE "touchstone_" "" short_name ${target})
+    add_library(touchstone::${short_name} ALIAS ${target})
+    set_target_properties(${target} PROPERTIES EXPORT_NAME ${short_name})
   endif()
   set_target_properties(${target} PROPERTIES TOUCHSTONE_LAYER ${ARG_LAYER})
   foreach(used IN LISTS ARG_USES)
@@ -34,5 +36,6 @@ function(touchstone_layer target)
   endforeach()
   target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:include/touchstone>)
   target_compile_features(${target} PUBLIC cxx_std_20)
-  target_link_libraries(${target} PUBLIC ${ARG_USES} ${ARG_LINKS} PRIVATE touchstone_flags ${ARG_BEHIND})
+  target_link_libraries(${target} PUBLIC ${ARG_USES} ${ARG_LINKS} PRIVATE $<BUILD_INTERFACE:touchstone_flags> ${ARG_BEHIND})
+  touchstone_install(${target} ${ARG_LAYER} "${ARG_EXECUTABLE}")
 endfunction()
