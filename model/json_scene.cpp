@@ -9,11 +9,6 @@ using touchstone::json_of;
 
 constexpr const char* scene_format = "scene/1";
 
-template <class... Cases>
-struct Overloaded : Cases... {
-  using Cases::operator()...;
-};
-
 Json json_of(const Quaternion& q) { return {{"w", q.w}, {"x", q.x}, {"y", q.y}, {"z", q.z}}; }
 Json json_of(const Pose& X) { return {{"p", json_of(X.p_WB)}, {"q", json_of(X.q_WB)}}; }
 Json json_of(const Sphere& sphere) { return {{"type", "sphere"}, {"radius", sphere.radius}}; }
@@ -32,34 +27,28 @@ Json json_of(const Compound& compound) {
   Json parts = Json::array();
   for (const Part& part : compound.parts) {
     parts.push_back({{"X_BP", json_of(part.X_BP)},
-                     {"shape", std::visit([](const auto& shape) { return json_of(shape); }, part.shape)}});
+                     {"shape", std::visit([](const auto& kind) { return json_of(kind); }, part.shape)}});
   }
   return {{"type", "compound"}, {"parts", std::move(parts)}};
 }
 
-Json json_of(const Mass& mass) {
-  return std::visit(Overloaded{[](const Density& density) -> Json {
-                                 return {{"type", "density"}, {"density", density.value}};
-                               },
-                               [](const MassProperties& given) -> Json {
-                                 Json json = {{"type", "given"}};
-                                 json.update(json_of(Masses{given})[0]);
-                                 return json;
-                               },
-                               [](const Fixed&) -> Json {
-                                 return {{"type", "fixed"}};
-                               }},
-                    mass);
+Json json_of(const Density& density) { return {{"type", "density"}, {"density", density.value}}; }
+Json json_of(const Fixed&) { return {{"type", "fixed"}}; }
+
+Json json_of(const MassProperties& given) {
+  Json json = {{"type", "given"}};
+  json.update(json_of(Masses{given})[0]);
+  return json;
 }
 
 Json json_of(const Body& body) {
   Json json = Json::object();
   if (!body.name.empty()) json["name"] = body.name;
-  json["shape"] = std::visit([](const auto& shape) { return json_of(shape); }, body.shape);
+  json["shape"] = std::visit([](const auto& kind) { return json_of(kind); }, body.shape);
   json["X_WB"] = json_of(body.X_WB);
   json["velocity"] = {{"v_WBcm", json_of(body.velocity.v_WBcm)}, {"w_WB", json_of(body.velocity.w_WB)}};
   json["material"] = {{"restitution", body.material.restitution}, {"friction", body.material.friction}};
-  json["mass"] = json_of(body.mass);
+  json["mass"] = std::visit([](const auto& kind) { return json_of(kind); }, body.mass);
   return json;
 }
 
