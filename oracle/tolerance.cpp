@@ -97,11 +97,14 @@ SignedSum signed_sum(const Compound& c) {
 
 }  // namespace
 
+double radius(const Body& body) {
+  return std::visit([](const auto& shape) { return radius(shape); }, body.shape);
+}
+
 double scale(const Scene& scene) {
   double S = 0;
   for (const Body& body : scene.bodies) {
-    S = std::max(
-        S, body.X_WB.p_WB.cwiseAbs().maxCoeff() + std::visit([](const auto& s) { return radius(s); }, body.shape));
+    S = std::max(S, body.X_WB.p_WB.cwiseAbs().maxCoeff() + radius(body));
   }
   return S;
 }
@@ -147,7 +150,7 @@ MassBound mass(const Body& body, Precision precision) {
   if (precision == Precision::exact || density == nullptr)
     return {};  // truth is an enclosure; given values are repeated
   const SignedSum s = std::visit([](const auto& shape) { return signed_sum(shape); }, body.shape);
-  const double rho = std::visit([](const auto& shape) { return radius(shape); }, body.shape);
+  const double rho = radius(body);
   const double u = unit_roundoff(precision);
   const double posed = std::holds_alternative<Compound>(body.shape) ? 300 : 0;
   const double E = s.A + s.n * rho * rho * rho / 6;

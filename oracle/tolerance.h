@@ -10,7 +10,10 @@
 
 namespace touchstone::oracle::tolerance {
 
-/// S = max over bodies of (|p_WB|∞ + greatest distance of a point of the body from the body's origin), m.
+/// Greatest distance of a point of the body from the body's own origin, m.
+double radius(const Body& body);
+
+/// S = max over bodies of (|p_WB|∞ + radius), m.
 double scale(const Scene& scene);
 
 /// u·S, m: the unit that findings count in.
@@ -34,7 +37,8 @@ double unit_length(Precision precision);
 /// m: how much wider, a side, a conservative tight box may be than the exact one.
 double bounds(const Scene& scene, Precision precision);
 
-/// Of one body's mass (kg), centre of mass (m) and moments and products of inertia (kg m²).
+/// Of one body's mass (kg), centre of mass (m) and moments and products of inertia (kg m²). 0 for an exact subject,
+/// whose answer lies in the truth's enclosure, and for given properties, which are repeated.
 struct MassBound {
   double mass = 0;
   double centre = 0;

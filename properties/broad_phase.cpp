@@ -1,0 +1,201 @@
+// docs/spec/broad_phase.md, as sentences that run.
+#include "reference/broad_phase.h"
+
+#include <algorithm>
+#include <functional>
+#include <iterator>
+
+#include "oracle/tolerance.h"
+#include "oracle/truth.h"
+#include "oracle/words.h"
+#include "properties/asking.h"
+#include "properties/motion.h"
+#include "properties/pair_laws.h"
+#include "properties/stems.h"
+
+namespace touchstone::properties {
+namespace {
+
+using oracle::Defect;
+using oracle::Finding;
+using oracle::Subject;
+namespace judge = oracle::judge;
+namespace tolerance = oracle::tolerance;
+namespace truth = oracle::truth;
+namespace words = oracle::words;
+using Pair = std::pair<int, int>;
+
+template <class JudgeIt>
+Finding of_pairs(const Scene& scene, Subject& subject, JudgeIt&& judge_it) {
+  return of_scene(scene, subject, [&] { return judge::given(subject.broad_phase(scene), judge_it); });
+}
+
+// The same set, as a sorted list of i < j without the pairs that name no body: form is another property's business.
+PairSet as_set(PairSet pairs, const Scene& scene) {
+  const int n = static_cast<int>(scene.bodies.size());
+  for (Pair& pair : pairs) pair = std::minmax(pair.first, pair.second);
+  std::erase_if(pairs, [n](const Pair& pair) { return pair.first < 0 || pair.second >= n; });
+  std::ranges::sort(pairs);
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  return pairs;
+}
+
+PairSet without(const PairSet& some, const PairSet& others) {
+  PairSet rest;
+  std::ranges::set_difference(some, others, std::back_inserter(rest));
+  return rest;
+}
+
+reference::Rational gap(const Scene& scene, const Pair& pair) {
+  const std::vector<reference::ExactBox>& boxes = truth::bounds(scene);
+  if (pair.first == pair.second) return {};
+  return reference::gap(boxes[static_cast<std::size_t>(pair.first)], boxes[static_cast<std::size_t>(pair.second)]);
+}
+
+// A pair whose boxes are closer than this may be reported: two boxes, each as much wider as a tight box may be, and the
+// margin.
+double reach(const Scene& scene, const oracle::Card& card) {
+  return 2 * tolerance::bounds(scene, card.precision) + card.broad_phase_margin;
+}
+
+// agrees
+// ---------------------------------------------------------------------------------------------------------------
+
+Finding misses_none(const Scene& scene, Subject& subject) {
+  return of_pairs(scene, subject, [&](const PairSet& said) {
+    const PairSet missed = without(truth::broad_phase(scene), as_set(said, scene));
+    if (missed.empty()) return judge::holds();
+    double deepest = 0;  // boxes that only touch overlap by 0, and are missed all the same
+    for (const Pair& pair : missed) deepest = std::max(deepest, -gap(scene, pair).nearest());
+    Finding finding =
+        judge::wrong(Defect::missed, "without " + words::text(missed), "every pair whose closed boxes meet");
+    const judge::Allowance none = judge::in_ulps(scene, subject.card(), 0);
+    finding.error = deepest / none.unit;
+    finding.unit = none.unit_name;
+    finding.margin = Interval{deepest, deepest};
+    return finding;
+  });
+}
+
+Finding adds_none(const Scene& scene, Subject& subject) {
+  return of_pairs(scene, subject, [&](const PairSet& said) {
+    const PairSet extra = without(as_set(said, scene), truth::broad_phase(scene));
+    double widest = 0;
+    for (const Pair& pair : extra) widest = std::max(widest, gap(scene, pair).nearest());
+    Finding finding = judge::at_most(
+        widest, judge::in_ulps(scene, subject.card(), reach(scene, subject.card())), Defect::phantom,
+        [&] { return "with " + words::text(extra); },
+        [] { return std::string("no pair whose boxes are further apart"); });
+    if (finding.outcome == oracle::Outcome::fails) finding.margin = Interval{widest, widest};
+    return finding;
+  });
+}
+
+Finding well_formed(const Scene& scene, Subject& subject) {
+  return of_pairs(scene, subject, [&](const PairSet& said) {
+    if (said == as_set(said, scene) && std::ranges::all_of(said, [](const Pair& p) { return p.first < p.second; })) {
+      return judge::holds();
+    }
+    return judge::wrong(Defect::garbage, words::text(said), "pairs i < j of bodies, sorted, each once");
+  });
+}
+
+// laws
+// -----------------------------------------------------------------------------------------------------------------
+
+// Two answers about one set of pairs may differ by pairs within reach of each other, which are free; by no others.
+Finding pairs_kept(
+    const Scene& before, const std::optional<Scene>& moved, Subject& subject, Defect defect,
+    const std::function<Pair(const Pair&)>& renamed = [](const Pair& pair) { return pair; }) {
+  return of_moved(moved, subject, [&](const Scene& after) {
+    return of_pairs(before, subject, [&](const PairSet& first) {
+      return judge::given(subject.broad_phase(after), [&](const PairSet& second) {
+        PairSet expected = as_set(first, before);
+        for (Pair& pair : expected) pair = renamed(pair);
+        expected = as_set(expected, after);
+        const PairSet got = as_set(second, after);
+        PairSet differ = without(expected, got);
+        std::ranges::copy(without(got, expected), std::back_inserter(differ));
+        const double free = reach(after, subject.card());
+        std::erase_if(differ, [&](const Pair& pair) {
+          const reference::Rational g = gap(after, pair);
+          return g.sign() > 0 && g <= reference::Rational(free);
+        });
+        if (differ.empty()) return judge::holds();
+        return judge::wrong(defect, "differs by " + words::text(differ), "the same pairs as before");
+      });
+    });
+  });
+}
+
+Finding translates(const Scene& scene, Subject& subject) {
+  return pairs_kept(scene, translated(scene), subject, Defect::moved_with_frame);
+}
+
+Finding turns(const Scene& scene, Subject& subject) {
+  return pairs_kept(scene, turned(scene), subject, Defect::relabelled);
+}
+
+Finding scales(const Scene& scene, Subject& subject) {
+  const oracle::Card& card = subject.card();
+  if (card.broad_phase_margin > 0) return judge::outside("a margin in metres does not scale");
+  const Finding larger = pairs_kept(scene, scaled(scene, 20), subject, Defect::scaled);
+  return larger.outcome == oracle::Outcome::holds ? pairs_kept(scene, scaled(scene, -20), subject, Defect::scaled)
+                                                  : larger;
+}
+
+Finding relabels(const Scene& scene, Subject& subject) {
+  const int last = static_cast<int>(scene.bodies.size()) - 1;
+  return pairs_kept(scene, swapped(scene), subject, Defect::relabelled,
+                    [last](const Pair& pair) { return Pair(last - pair.first, last - pair.second); });
+}
+
+// survives, repeats
+// ----------------------------------------------------------------------------------------------------
+
+Finding lives(const Scene& scene, Subject& subject) {
+  const auto any_set_has_sense = [](const PairSet&) { return std::string(); };
+  return of_scene(scene, subject, [&] { return survives(&Subject::broad_phase, scene, subject, any_set_has_sense); });
+}
+
+Finding again(const Scene& scene, Subject& subject) {
+  return of_scene(scene, subject, [&] { return repeats(&Subject::broad_phase, scene, swapped(scene), subject); });
+}
+
+}  // namespace
+
+std::vector<Property> broad_phase_properties() {
+  return {
+      {"broad_phase.misses_none",
+       "broad_phase",
+       {"TS-BROAD-PHASE-1"},
+       "every pair whose closed boxes meet is reported",
+       misses_none},
+      {"broad_phase.adds_none",
+       "broad_phase",
+       {"TS-BROAD-PHASE-2"},
+       "no pair is reported whose boxes are further apart than rounding and the declared margin",
+       adds_none},
+      {"broad_phase.well_formed",
+       "broad_phase",
+       {"TS-BROAD-PHASE-3"},
+       "pairs are i < j, sorted, each once",
+       well_formed},
+      {"broad_phase.translated", "broad_phase", {"TS-BROAD-PHASE-4"}, "moving the world changes no pair", translates},
+      {"broad_phase.turned", "broad_phase", {"TS-BROAD-PHASE-4"}, "renaming the axes changes no pair", turns},
+      {"broad_phase.scaled",
+       "broad_phase",
+       {"TS-BROAD-PHASE-5"},
+       "a change of unit by 2^20 or 2^-20 changes no pair",
+       scales},
+      {"broad_phase.relabelled",
+       "broad_phase",
+       {"TS-BROAD-PHASE-6"},
+       "the order of the bodies renames the pairs, nothing else",
+       relabels},
+      {"broad_phase.survives", "broad_phase", {"TS-BROAD-PHASE-7"}, "the pairs come, however extreme the scene", lives},
+      {"broad_phase.repeats", "broad_phase", {"TS-BROAD-PHASE-8"}, "the same question has the same answer", again},
+  };
+}
+
+}  // namespace touchstone::properties

@@ -1,0 +1,246 @@
+// docs/spec/distance.md, as sentences that run.
+#include <algorithm>
+#include <cmath>
+
+#include "oracle/feature_gap.h"
+#include "oracle/tolerance.h"
+#include "oracle/truth.h"
+#include "oracle/words.h"
+#include "properties/asking.h"
+#include "properties/motion.h"
+#include "properties/pair_laws.h"
+#include "properties/stems.h"
+
+namespace touchstone::properties {
+namespace {
+
+using oracle::Defect;
+using oracle::Finding;
+using oracle::Subject;
+namespace judge = oracle::judge;
+namespace tolerance = oracle::tolerance;
+namespace truth = oracle::truth;
+namespace words = oracle::words;
+
+template <class JudgeIt>
+Finding of_answer(const Scene& scene, Subject& subject, JudgeIt&& judge_it) {
+  return of_pair(scene, subject, [&] { return judge::given(subject.distance(scene), judge_it); });
+}
+
+// agrees
+// ---------------------------------------------------------------------------------------------------------------
+
+Finding verdict(const Scene& scene, Subject& subject) {
+  return of_answer(scene, subject, [&](const Distance& said) {
+    return said.verdict ? judge::verdict(scene, subject.card(), *said.verdict) : judge::silent("the verdict");
+  });
+}
+
+Finding value(const Scene& scene, Subject& subject) {
+  return of_answer(scene, subject, [&](const Distance& said) {
+    if (!said.distance) return judge::silent("the distance");
+    const double allowed = tolerance::distance(scene, subject.card().precision);
+    return judge::explained(
+        judge::near(*said.distance, truth::distance(scene).distance, judge::in_ulps(scene, subject.card(), allowed),
+                    Defect::too_near, Defect::too_far),
+        scene);
+  });
+}
+
+Finding enclosure(const Scene& scene, Subject& subject) {
+  return of_answer(scene, subject, [&](const Distance& said) {
+    if (!said.enclosure) return judge::silent("an enclosure");
+    const Interval exact = truth::distance(scene).distance;
+    const double short_by = std::max({said.enclosure->lo - exact.lo, exact.hi - said.enclosure->hi, 0.0});
+    return judge::explained(judge::at_most(
+                                short_by, judge::in_ulps(scene, subject.card(), 0), Defect::broken_enclosure,
+                                [&] { return words::text(*said.enclosure); },
+                                [&] { return "an interval that holds " + words::text(exact); }),
+                            scene);
+  });
+}
+
+// Where bodies overlap no pair of points is closest, and a witness means nothing.
+template <class JudgeIt>
+Finding of_witnesses(const Scene& scene, Subject& subject, JudgeIt&& judge_it) {
+  return of_answer(scene, subject, [&](const Distance& said) {
+    if (truth::distance(scene).verdict == Verdict::overlapping)
+      return judge::outside("overlapping bodies have no witnesses");
+    if (!said.p_WCa || !said.p_WCb) return judge::silent("witness points");
+    return judge::explained(judge_it(*said.p_WCa, *said.p_WCb), scene);
+  });
+}
+
+Finding witnesses_on_bodies(const Scene& scene, Subject& subject) {
+  return of_witnesses(scene, subject, [&](const Vec3& p_WCa, const Vec3& p_WCb) {
+    const double off_A = judge::off_body(scene.bodies[0], p_WCa), off_B = judge::off_body(scene.bodies[1], p_WCb);
+    const double allowed = tolerance::witness(scene, subject.card().precision);
+    return judge::at_most(
+        std::max(off_A, off_B), judge::in_ulps(scene, subject.card(), allowed), Defect::wrong_witness,
+        [&] {
+          return words::text(p_WCa) + ", " + words::text(off_A) + " off A; " + words::text(p_WCb) + ", " +
+                 words::text(off_B) + " off B";
+        },
+        [] { return std::string("a point of each body"); });
+  });
+}
+
+Finding witnesses_apart(const Scene& scene, Subject& subject) {
+  return of_witnesses(scene, subject, [&](const Vec3& p_WCa, const Vec3& p_WCb) {
+    const double allowed = tolerance::distance(scene, subject.card().precision);
+    return judge::near((p_WCa - p_WCb).stableNorm(), truth::distance(scene).distance,
+                       judge::in_ulps(scene, subject.card(), allowed), Defect::wrong_witness, Defect::wrong_witness);
+  });
+}
+
+bool holds_all(const Feature& claimed, const Feature& exact) {
+  return claimed.part == exact.part && std::ranges::all_of(exact.vertices, [&](int i) {
+           return std::ranges::find(claimed.vertices, i) != claimed.vertices.end();
+         });
+}
+
+Finding features(const Scene& scene, Subject& subject) {
+  return of_answer(scene, subject, [&](const Distance& said) {
+    const reference::DistanceTruth& exact = truth::distance(scene);
+    if (exact.verdict == Verdict::overlapping) return judge::outside("overlapping bodies have no closest features");
+    if (!said.feature_A || !said.feature_B) return judge::silent("closest features");
+    if (holds_all(*said.feature_A, exact.feature_A) && holds_all(*said.feature_B, exact.feature_B))
+      return judge::holds();
+    const auto observed = [&] { return words::text(*said.feature_A) + " and " + words::text(*said.feature_B); };
+    const auto expected = [&] {
+      return "a pair among " + words::text(exact.feature_A) + " and " + words::text(exact.feature_B);
+    };
+    const auto gap = oracle::feature_gap(scene.bodies[0], *said.feature_A, scene.bodies[1], *said.feature_B);
+    if (!gap) return judge::wrong(Defect::wrong_feature, observed() + ", which are not there", expected());
+    const double allowed = tolerance::distance(scene, subject.card().precision);
+    return judge::explained(
+        judge::at_most(*gap - exact.core_squared.sqrt_enclosure().lo, judge::in_ulps(scene, subject.card(), allowed),
+                       Defect::wrong_feature, observed, expected),
+        scene);
+  });
+}
+
+// laws
+// -----------------------------------------------------------------------------------------------------------------
+
+Finding symmetric(const Scene& scene, Subject& subject) {
+  return of_pair(scene, subject,
+                 [&] { return distance_unchanged(scene, swapped(scene), 1, subject, Defect::asymmetric); });
+}
+
+Finding translates(const Scene& scene, Subject& subject) {
+  return of_pair(scene, subject,
+                 [&] { return distance_unchanged(scene, translated(scene), 1, subject, Defect::moved_with_frame); });
+}
+
+Finding turns(const Scene& scene, Subject& subject) {
+  return of_pair(scene, subject,
+                 [&] { return distance_unchanged(scene, some_turn(scene), 1, subject, Defect::moved_with_frame); });
+}
+
+Finding relabels(const Scene& scene, Subject& subject) {
+  return of_pair(scene, subject,
+                 [&] { return distance_unchanged(scene, relabelled(scene), 1, subject, Defect::relabelled); });
+}
+
+Finding scales(const Scene& scene, Subject& subject) {
+  return of_pair(scene, subject, [&] {
+    const Finding larger = distance_unchanged(scene, scaled(scene, 20), 0x1p20, subject, Defect::scaled);
+    if (larger.outcome != oracle::Outcome::holds) return larger;
+    return distance_unchanged(scene, scaled(scene, -20), 0x1p-20, subject, Defect::scaled);
+  });
+}
+
+// Needs no truth: what is apart is apart by something, what is not is apart by nothing.
+Finding consistent(const Scene& scene, Subject& subject) {
+  return of_answer(scene, subject, [&](const Distance& said) {
+    if (!said.verdict || !said.distance) return judge::silent("both verdict and distance");
+    const bool apart = *said.verdict == Verdict::separated;
+    if (apart == (*said.distance > 0)) return judge::holds();
+    return judge::explained(judge::wrong(apart ? Defect::too_near : Defect::too_far,
+                                         words::text(*said.verdict) + " at distance " + words::text(*said.distance),
+                                         "a distance > 0 exactly when separated"),
+                            scene);
+  });
+}
+
+// survives, repeats
+// ----------------------------------------------------------------------------------------------------
+
+std::string senseless(const Distance& said) {
+  if (said.distance && *said.distance < 0) return "distance " + words::text(*said.distance) + " < 0";
+  if (said.enclosure && said.enclosure->lo > said.enclosure->hi)
+    return "empty enclosure " + words::text(*said.enclosure);
+  return "";
+}
+
+Finding lives(const Scene& scene, Subject& subject) {
+  return of_pair(scene, subject, [&] { return survives(&Subject::distance, scene, subject, senseless); });
+}
+
+Finding again(const Scene& scene, Subject& subject) {
+  return of_pair(scene, subject, [&] { return repeats(&Subject::distance, scene, swapped(scene), subject); });
+}
+
+}  // namespace
+
+std::vector<Property> distance_properties() {
+  return {
+      {"distance.verdict", "distance", {"TS-DISTANCE-1"}, "the verdict is the exact one", verdict},
+      {"distance.value", "distance", {"TS-DISTANCE-2"}, "the distance is the exact one within rounding", value},
+      {"distance.witnesses_on_bodies",
+       "distance",
+       {"TS-DISTANCE-3"},
+       "each witness point is on its body",
+       witnesses_on_bodies},
+      {"distance.witnesses_apart",
+       "distance",
+       {"TS-DISTANCE-3"},
+       "the witness points are as far apart as the bodies",
+       witnesses_apart},
+      {"distance.features",
+       "distance",
+       {"TS-DISTANCE-4"},
+       "the closest features hold a closest pair of points",
+       features},
+      {"distance.symmetric",
+       "distance",
+       {"TS-DISTANCE-6"},
+       "swapping the two bodies changes neither the distance nor the verdict",
+       symmetric},
+      {"distance.translated",
+       "distance",
+       {"TS-DISTANCE-7"},
+       "moving both bodies alike changes neither the distance nor the verdict",
+       translates},
+      {"distance.turned",
+       "distance",
+       {"TS-DISTANCE-7"},
+       "turning the world changes neither the distance nor the verdict",
+       turns},
+      {"distance.scaled",
+       "distance",
+       {"TS-DISTANCE-8"},
+       "a change of unit by 2^20 or 2^-20 scales the distance, nothing else",
+       scales},
+      {"distance.relabelled",
+       "distance",
+       {"TS-DISTANCE-9"},
+       "the order of a polytope's vertices changes nothing",
+       relabels},
+      {"distance.enclosure", "distance", {"TS-DISTANCE-5"}, "the enclosure holds the exact distance", enclosure},
+      {"distance.consistent",
+       "distance",
+       {"TS-DISTANCE-10"},
+       "the distance is positive exactly when the verdict is separated",
+       consistent},
+      {"distance.survives",
+       "distance",
+       {"TS-DISTANCE-11"},
+       "the answer comes, finite and with sense, however extreme the pair",
+       lives},
+      {"distance.repeats", "distance", {"TS-DISTANCE-12"}, "the same question has the same answer, bit for bit", again},
+  };
+}
+
+}  // namespace touchstone::properties

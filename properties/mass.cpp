@@ -1,0 +1,303 @@
+// docs/spec/mass.md, as sentences that run.
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+
+#include "oracle/tolerance.h"
+#include "oracle/truth.h"
+#include "oracle/words.h"
+#include "properties/asking.h"
+#include "properties/body_motion.h"
+#include "properties/motion.h"
+#include "properties/stems.h"
+
+namespace touchstone::properties {
+namespace {
+
+using oracle::Defect;
+using oracle::Finding;
+using oracle::Subject;
+using oracle::tolerance::MassBound;
+using reference::MassTruth;
+namespace judge = oracle::judge;
+namespace tolerance = oracle::tolerance;
+namespace truth = oracle::truth;
+namespace words = oracle::words;
+
+// What is judged of a body: its mass, the coordinates of its centre, the entries of its inertia.
+enum class Part { mass, centre, inertia };
+
+std::vector<double> numbers(const MassProperties& m, Part part) {
+  const Mat3& I = m.I_BBcm_B;
+  if (part == Part::mass) return {m.mass};
+  if (part == Part::centre) return {m.p_BBcm.x(), m.p_BBcm.y(), m.p_BBcm.z()};
+  return {I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(0, 2), I(1, 2)};
+}
+
+std::vector<Interval> enclosures(const MassTruth& m, Part part) {
+  if (part == Part::mass) return {m.mass};
+  if (part == Part::centre) return {m.p_BBcm.begin(), m.p_BBcm.end()};
+  return {m.I_BBcm_B.begin(), m.I_BBcm_B.end()};
+}
+
+double bound(const Body& body, Part part, oracle::Precision precision) {
+  const MassBound all = tolerance::mass(body, precision);
+  return part == Part::mass ? all.mass : part == Part::centre ? all.centre : all.inertia;
+}
+
+// Errors are counted in ulps of the mass, the radius ρ, or mass times ρ².
+judge::Allowance allowance(const Body& body, const MassTruth& exact, Part part, double bound,
+                           oracle::Precision precision) {
+  const double u = oracle::unit_roundoff(precision), rho = tolerance::radius(body), m = exact.mass.hi;
+  if (part == Part::mass) return {bound, u * m, "ulps of the mass"};
+  if (part == Part::centre) return {bound, u * rho, "ulps of the body's radius"};
+  return {bound, u * m * rho * rho, "ulps of mass times radius squared"};
+}
+
+// The finding that is worse for the subject.
+const Finding& worse(const Finding& a, const Finding& b) {
+  const auto badness = [](const Finding& f) {
+    return std::pair(f.outcome == oracle::Outcome::fails, f.error / (f.allowed + 1));
+  };
+  return badness(a) < badness(b) ? b : a;
+}
+
+// One entry a body, and none exactly for the fixed ones, or there is nothing to judge.
+template <class JudgeIt>
+Finding given_masses(const Scene& scene, Subject& subject, JudgeIt&& judge_it) {
+  return judge::given(subject.mass(scene), [&](const Masses& said) {
+    const bool one_a_body = std::ranges::equal(said, scene.bodies, [](const auto& m, const Body& body) {
+      return m.has_value() != std::holds_alternative<Fixed>(body.mass);
+    });
+    if (!one_a_body) {
+      return judge::wrong(Defect::wrong_mass, "not one entry a movable body", "an entry a body, none for a fixed one");
+    }
+    return judge_it(said);
+  });
+}
+
+template <class JudgeIt>
+Finding of_masses(const Scene& scene, Subject& subject, JudgeIt&& judge_it) {
+  return of_scene(scene, subject, [&] { return given_masses(scene, subject, judge_it); });
+}
+
+// agrees
+// ---------------------------------------------------------------------------------------------------------------
+
+Finding agrees(const Scene& scene, Subject& subject, Part part) {
+  return of_masses(scene, subject, [&](const Masses& said) {
+    const auto precision = subject.card().precision;
+    const auto& exact = truth::mass(scene);
+    Finding worst;
+    for (std::size_t i = 0; i < said.size(); ++i) {
+      if (!said[i]) continue;
+      const std::vector<double> claimed = numbers(*said[i], part);
+      const std::vector<Interval> enclosed = enclosures(*exact[i], part);
+      const judge::Allowance allowed =
+          allowance(scene.bodies[i], *exact[i], part, bound(scene.bodies[i], part, precision), precision);
+      for (std::size_t k = 0; k < claimed.size(); ++k) {
+        worst = worse(worst, judge::near(claimed[k], enclosed[k], allowed, Defect::wrong_mass, Defect::wrong_mass));
+      }
+    }
+    return worst;
+  });
+}
+
+// bounds
+// ---------------------------------------------------------------------------------------------------------------
+
+// ∫(y² + z²), ... of any matter: symmetric, principal moments > 0, and none greater than the sum of the two others.
+Finding possible(const Scene& scene, Subject& subject) {
+  return of_masses(scene, subject, [&](const Masses& said) {
+    const auto precision = subject.card().precision;
+    const auto& exact = truth::mass(scene);
+    Finding worst;
+    for (std::size_t i = 0; i < said.size(); ++i) {
+      if (!said[i]) continue;
+      const Mat3& I = said[i]->I_BBcm_B;
+      const Vec3 lambda = Eigen::SelfAdjointEigenSolver<Mat3>(I, Eigen::EigenvaluesOnly).eigenvalues();  // ascending
+      const double impossible =
+          std::max({-lambda[0], lambda[2] - lambda[1] - lambda[0], (I - I.transpose()).cwiseAbs().maxCoeff()});
+      // Each eigenvalue is off by at most the norm of the matrix' error, 3 entries' worth, and there are three of them;
+      // the solver's own error is some ulps of the norm.
+      const double eigenvalues = 9 * bound(scene.bodies[i], Part::inertia, precision) + 64 * 0x1p-53 * I.norm();
+      const double zero_mass = said[i]->mass > 0 ? 0 : 1;
+      worst = worse(
+          worst,
+          judge::at_most(
+              zero_mass > 0 ? exact[i]->mass.hi : impossible,
+              allowance(scene.bodies[i], *exact[i], Part::inertia, zero_mass > 0 ? 0 : eigenvalues, precision),
+              Defect::wrong_mass,
+              [&] { return "principal moments " + words::text(lambda) + ", mass " + words::text(said[i]->mass); },
+              [] { return std::string("mass > 0, and principal moments > 0 none above the sum of the others"); }));
+    }
+    return worst;
+  });
+}
+
+// laws
+// -----------------------------------------------------------------------------------------------------------------
+
+// What the law makes of the first answer, and the factor by which it scales (mass, centre, inertia).
+struct Law {
+  std::function<MassProperties(MassProperties, const Body&)> predict;
+  MassBound times = {1, 1, 1};
+};
+
+double factor(const Law& law, Part part) {
+  return part == Part::mass ? law.times.mass : part == Part::centre ? law.times.centre : law.times.inertia;
+}
+
+double widest(const MassTruth& m, Part part) {
+  double width = 0;
+  for (const Interval& i : enclosures(m, part)) width = std::max(width, i.hi - i.lo);
+  return width;
+}
+
+// Both answers lie within their bounds of truths that obey the law, each known to the width of its enclosure.
+Finding obeys(const Scene& before, const std::optional<Scene>& moved, const Law& law, Subject& subject, Defect defect) {
+  const bool uniform =
+      std::ranges::all_of(before.bodies, [](const Body& b) { return std::holds_alternative<Density>(b.mass); });
+  if (!uniform || before.bodies.empty()) return judge::outside("mass properties that do not follow from the shape");
+  return of_moved(moved, subject, [&](const Scene& after) {
+    return of_masses(before, subject, [&](const Masses& first) {
+      return given_masses(after, subject, [&](const Masses& second) {
+        const auto precision = subject.card().precision;
+        const auto& truth_before = truth::mass(before);
+        const auto& truth_after = truth::mass(after);
+        Finding worst;
+        for (std::size_t i = 0; i < first.size(); ++i) {
+          const MassProperties predicted = law.predict(*first[i], before.bodies[i]);
+          for (const Part part : {Part::mass, Part::centre, Part::inertia}) {
+            const double allowed =
+                factor(law, part) * (bound(before.bodies[i], part, precision) + widest(*truth_before[i], part)) +
+                bound(after.bodies[i], part, precision) + widest(*truth_after[i], part);
+            const std::vector<double> expected = numbers(predicted, part), got = numbers(*second[i], part);
+            for (std::size_t k = 0; k < got.size(); ++k) {
+              worst = worse(worst, judge::near(got[k], {expected[k], expected[k]},
+                                               allowance(after.bodies[i], *truth_after[i], part, allowed, precision),
+                                               defect, defect));
+            }
+          }
+        }
+        return worst;
+      });
+    });
+  });
+}
+
+const Law unchanged{[](const MassProperties& m, const Body&) { return m; }};
+
+Finding pose_free(const Scene& scene, Subject& subject) {
+  return obeys(scene, half_turned(scene), unchanged, subject, Defect::moved_with_frame);
+}
+
+Finding relabels(const Scene& scene, Subject& subject) {
+  return obeys(scene, relabelled(scene), unchanged, subject, Defect::relabelled);
+}
+
+Finding turns(const Scene& scene, Subject& subject) {
+  const Law law{[](MassProperties m, const Body&) {
+    const Mat3 rows = (Mat3() << m.I_BBcm_B.row(2), m.I_BBcm_B.row(0), m.I_BBcm_B.row(1)).finished();
+    m.I_BBcm_B << rows.col(2), rows.col(0), rows.col(1);
+    m.p_BBcm = turned(m.p_BBcm);
+    return m;
+  }};
+  return obeys(scene, turned_in_body(scene), law, subject, Defect::relabelled);
+}
+
+Finding shifts(const Scene& scene, Subject& subject) {
+  const Law law{[](MassProperties m, const Body& body) {
+    m.p_BBcm += shift_in_body(body);
+    return m;
+  }};
+  return obeys(scene, shifted_in_body(scene), law, subject, Defect::moved_with_frame);
+}
+
+Law scaling(double mass, double centre, double inertia) {
+  return {[=](MassProperties m, const Body&) {
+            return MassProperties{mass * m.mass, centre * m.p_BBcm, inertia * m.I_BBcm_B};
+          },
+          {mass, centre, inertia}};
+}
+
+Finding scales(const Scene& scene, Subject& subject) {
+  return obeys(scene, scaled(scene, 10), scaling(0x1p30, 0x1p10, 0x1p50), subject, Defect::scaled);
+}
+
+Finding density(const Scene& scene, Subject& subject) {
+  return obeys(scene, denser(scene, 3), scaling(8, 1, 8), subject, Defect::scaled);
+}
+
+// survives, repeats
+// ----------------------------------------------------------------------------------------------------
+
+std::string senseless(const Masses& said) {
+  for (const std::optional<MassProperties>& m : said) {
+    if (m && !(m->mass > 0)) return "mass " + words::text(m->mass);
+  }
+  return "";
+}
+
+Finding lives(const Scene& scene, Subject& subject) {
+  return of_scene(scene, subject, [&] { return survives(&Subject::mass, scene, subject, senseless); });
+}
+
+Finding again(const Scene& scene, Subject& subject) {
+  return of_scene(scene, subject, [&] { return repeats(&Subject::mass, scene, swapped(scene), subject); });
+}
+
+auto judging(Part part) {
+  return [part](const Scene& scene, Subject& subject) { return agrees(scene, subject, part); };
+}
+
+}  // namespace
+
+std::vector<Property> mass_properties() {
+  return {
+      {"mass.mass",
+       "mass",
+       {"TS-MASS-1"},
+       "the mass is density times the exact volume within rounding",
+       judging(Part::mass)},
+      {"mass.centre",
+       "mass",
+       {"TS-MASS-2"},
+       "the centre of mass is the exact centroid within rounding",
+       judging(Part::centre)},
+      {"mass.inertia",
+       "mass",
+       {"TS-MASS-3"},
+       "the inertia about the centre of mass is the exact one within rounding",
+       judging(Part::inertia)},
+      {"mass.pose_free", "mass", {"TS-MASS-5"}, "where a body stands changes nothing in its own frame", pose_free},
+      {"mass.turned",
+       "mass",
+       {"TS-MASS-6"},
+       "renaming the body's axes renames the centre's and the inertia's axes",
+       turns},
+      {"mass.shifted",
+       "mass",
+       {"TS-MASS-6"},
+       "shifting the shape in its frame shifts the centre and leaves the inertia about it",
+       shifts},
+      {"mass.scaled",
+       "mass",
+       {"TS-MASS-7"},
+       "lengths times s: mass times s³, centre times s, inertia times s⁵",
+       scales},
+      {"mass.density", "mass", {"TS-MASS-7"}, "density times s: mass and inertia times s, the centre stays", density},
+      {"mass.relabelled", "mass", {"TS-MASS-8"}, "the order of a polytope's vertices changes nothing", relabels},
+      {"mass.possible", "mass", {"TS-MASS-4"}, "the inertia is one that matter can have", possible},
+      {"mass.survives",
+       "mass",
+       {"TS-MASS-9"},
+       "the answer comes, finite and with mass > 0, however extreme the body",
+       lives},
+      {"mass.repeats", "mass", {"TS-MASS-10"}, "the same question has the same answer, bit for bit", again},
+  };
+}
+
+}  // namespace touchstone::properties

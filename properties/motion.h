@@ -1,0 +1,36 @@
+// Changes of a scene under which the truth changes by a known law, done without rounding; none where doubles cannot.
+//
+// Because no bit is lost, whatever changes in the answer beyond its rounding is the subject's doing.
+#pragma once
+
+#include <optional>
+
+#include "model/scene.h"
+
+namespace touchstone::properties {
+
+/// Bodies in the opposite order.
+Scene swapped(Scene scene);
+
+/// Vertices of every polytope, and the faces with them, in the opposite order; none if the scene has no polytope.
+std::optional<Scene> relabelled(Scene scene);
+
+/// All bodies by the same vector: of a lattice as coarse as the scene; where that rounds, the one that puts the first
+/// body at the origin; none if that rounds too, or is no motion.
+std::optional<Scene> translated(const Scene& scene);
+
+/// The vector by which `translated` moved (of an empty scene: 0).
+Vec3 translation_between(const Scene& before, const Scene& after);
+
+/// The world turned so that x → y → z → x (120° about (1, 1, 1)): q' = (1,1,1,1) q where those sums are exact.
+std::optional<Scene> turned(const Scene& scene);
+std::optional<Pose> turned(const Pose& X);
+Vec3 turned(const Vec3& p);
+
+/// The world turned by half about x, which no double ever rounds: (x, y, z) → (x, −y, −z).
+Scene half_turned(Scene scene);
+
+/// All lengths times 2^k; none if one of them overflows or loses bits to underflow.
+std::optional<Scene> scaled(Scene scene, int k);
+
+}  // namespace touchstone::properties

@@ -1,0 +1,16 @@
+// The pages of docs/spec as text in the program: properties/CMakeLists.txt makes spec_pages.cpp from them.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+namespace touchstone::properties {
+
+struct SpecPage {
+  std::string_view stem;
+  std::string_view text;
+};
+
+const std::vector<SpecPage>& spec_pages();
+
+}  // namespace touchstone::properties

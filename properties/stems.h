@@ -1,0 +1,16 @@
+// The properties of each stem, in the order of the five families: agrees, laws, bounds, survives, repeats.
+#pragma once
+
+#include <vector>
+
+#include "properties/property.h"
+
+namespace touchstone::properties {
+
+std::vector<Property> mass_properties();
+std::vector<Property> bounds_properties();
+std::vector<Property> broad_phase_properties();
+std::vector<Property> distance_properties();
+std::vector<Property> penetration_properties();
+
+}  // namespace touchstone::properties
