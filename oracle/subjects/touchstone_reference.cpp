@@ -1,0 +1,98 @@
+#include "oracle/subjects/touchstone_reference.h"
+
+#include "oracle/subjects/engine.h"
+#include "reference/bounds.h"
+#include "reference/broad_phase.h"
+#include "reference/distance.h"
+#include "reference/mass.h"
+#include "reference/penetration.h"
+
+namespace touchstone::oracle::subjects {
+namespace {
+
+/// An interval of two neighbouring doubles gives one of them.
+double middle(const Interval& i) { return i.lo + (i.hi - i.lo) / 2; }
+
+MassProperties properties_of(const reference::MassTruth& truth) {
+  MassProperties said;
+  said.mass = middle(truth.mass);
+  for (int i = 0; i < 3; ++i) said.p_BBcm[i] = middle(truth.p_BBcm[static_cast<std::size_t>(i)]);
+  const auto& I = truth.I_BBcm_B;
+  const double xy = middle(I[3]);
+  const double xz = middle(I[4]);
+  const double yz = middle(I[5]);
+  said.I_BBcm_B << middle(I[0]), xy, xz, xy, middle(I[1]), yz, xz, yz, middle(I[2]);
+  return said;
+}
+
+/// Rounded outward.
+Aabb box_of(const reference::ExactBox& exact) {
+  Aabb box;
+  for (int i = 0; i < 3; ++i) {
+    const auto axis = static_cast<std::size_t>(i);
+    box.lo[i] = exact.lo[axis].enclosure().lo;
+    box.hi[i] = exact.hi[axis].enclosure().hi;
+  }
+  return box;
+}
+
+class Reference : public Subject {
+ public:
+  const Card& card() const override { return card_; }
+
+  Answer<Masses> mass(const Scene& scene) override {
+    Masses said;
+    for (const auto& truth : reference::mass(scene)) {
+      said.push_back(truth ? std::optional(properties_of(*truth)) : std::nullopt);
+    }
+    return said;
+  }
+
+  Answer<Bounds> bounds(const Scene& scene) override {
+    Bounds said;
+    for (const reference::ExactBox& exact : reference::bounds(scene)) said.push_back(box_of(exact));
+    return said;
+  }
+
+  Answer<PairSet> broad_phase(const Scene& scene) override { return reference::broad_phase(scene); }
+
+  Answer<Distance> distance(const Scene& scene) override {
+    const reference::DistanceTruth truth = reference::distance(scene);
+    Distance said;
+    said.verdict = truth.verdict;
+    said.distance = middle(truth.distance);
+    said.enclosure = truth.distance;
+    if (truth.verdict == Verdict::overlapping) return said;
+    said.p_WCa = truth.p_WCa;
+    said.p_WCb = truth.p_WCb;
+    said.feature_A = truth.feature_A;
+    said.feature_B = truth.feature_B;
+    return said;
+  }
+
+  Answer<Penetration> penetration(const Scene& scene) override {
+    if (has_compound(scene)) return no_compounds;
+    const reference::PenetrationTruth truth = reference::penetration(scene);
+    Penetration said;
+    said.verdict = truth.verdict;
+    said.depth = middle(truth.depth);
+    if (truth.verdict == Verdict::overlapping) said.nhat_BA_W = truth.nhat_BA_W;
+    return said;
+  }
+
+ private:
+  const Card card_{.name = "reference",
+                   .version = "0.1.0",
+                   .precision = Precision::exact,
+                   .answers = {"mass", "bounds", "broad_phase", "distance", "penetration"},
+                   .knows_touching = true,
+                   .about = "Touchstone's exact reference, results rounded to doubles",
+                   .homepage = "",
+                   .deviations = {}};
+};
+
+}  // namespace
+
+std::unique_ptr<Subject> make_reference() { return std::make_unique<Reference>(); }
+
+}  // namespace touchstone::oracle::subjects
