@@ -17,7 +17,9 @@ namespace touchstone::reference {
 ///             b of B. So n is the nearest point of A − B to 0, and |n| the cores' distance.
 ///   touching  direction n ≠ 0 with n·(a − b) ≥ 0 for all a, b (no common interior), and weights ≥ 0, Σ = 1, with
 ///             Σ weights·(a − b) = 0 (a common point).
-///   overlapping  4 pairs whose differences hold 0 strictly inside their tetrahedron (a common interior point).
+///   overlapping  weights > 0, Σ = 1, with Σ weights·(a − b) = 0, over pairs whose differences span space: 0 is inside A − B,
+///             so there is a common interior point. 4 pairs as a rule, a tetrahedron around 0; at most 8, as 4 are not always
+///             enough (0 in the middle of an octahedron).
 struct Certificate {
   Verdict cores = Verdict::separated;
   int part_A = 0;

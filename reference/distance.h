@@ -7,7 +7,8 @@
 //   overlapping  otherwise.
 // d* and |d*|² are rational. F_A = {a in coreA's vertices : d*·a least}, F_B = {b : d*·b greatest} are the vertex sets of
 // faces; the closest pairs of the cores are exactly {(x, y) in hull F_A × hull F_B : x − y = d*}. With d* = 0 the feature
-// sets are those of the certificate's supporting planes (touching) or empty (overlapping).
+// sets are the least faces that hold every common point (touching: the vertices on the certificate's supporting plane, which
+// is chosen so that they are least) or empty (overlapping).
 // Between compounds, the least over the pairs of parts; ties in the parts' order.
 #pragma once
 
@@ -36,7 +37,7 @@ struct DistanceTruth {
   Vec3 p_WCa = Vec3::Zero();  ///< witness points on the swollen bodies, to the nearest doubles
   Vec3 p_WCb = Vec3::Zero();
   Interval distance;  ///< tightest doubles around max(0, |d*| − r); [0, 0] unless separated
-  Certificate certificate;
+  Certificate certificate;  ///< of route `certified`; the others are second opinions and leave it empty (no pairs)
 };
 
 /// Independent routes to the same truth; they share the exact pose and nothing else.
