@@ -2,7 +2,6 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -38,20 +37,26 @@ Defect defect_of(Breaks::Kind kind) {
 
 bool is_compound(const Body& body) { return std::holds_alternative<Compound>(body.shape); }
 
-// The certificate of overlap is a tetrahedron of differences around 0: the ball around 0 in it lies in A − B, so no
-// translation shorter than its radius separates the bodies.
+// The certificate of overlap is a few differences a − b whose hull holds 0 inside: the ball around 0 in that hull lies
+// in A − B, so no translation shorter than its radius separates the bodies. Its radius is the least distance of 0 to a
+// plane of three differences that has no other strictly beyond it. (A plane too many, by rounding, only makes the bound
+// lower.)
 double ball_in_certificate(const Scene& scene, const reference::Certificate& c) {
   const Points A = world_points(scene.bodies[0], c.part_A), B = world_points(scene.bodies[1], c.part_B);
-  std::array<Point, 4> corner;
-  for (std::size_t i = 0; i < 4; ++i) {
-    const auto [a, b] = c.pairs[i];
-    corner[i] = A[static_cast<std::size_t>(a)] - B[static_cast<std::size_t>(b)];
-  }
+  Points corners;
+  for (const auto& [a, b] : c.pairs) corners.push_back(A[static_cast<std::size_t>(a)] - B[static_cast<std::size_t>(b)]);
   Real radius = std::numeric_limits<Real>::infinity();
-  for (std::size_t i = 0; i < 4; ++i) {
-    const Point& p = corner[i];
-    const Point n = (corner[(i + 1) % 4] - p).cross(corner[(i + 2) % 4] - p);
-    radius = std::min(radius, std::abs(n.dot(p)) / n.norm());
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      for (std::size_t k = 0; k < j; ++k) {
+        Point n = (corners[j] - corners[i]).cross(corners[k] - corners[i]);
+        if (n.dot(corners[i]) < 0) n = -n;  // outward, as 0 is inside
+        const Real height = n.dot(corners[i]), rounding = 0x1p-50L * height;
+        const bool is_facet =
+            std::ranges::all_of(corners, [&](const Point& p) { return n.dot(p) <= height + rounding; });
+        if (is_facet && n.norm() > 0) radius = std::min(radius, height / n.norm());
+      }
+    }
   }
   return static_cast<double>(radius);
 }

@@ -67,7 +67,8 @@ std::string text(const reference::Certificate& c) {
           parts, direction(c), vertex_pairs(c));
     case Verdict::overlapping:
       return fmt::format(
-          "cores overlap{}: 0 is strictly inside the tetrahedron of the differences a − b of the vertex pairs {}.",
+          "cores overlap{}: the mix of the vertex pairs {} is 0 and their differences a − b span space, so 0 is inside "
+          "A − B.",
           parts, vertex_pairs(c));
   }
   return "";

@@ -1,0 +1,87 @@
+#include "oracle/subjects/lie.h"
+
+#include <utility>
+
+namespace touchstone::oracle::subjects {
+namespace {
+
+Card introduced_as(Card card, const std::string& id, const std::string& says, const Lies& lies) {
+  card.name = id;
+  card.about = says;
+  card.precision = Precision::binary64;  // lies must show at the allowance that engines get
+  card.knows_touching = card.knows_touching && !lies.two_valued;
+  return card;
+}
+
+class Liar : public Subject {
+ public:
+  Liar(std::unique_ptr<Subject> truthful, const std::string& id, const std::string& says, Lies lies)
+      : truthful_(std::move(truthful)),
+        lies_(std::move(lies)),
+        card_(introduced_as(truthful_->card(), id, says, lies_)) {}
+
+  const Card& card() const override { return card_; }
+  Answer<Masses> mass(const Scene& scene) override { return told(scene, &Subject::mass, lies_.mass); }
+  Answer<Bounds> bounds(const Scene& scene) override { return told(scene, &Subject::bounds, lies_.bounds); }
+  Answer<PairSet> broad_phase(const Scene& scene) override {
+    return told(scene, &Subject::broad_phase, lies_.broad_phase);
+  }
+  Answer<Distance> distance(const Scene& scene) override { return told(scene, &Subject::distance, lies_.distance); }
+  Answer<Penetration> penetration(const Scene& scene) override {
+    return told(scene, &Subject::penetration, lies_.penetration);
+  }
+
+ private:
+  template <class T>
+  Answer<T> told(const Scene& scene, Answer<T> (Subject::*query)(const Scene&), const Lie<T>& lie) {
+    if (lies_.breaks) return Breaks{Breaks::Kind::threw, "this canary breaks on purpose"};
+    Answer<T> answer = (*truthful_.*query)(scene);
+    T* said = std::get_if<T>(&answer);
+    if (said != nullptr && lie) lie(*truthful_, scene, *said);
+    return answer;
+  }
+
+  std::unique_ptr<Subject> truthful_;
+  Lies lies_;
+  Card card_;
+};
+
+std::vector<Vec3> corners_of(const Box& box) {
+  std::vector<Vec3> points;
+  for (int i = 0; i < 8; ++i) {
+    const Vec3 sign((i & 1) != 0 ? 1 : -1, (i & 2) != 0 ? 1 : -1, (i & 4) != 0 ? 1 : -1);
+    points.emplace_back(sign.cwiseProduct(box.half_extents));
+  }
+  return points;
+}
+std::vector<Vec3> corners_of(const Sphere& sphere) { return corners_of(Box{Vec3::Constant(sphere.radius)}); }
+std::vector<Vec3> corners_of(const Polytope& polytope) { return polytope.vertices; }
+std::vector<Vec3> corners_of(const Compound& compound) {
+  std::vector<Vec3> points;
+  for (const Part& part : compound.parts) {
+    for (const Vec3& v : std::visit([](const auto& shape) { return corners_of(shape); }, part.shape)) {
+      points.emplace_back(v + part.X_BP.p_WB);
+    }
+  }
+  return points;
+}
+
+}  // namespace
+
+Canary lying(const std::string& id, const std::string& says, std::function<Lies()> make_lies) {
+  return {id, says, [=](std::unique_ptr<Subject> truthful) -> std::unique_ptr<Subject> {
+            return std::make_unique<Liar>(std::move(truthful), id, says, make_lies());
+          }};
+}
+
+double distance_by(Subject& truthful, const Scene& scene) {
+  double distance = 0;
+  with(truthful.distance(scene), [&](const Distance& said) { distance = said.distance.value_or(0); });
+  return distance;
+}
+
+std::vector<Vec3> corners(const Body& body) {
+  return std::visit([](const auto& shape) { return corners_of(shape); }, body.shape);
+}
+
+}  // namespace touchstone::oracle::subjects
