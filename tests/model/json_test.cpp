@@ -100,6 +100,7 @@ TEST_CASE("what is not an answer is refused by place") {
   CHECK(complaint<PairSet>("[[0, 4294967297]]") ==
         "result[0][1]: expected an integer from 0 to 2147483647, found 4294967297");
   CHECK(complaint<PairSet>("[[1, 0]]") == "result[0]: expected the smaller index first");
+  CHECK(complaint<PairSet>("[[1, 1]]") == "result[0]: expected the smaller index first");
   CHECK(complaint<PairSet>("[[0, 2], [0, 1]]") == "result[1]: expected the pairs sorted, each once");
   CHECK(complaint<PairSet>("[[0, 1], [0, 1]]") == "result[1]: expected the pairs sorted, each once");
 }

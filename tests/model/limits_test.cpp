@@ -88,6 +88,17 @@ TEST_CASE("the zero quaternion is refused, whatever its signs") {
         }) == "bodies[0].X_WB.q: zero; expected a quaternion with a non-zero component");
 }
 
+TEST_CASE("an impossible inertia is refused at any scale") {
+  for (const double scale : {1e-300, 1e-20, 1.0, 1e20, 1e300}) {
+    Mat3 I = Mat3::Zero();
+    I.diagonal() = Vec3(1, 2, 4) * scale;
+    CHECK(complaint([&](Body& b) {
+            b.mass = MassProperties{1, Vec3::Zero(), I};
+          }) ==
+          "bodies[0].mass.I_BBcm_B: no solid has it: the greatest principal moment exceeds the sum of the other two");
+  }
+}
+
 TEST_CASE("a thin plate's inertia is a limit case and legal, turned or not") {
   Mat3 plate = Mat3::Zero();
   plate.diagonal() = Vec3(1, 2, 3);
