@@ -99,9 +99,8 @@ void validate(const Compound& compound, const std::string& place) {
 /// three second moments of mass, and those are ≥ 0).
 ///
 /// The computed moments of a symmetric I scaled to max |I_ij| = 1 are those of I + E with ‖E‖ ≤ c·2⁻⁵³·‖I‖, ‖I‖ ≤ 3,
-/// where c is a modest constant for 3×3 (Golub & Van Loan, Matrix Computations, 8.1: Weyl's inequality). An inertia
-/// that was itself rounded may miss equality by as much (a thin plate), so only a miss beyond 2⁻⁴⁶ is certain to be a
-/// fault.
+/// where c is a modest constant for 3×3 (Golub & Van Loan 2013, 8.1: Weyl's inequality). An inertia that was itself
+/// rounded may miss equality by as much (a thin plate), so only a miss beyond 2⁻⁴⁶ is certain to be a fault.
 void validate_inertia(const Mat3& I, const std::string& place) {
   for (int i = 0; i < 3; ++i) finite(Vec3(I.row(i)), item(place, static_cast<std::size_t>(i)));
   if (I != I.transpose()) throw InputError(place, "not symmetric; expected I[i][j] = I[j][i]");

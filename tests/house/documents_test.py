@@ -1,39 +1,65 @@
-"""Usage: documents_test.py ROOT. Every link in our documents leads to a file, and every cited source is in the list."""
+"""Usage: documents_test.py ROOT. Every link in our documents leads somewhere, and every cited source is in the list."""
 
 import pathlib
 import re
 import sys
 
+SURNAME = r"[A-Z][\w'-]+(?: [A-Z][\w'-]+)?"
+CITATION = re.compile(rf"({SURNAME})(?:, {SURNAME})*(?: & {SURNAME})? ((?:19|20)\d\d)\b")
+
 
 def links(text):
-    """Targets of [text](target), code blocks left out."""
+    """Targets of [text](target), code left out."""
     prose = re.sub(r"```.*?```|`[^`\n]*`", "", text, flags=re.DOTALL)
     return re.findall(r"\[[^\]]*\]\(([^)\s]+)\)", prose)
 
 
-def headings(text):
-    """Anchors as the usual renderers make them."""
+def anchors(text):
+    """Of the headings, as the usual renderers make them."""
     prose = re.sub(r"```.*?```", "", text, flags=re.DOTALL)
     titles = re.findall(r"^#+ (.*)$", prose, re.MULTILINE)
     return {re.sub(r"[^\w\- ]", "", title.lower()).replace(" ", "-") for title in titles}
 
 
-def main(root):
-    assert links("[a](b.md) `[c](d)` ```\n[e](f)\n```") == ["b.md"]
-    wrong = []
-    documents = [p for p in sorted(root.rglob("*.md")) if not p.relative_to(root).parts[0].startswith(("build", "."))]
-    assert documents, "no documents found"
-    for document in documents:
-        for link in links(document.read_text()):
-            if re.match(r"[a-z]+:", link):
-                continue
+def cited(text):
+    """Keys as in docs/sources.bib: the first author and the year."""
+    return {author.split()[-1].lower() + year for author, year in CITATION.findall(text)}
+
+
+def broken_links(root, documents):
+    for document, text in documents.items():
+        for link in links(text):
             path, _, anchor = link.partition("#")
             target = (document.parent / path).resolve() if path else document
+            if re.match(r"[a-z]+:", link):
+                continue
             if not target.exists():
-                wrong.append(f"{document.relative_to(root)}: {link} leads nowhere")
-            elif anchor and target.suffix == ".md" and anchor not in headings(target.read_text()):
-                wrong.append(f"{document.relative_to(root)}: no heading for {link}")
-    sys.exit("\n".join(wrong) or 0)
+                yield f"{document.relative_to(root)}: {link} leads nowhere"
+            elif anchor and target.suffix == ".md" and anchor not in anchors(target.read_text()):
+                yield f"{document.relative_to(root)}: no heading for {link}"
+
+
+def broken_sources(root, documents):
+    listed = set(re.findall(r"^@\w+\{(\w+),", (root / "docs/sources.bib").read_text(), re.MULTILINE))
+    for document, text in documents.items():
+        if document.parent.name != "spec":
+            continue
+        for key in sorted(cited("\n".join(re.findall(r"\*\*Source\*\*.*", text))) - listed):
+            yield f"{document.relative_to(root)}: {key} is not in docs/sources.bib"
+    code = [p for folder in ("model", "reference", "fast", "oracle", "properties", "tests") for p in (root / folder).rglob("*.*")
+            if p.suffix in {".h", ".cpp"}]
+    everywhere = set().union(*map(cited, documents.values()), *(cited(p.read_text()) for p in code))
+    for key in sorted(listed - everywhere):
+        yield f"docs/sources.bib: nothing cites {key}"
+
+
+def main(root):
+    assert links("[a](b.md) `[c](d)` ```\n[e](f)\n```") == ["b.md"]
+    assert cited("Gilbert, Johnson & Keerthi 1988; van den Bergen 2001") == {"gilbert1988", "bergen2001"}
+    ours = (p for p in sorted(root.rglob("*.md")) if not p.relative_to(root).parts[0].startswith(("build", ".")))
+    documents = {p: p.read_text() for p in ours}
+    assert documents, "no documents found"
+    sys.exit("\n".join([*broken_links(root, documents), *broken_sources(root, documents)]) or 0)
 
 
 main(pathlib.Path(sys.argv[1]).resolve())
