@@ -7,6 +7,7 @@
 
 #include "model/scene.h"
 #include "reference/bounds.h"
+#include "reference/broad_phase.h"
 #include "reference/distance.h"
 #include "reference/mass.h"
 #include "reference/penetration.h"

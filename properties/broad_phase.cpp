@@ -1,5 +1,4 @@
 // docs/spec/broad_phase.md, as sentences that run.
-#include "reference/broad_phase.h"
 
 #include <algorithm>
 #include <functional>
