@@ -1,18 +1,23 @@
 # What `cmake --install` copies: the program, its subjects, and the libraries with their headers for find_package(touchstone).
 
-# Everything that ./touchstone needs to run, and nothing that only tests need.
-add_custom_target(program)
-
 function(touchstone_install target layer is_executable)
   if(NOT is_executable AND layer IN_LIST TOUCHSTONE_INSTALLED_LAYERS)
     install(TARGETS ${target} EXPORT touchstone ARCHIVE DESTINATION lib)
   elseif(is_executable AND layer STREQUAL "app")
     install(TARGETS ${target} RUNTIME DESTINATION bin)
-    add_dependencies(program ${target})
-  elseif(is_executable AND layer STREQUAL "subject")
-    install(TARGETS ${target} RUNTIME DESTINATION libexec/touchstone)
-    add_dependencies(program ${target})
+    set_property(GLOBAL APPEND PROPERTY TOUCHSTONE_PROGRAMS ${target})
   endif()
+endfunction()
+
+# Everything that ./touchstone needs to run, and nothing that only tests need. (Subjects see to their own installation.)
+function(touchstone_program_target)
+  add_custom_target(program)
+  foreach(property TOUCHSTONE_PROGRAMS TOUCHSTONE_SUBJECT_PROGRAMS)
+    get_property(programs GLOBAL PROPERTY ${property})
+    if(programs)
+      add_dependencies(program ${programs})
+    endif()
+  endforeach()
 endfunction()
 
 set(TOUCHSTONE_INSTALLED_LAYERS model reference oracle properties fast)
