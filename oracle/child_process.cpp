@@ -24,12 +24,12 @@ extern char** environ;
 namespace touchstone::oracle {
 namespace {
 
-using Clock = std::chrono::steady_clock;
+using Clock = ChildProcess::Clock;
 
 constexpr std::size_t kept_of_stderr = 4096;
 constexpr std::size_t quoted_of_stderr = 400;
 constexpr int tick_ms = 20;                   // between two looks at the clocks
-constexpr double grace_when_dying = 5;        // s, for one that has closed its output: a core dump takes a while
+constexpr double grace_when_dying = 1;        // s, for one whose output has ended: hardly anything is left to do
 constexpr double grace_when_dismissed = 0.5;  // s, for one that should end at the end of its stdin
 
 void require(bool done, const char* what) {
@@ -96,7 +96,6 @@ double seconds_since(Clock::time_point start) { return std::chrono::duration<dou
 }  // namespace
 
 ChildProcess::ChildProcess(const std::vector<std::string>& command) {
-  if (command.empty()) throw InputError("command", "empty; expected a program and its arguments");
   Ends in = to_child();
   Ends out = from_child();
   Ends err = from_child();
@@ -110,44 +109,56 @@ ChildProcess::~ChildProcess() { end(grace_when_dismissed); }
 
 std::variant<std::string, Breaks> ChildProcess::exchange(const std::string& line, const Limits& limits) {
   if (pid_ < 0) return Breaks{Breaks::Kind::crashed, "it is not running"};
-  const Clock::time_point start = Clock::now();
-  const double cpu_start = cpu_seconds();
-  double next_look = 0;
+  Watch watch{Clock::now(), cpu_seconds()};
   std::size_t sent = 0;
-  std::size_t searched = 0;
   send_some(line, sent);
   while (true) {
-    std::array<pollfd, 3> waits = {
-        {{out_.get(), POLLIN, 0}, {err_.get(), POLLIN, 0}, {sent < line.size() ? in_.get() : -1, POLLOUT, 0}}};
-    poll(waits.data(), waits.size(), tick_ms);
-    if (waits[1].revents && !read_stderr()) err_.close();
-    if (waits[2].revents) send_some(line, sent);
-    if (waits[0].revents) {
-      const bool open = read_answers();
-      const std::size_t end_of_line = answers_.find('\n', searched);
-      if (end_of_line != std::string::npos) {
-        std::string answer = answers_.substr(0, end_of_line);
-        answers_.erase(0, end_of_line + 1);
-        return answer;
-      }
-      searched = answers_.size();
-      if (!open)
-        return Breaks{Breaks::Kind::crashed,
-                      end(grace_when_dying) + (searched > 0 ? ", in the middle of an answer" : "")};
-      if (searched > limits.longest_line) {
-        return killed(Breaks::Kind::garbage, fmt::format("an answer longer than {} bytes", limits.longest_line));
-      }
+    const bool open = wait_and_move(line, sent);
+    if (std::optional<std::string> answer = take_line()) return *std::move(answer);
+    if (!open) return Breaks{Breaks::Kind::crashed, end(grace_when_dying)};
+    if (answers_.size() > limits.longest_line) {
+      return killed(Breaks::Kind::garbage, fmt::format("an answer longer than {} bytes", limits.longest_line));
     }
-    const double elapsed = seconds_since(start);
-    if (elapsed < next_look) continue;
-    next_look = elapsed + tick_ms / 1000.0;
-    if (cpu_seconds() - cpu_start > limits.cpu_seconds) {
-      return killed(Breaks::Kind::hung, fmt::format("no answer within {} s of its own CPU time", limits.cpu_seconds));
-    }
-    if (elapsed > limits.wall_seconds) {
-      return killed(Breaks::Kind::hung, fmt::format("no answer within {} s", limits.wall_seconds));
-    }
+    if (std::optional<Breaks> verdict = overdue(watch, limits)) return *std::move(verdict);
   }
+}
+
+/// Waits a tick at most; false at the end of its answers.
+bool ChildProcess::wait_and_move(const std::string& line, std::size_t& sent) {
+  std::array<pollfd, 3> waits = {
+      {{out_.get(), POLLIN, 0}, {err_.get(), POLLIN, 0}, {sent < line.size() ? in_.get() : -1, POLLOUT, 0}}};
+  poll(waits.data(), waits.size(), tick_ms);
+  if (waits[1].revents && !read_stderr()) err_.close();
+  if (waits[2].revents) send_some(line, sent);
+  return !waits[0].revents || read_answers();
+}
+
+std::optional<std::string> ChildProcess::take_line() {
+  const std::size_t end_of_line = answers_.find('\n', searched_);
+  if (end_of_line == std::string::npos) {
+    searched_ = answers_.size();
+    return std::nullopt;
+  }
+  std::string line = answers_.substr(0, end_of_line);
+  answers_.erase(0, end_of_line + 1);
+  searched_ = 0;
+  return line;
+}
+
+std::optional<Breaks> ChildProcess::overdue(Watch& watch, const Limits& limits) {
+  const double elapsed = seconds_since(watch.start);
+  if (elapsed < watch.next_look) return std::nullopt;
+  watch.next_look = elapsed + tick_ms / 1000.0;
+  // Children of its own may hold its output open. What it wrote itself has been read by the second look.
+  if (watch.ended) return Breaks{Breaks::Kind::crashed, end(grace_when_dying)};
+  watch.ended = ends_within(0);
+  if (cpu_seconds() - watch.cpu_start > limits.cpu_seconds) {
+    return killed(Breaks::Kind::hung, fmt::format("no answer within {} s of its own CPU time", limits.cpu_seconds));
+  }
+  if (elapsed > limits.wall_seconds) {
+    return killed(Breaks::Kind::hung, fmt::format("no answer within {} s", limits.wall_seconds));
+  }
+  return std::nullopt;
 }
 
 void ChildProcess::say(const std::string& line) {
@@ -174,7 +185,8 @@ std::string ChildProcess::end(double grace_seconds) {
   pid_ = -1;
   for (int reads = 0; reads < 16 && read_stderr(); ++reads) {
   }
-  return (by_itself ? text_of_status(status) : "it closed its output and went on") + last_words();
+  const std::string halfway = answers_.empty() ? "" : ", in the middle of an answer";
+  return (by_itself ? text_of_status(status) : "it closed its output and went on") + halfway + last_words();
 }
 
 /// A child that no longer reads is found out by its answers' end.

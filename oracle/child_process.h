@@ -3,6 +3,8 @@
 
 #include <sys/types.h>
 
+#include <chrono>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -16,13 +18,15 @@ namespace touchstone::oracle {
 /// It leads a process group of its own, which is killed with it.
 class ChildProcess {
  public:
+  using Clock = std::chrono::steady_clock;
+
   struct Limits {
     double cpu_seconds;        ///< of the child itself, all threads
     double wall_seconds;       ///< the backstop, for one that sleeps
     std::size_t longest_line;  ///< bytes
   };
 
-  /// Throws InputError if the program cannot be run.
+  /// Program and arguments, at least one word. Throws InputError if the program cannot be run.
   explicit ChildProcess(const std::vector<std::string>& command);
   ~ChildProcess();  ///< ends it, after a short grace
   ChildProcess(const ChildProcess&) = delete;
@@ -38,6 +42,16 @@ class ChildProcess {
   std::string end(double grace_seconds);
 
  private:
+  struct Watch {
+    Clock::time_point start;
+    double cpu_start;
+    double next_look = 0;
+    bool ended = false;
+  };
+
+  bool wait_and_move(const std::string& line, std::size_t& sent);
+  std::optional<std::string> take_line();
+  std::optional<Breaks> overdue(Watch& watch, const Limits& limits);
   Breaks killed(Breaks::Kind kind, const std::string& why);
   void send_some(const std::string& line, std::size_t& sent);
   bool read_answers();
@@ -50,8 +64,9 @@ class ChildProcess {
   Descriptor in_;
   Descriptor out_;
   Descriptor err_;
-  std::string answers_;      ///< read, not yet returned
-  std::string stderr_tail_;  ///< what it printed last
+  std::string answers_;       ///< read, not yet returned
+  std::size_t searched_ = 0;  ///< of answers_, for the end of a line
+  std::string stderr_tail_;   ///< what it printed last
 };
 
 }  // namespace touchstone::oracle

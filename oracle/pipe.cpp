@@ -8,7 +8,10 @@
 namespace touchstone::oracle {
 
 PipeSubject::PipeSubject(std::vector<std::string> command, PipeLimits limits)
-    : command_(std::move(command)), limits_(limits), card_(start()) {}
+    : command_(std::move(command)), limits_(limits) {
+  if (command_.empty()) throw InputError("subject", "an empty command; expected a program and its arguments");
+  card_ = start();
+}
 
 PipeSubject::~PipeSubject() { restart(); }
 

@@ -8,6 +8,10 @@
 namespace touchstone::oracle::protocol {
 namespace {
 
+const std::string request_place = "request";
+const std::string introduction_place = "introduction";
+const std::string answer_place = "answer";
+
 template <class Enum, std::size_t n>
 using Words = std::array<std::pair<Enum, const char*>, n>;
 
@@ -86,7 +90,7 @@ Card read_card(const Node& node) {
 
 void expect_seq(const Node& node, Seq seq) {
   const Node said = node.at("seq");
-  if (said.number() != static_cast<double>(seq)) said.refuse("expected " + std::to_string(seq));
+  if (said.number() != static_cast<double>(seq)) said.refuse("not that of the question");
 }
 
 Breaks read_breaks(const Node& node) {
@@ -118,8 +122,8 @@ std::string answer(Seq seq, const Breaks& breaks) {
 }
 
 Request read_request(std::string_view line) {
-  const Json json = parse(line, "request");
-  const Node node(json, "request");
+  const Json json = parse(line, request_place);
+  const Node node(json, request_place);
   Request request;
   request.op = read_word(node.at("op"), ops);
   request.seq = node.at("seq").index();
@@ -138,8 +142,8 @@ Request read_request(std::string_view line) {
 }
 
 Card read_introduction(std::string_view line, Seq seq) {
-  const Json json = parse(line, "introduction");
-  const Node node(json, "introduction");
+  const Json json = parse(line, introduction_place);
+  const Node node(json, introduction_place);
   node.expect_object({"seq", "protocol", "card"});
   expect_seq(node, seq);
   if (node.at("protocol").index() != version) node.at("protocol").refuse("expected " + std::to_string(version));
@@ -148,8 +152,8 @@ Card read_introduction(std::string_view line, Seq seq) {
 
 template <class T>
 Answer<T> read_answer(std::string_view line, Seq seq) {
-  const Json json = parse(line, "answer");
-  const Node node(json, "answer");
+  const Json json = parse(line, answer_place);
+  const Node node(json, answer_place);
   node.expect_object({"seq", "result", "abstains", "breaks"});
   expect_seq(node, seq);
   if (json.size() != 2) node.refuse("expected \"seq\" and one of \"result\", \"abstains\", \"breaks\"");
