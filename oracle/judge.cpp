@@ -45,16 +45,17 @@ double ball_in_certificate(const Scene& scene, const reference::Certificate& c) 
   const Points A = world_points(scene.bodies[0], c.part_A), B = world_points(scene.bodies[1], c.part_B);
   Points corners;
   for (const auto& [a, b] : c.pairs) corners.push_back(A[static_cast<std::size_t>(a)] - B[static_cast<std::size_t>(b)]);
-  Real radius = std::numeric_limits<Real>::infinity();
+  Real size = 0, radius = std::numeric_limits<Real>::infinity();
+  for (const Point& p : corners) size = std::max(size, p.norm());
   for (std::size_t i = 0; i < corners.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
       for (std::size_t k = 0; k < j; ++k) {
-        Point n = (corners[j] - corners[i]).cross(corners[k] - corners[i]);
-        if (n.dot(corners[i]) < 0) n = -n;  // outward, as 0 is inside
-        const Real height = n.dot(corners[i]), rounding = 0x1p-50L * height;
-        const bool is_facet =
-            std::ranges::all_of(corners, [&](const Point& p) { return n.dot(p) <= height + rounding; });
-        if (is_facet && n.norm() > 0) radius = std::min(radius, height / n.norm());
+        const Point normal = (corners[j] - corners[i]).cross(corners[k] - corners[i]);
+        if (!(normal.norm() > 0)) continue;
+        const Point n = normal.dot(corners[i]) < 0 ? Point(-normal.normalized()) : normal.normalized();  // 0 is inside
+        const Real height = n.dot(corners[i]), rounding = 0x1p-50L * size;
+        const auto not_beyond = [&](const Point& p) { return n.dot(p) <= height + rounding; };
+        if (std::ranges::all_of(corners, not_beyond)) radius = std::min(radius, height);
       }
     }
   }

@@ -1,0 +1,56 @@
+// What each outcome of the broad phase properties is, on answers by hand.
+#include "properties/property.h"
+#include "tests/catch.h"
+#include "tests/properties/fixed_subject.h"
+#include "tests/properties/scenes.h"
+
+using namespace touchstone;
+using oracle::Defect;
+using oracle::Outcome;
+
+namespace {
+
+oracle::Finding judged(const std::string& property, const std::string& scene, Answer<PairSet> said, double margin = 0) {
+  tests::FixedSubject subject;
+  subject.introduced.broad_phase_margin = margin;
+  subject.said_pairs = std::move(said);
+  return properties::find(property).check(tests::scene(scene), subject);
+}
+
+const std::string touching = "cubes that share a face";
+const std::string apart = "cubes apart along y";  // by 0.25
+
+}  // namespace
+
+TEST_CASE("broad_phase.misses_none: boxes that only touch are a pair") {
+  CHECK(judged("broad_phase.misses_none", touching, PairSet{{0, 1}}).outcome == Outcome::holds);
+  CHECK(judged("broad_phase.misses_none", touching, PairSet{{1, 0}}).outcome ==
+        Outcome::holds);  // form is well_formed's
+  const auto missed = judged("broad_phase.misses_none", touching, PairSet{});
+  CHECK(missed.outcome == Outcome::fails);
+  CHECK(missed.defect == Defect::missed);
+  CHECK(missed.margin == Interval{0, 0});
+}
+
+TEST_CASE("broad_phase.adds_none: none further apart than rounding and the margin") {
+  CHECK(judged("broad_phase.adds_none", apart, PairSet{}).outcome == Outcome::holds);
+  const auto phantom = judged("broad_phase.adds_none", apart, PairSet{{0, 1}});
+  CHECK(phantom.defect == Defect::phantom);
+  CHECK(phantom.margin == Interval{0.25, 0.25});
+  CHECK(judged("broad_phase.adds_none", apart, PairSet{{0, 1}}, 0.25).outcome == Outcome::holds);
+  CHECK(judged("broad_phase.adds_none", apart, PairSet{{0, 1}}, 0.2).outcome == Outcome::fails);
+}
+
+TEST_CASE("broad_phase.well_formed: i < j of bodies, sorted, each once") {
+  CHECK(judged("broad_phase.well_formed", touching, PairSet{{0, 1}}).outcome == Outcome::holds);
+  for (const PairSet& bad :
+       {PairSet{{1, 0}}, PairSet{{0, 1}, {0, 1}}, PairSet{{0, 2}}, PairSet{{-1, 0}}, PairSet{{0, 0}}}) {
+    CHECK(judged("broad_phase.well_formed", touching, bad).outcome == Outcome::fails);
+  }
+}
+
+TEST_CASE("broad_phase laws: a pair within reach is free, another is not") {
+  CHECK(judged("broad_phase.translated", touching, PairSet{{0, 1}}).outcome == Outcome::holds);
+  CHECK(judged("broad_phase.relabelled", touching, PairSet{{0, 1}}).outcome == Outcome::holds);
+  CHECK(judged("broad_phase.repeats", touching, PairSet{{0, 1}}).outcome == Outcome::holds);
+}

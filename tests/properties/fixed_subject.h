@@ -1,0 +1,24 @@
+// A subject that says one thing, whatever it is asked.
+#pragma once
+
+#include "oracle/subject.h"
+
+namespace touchstone::tests {
+
+struct FixedSubject : oracle::Subject {
+  oracle::Card introduced;
+  Answer<Masses> said_mass = Abstains{"not set"};
+  Answer<Bounds> said_bounds = Abstains{"not set"};
+  Answer<PairSet> said_pairs = Abstains{"not set"};
+  Answer<Distance> said_distance = Abstains{"not set"};
+  Answer<Penetration> said_penetration = Abstains{"not set"};
+
+  const oracle::Card& card() const override { return introduced; }
+  Answer<Masses> mass(const Scene&) override { return said_mass; }
+  Answer<Bounds> bounds(const Scene&) override { return said_bounds; }
+  Answer<PairSet> broad_phase(const Scene&) override { return said_pairs; }
+  Answer<Distance> distance(const Scene&) override { return said_distance; }
+  Answer<Penetration> penetration(const Scene&) override { return said_penetration; }
+};
+
+}  // namespace touchstone::tests

@@ -1,0 +1,77 @@
+#include "tests/properties/kills.h"
+
+#include <algorithm>
+
+#include "oracle/subjects/canaries.h"
+#include "oracle/subjects/touchstone_reference.h"
+#include "properties/clause.h"
+#include "properties/property.h"
+#include "tests/properties/scenes.h"
+
+namespace touchstone::tests {
+namespace {
+
+// A fresh canary for each scene, as what it remembers is part of its lie.
+bool catches(const properties::Property& property, const oracle::subjects::Canary& canary) {
+  return std::ranges::any_of(scenes(), [&](const Scene& scene) {
+    const auto subject = canary.make(oracle::subjects::make_reference());
+    const oracle::Outcome outcome = property.check(scene, *subject).outcome;
+    return outcome == oracle::Outcome::fails || outcome == oracle::Outcome::breaks;
+  });
+}
+
+std::string list(const auto& names) {
+  std::string all;
+  for (const std::string& name : names) all += (all.empty() ? "`" : ", `") + name + "`";
+  return all;
+}
+
+}  // namespace
+
+const std::map<std::string, std::set<std::string>>& kills() {
+  static const std::map<std::string, std::set<std::string>> table = [] {
+    std::map<std::string, std::set<std::string>> found;
+    for (const properties::Property& property : properties::all()) {
+      std::set<std::string>& caught = found[property.id];
+      for (const auto& canary : oracle::subjects::canaries()) {
+        if (catches(property, canary)) caught.insert(canary.id);
+      }
+    }
+    return found;
+  }();
+  return table;
+}
+
+std::string kill_table() {
+  std::string page =
+      "# Canaries\n\n"
+      "A canary is a deliberately wrong subject. Each property must catch at least one, and each canary must be "
+      "caught. Made by\n"
+      "`tests/properties/canary_test.cpp` from runs, on a few scenes by hand, over a truthful subject that tells one "
+      "lie. To make it\n"
+      "anew: `TOUCHSTONE_UPDATE=1 ctest -R \"properties: the canaries' page\"`.\n\n"
+      "| property | catches |\n|---|---|\n";
+  for (const properties::Property& property : properties::all()) {
+    page += "| `" + property.id + "` | " + list(kills().at(property.id)) + " |\n";
+  }
+  page += "\n| canary | its lie |\n|---|---|\n";
+  for (const auto& canary : oracle::subjects::canaries()) page += "| `" + canary.id + "` | " + canary.says + " |\n";
+  return page;
+}
+
+std::string clause_index() {
+  std::string page =
+      "# Clauses\n\n"
+      "Every numbered sentence of the specification, with the properties that check it and the canaries that prove "
+      "them sharp.\n"
+      "Made by `tests/properties/trace_test.cpp`. To make it anew: `TOUCHSTONE_UPDATE=1 ctest -R \"properties: the "
+      "clauses' page\"`.\n\n"
+      "| clause | title | checked by | proved sharp by |\n|---|---|---|---|\n";
+  for (const properties::Clause& clause : properties::clauses()) {
+    page += "| [" + clause.id + "](" + clause.stem + ".md) | " + clause.title + " | " + list(clause.checked_by) +
+            " | " + list(clause.sharp_by) + " |\n";
+  }
+  return page;
+}
+
+}  // namespace touchstone::tests

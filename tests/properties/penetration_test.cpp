@@ -1,0 +1,63 @@
+// What each outcome of the penetration properties is, on answers by hand.
+#include "properties/property.h"
+#include "tests/catch.h"
+#include "tests/properties/fixed_subject.h"
+#include "tests/properties/scenes.h"
+
+using namespace touchstone;
+using oracle::Defect;
+using oracle::Outcome;
+
+namespace {
+
+oracle::Finding judged(const std::string& property, const std::string& scene, Answer<Penetration> said) {
+  tests::FixedSubject subject;
+  subject.said_penetration = std::move(said);
+  return properties::find(property).check(tests::scene(scene), subject);
+}
+
+Penetration deep(double depth, const Vec3& nhat_BA_W = -Vec3::UnitY()) {
+  return {Verdict::overlapping, depth, nhat_BA_W};
+}
+
+const std::string overlap = "cubes overlapping along y";  // B at (0.25, 1.5, 0.5): 0.5 deep, A has to go to -y
+
+}  // namespace
+
+TEST_CASE("penetration.depth: shallow, overdeep, and 0 unless overlapping") {
+  CHECK(judged("penetration.depth", overlap, deep(0.5)).outcome == Outcome::holds);
+  CHECK(judged("penetration.depth", overlap, deep(0.499)).defect == Defect::shallow);
+  CHECK(judged("penetration.depth", overlap, deep(1.5)).defect == Defect::overdeep);
+  CHECK(judged("penetration.depth", "cubes apart along y", deep(0)).outcome == Outcome::holds);
+  CHECK(judged("penetration.depth", "cubes apart along y", deep(0.1)).defect == Defect::overdeep);
+  CHECK(judged("penetration.depth", overlap, Penetration{}).outcome == Outcome::abstains);
+}
+
+TEST_CASE("penetration.separates: only a move that clears the bodies") {
+  CHECK(judged("penetration.separates", overlap, deep(0.5)).outcome == Outcome::holds);
+  CHECK(judged("penetration.separates", overlap, deep(1.75, -Vec3::UnitX())).outcome ==
+        Outcome::holds);  // far, but clear
+  CHECK(judged("penetration.separates", overlap, deep(0.5, Vec3::UnitY())).defect == Defect::wrong_normal);
+  CHECK(judged("penetration.separates", overlap, deep(0.4)).defect == Defect::wrong_normal);
+  CHECK(judged("penetration.separates", "cubes apart along y", deep(0)).outcome == Outcome::outside);
+}
+
+TEST_CASE("penetration.unit_direction: of length 1 to 4 ulps") {
+  CHECK(judged("penetration.unit_direction", overlap, deep(0.5)).outcome == Outcome::holds);
+  CHECK(judged("penetration.unit_direction", overlap, deep(0.5, Vec3(0, -1 - 8 * 0x1p-53, 0))).outcome ==
+        Outcome::fails);
+  CHECK(judged("penetration.unit_direction", overlap, deep(0.5, Vec3(0, -2, 0))).defect == Defect::wrong_normal);
+}
+
+TEST_CASE("penetration.consistent: no depth without overlap") {
+  CHECK(judged("penetration.consistent", overlap, deep(0.5)).outcome == Outcome::holds);
+  CHECK(judged("penetration.consistent", overlap, Penetration{Verdict::separated, 0.0, {}}).outcome == Outcome::holds);
+  CHECK(judged("penetration.consistent", overlap, Penetration{Verdict::separated, 0.5, {}}).outcome == Outcome::fails);
+}
+
+TEST_CASE("penetration: the depth of compounds is nobody's business") {
+  for (const properties::Property& property : properties::all()) {
+    if (property.stem != "penetration") continue;
+    CHECK(judged(property.id, "two parts around a sphere", deep(1)).outcome == Outcome::outside);
+  }
+}

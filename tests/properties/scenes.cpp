@@ -1,0 +1,94 @@
+#include "tests/properties/scenes.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "oracle/truth.h"
+
+namespace touchstone::tests {
+namespace {
+
+const Box cube{Vec3(1, 1, 1)};
+const Box brick{Vec3(1, 2, 0.5)};
+const Polytope tetrahedron{{{0, 0, 0}, {2, 0, 0}, {0, 3, 0}, {0, 0, 4}}, {}};
+const Polytope octahedron{{{1, 0, 0}, {-1, 0, 0}, {0, 2, 0}, {0, -2, 0}, {0, 0, 1}, {0, 0, -1}}, {}};
+const Polytope wedge{{{3, 1, 1}, {5, 1, 1}, {3, 2, 1}, {3, 1, 4}, {5, 2, 3}}, {}};  // off its origin, no symmetry
+const Polytope needle{{{0, 0, 0}, {1024, 1, 0}, {1024, 0, 1}, {1025, 1, 1}}, {}};
+const Quaternion about_x{2, 1, 0, 0};  // cos = 3/5, sin = 4/5
+const Quaternion about_y{2, 0, 1, 0};
+const Quaternion skew{3, 1, -2, 1};
+
+Compound corner() {
+  return {{{Pose{{0, 0, 0}, {}}, Box{Vec3(2, 0.5, 0.5)}}, {Pose{{1.5, 2, 0}, {}}, Box{Vec3(0.5, 2, 0.5)}}}};
+}
+
+Scene many(const std::string& name, std::vector<Body> bodies) {
+  Scene scene;
+  scene.name = name;
+  scene.bodies = std::move(bodies);
+  return oracle::truth::completed(scene);
+}
+
+Body dense(Body body, double density) {
+  body.mass = Density{density};
+  return body;
+}
+
+Body unmoved(Body body) {
+  body.mass = Fixed{};
+  return body;
+}
+
+std::vector<Scene> build() {
+  return {
+      pair("cubes apart along y", body(cube, {0, 0, 0}), body(cube, {0.5, 2.25, 0.25})),
+      pair("cubes apart along y, the other way", body(cube, {0.5, 2.25, 0.25}), body(cube, {0, 0, 0})),
+      pair("cubes 2^-32 apart", body(cube, {0, 0, 0}), body(cube, {0.5, 0.5, 2 + 0x1p-32})),
+      pair("cubes that share a face", body(cube, {0, 0, 0}), body(cube, {0, 2, 0.5})),
+      pair("vertex over a tilted face", body(brick, {0, 0, 0}, about_x), body(tetrahedron, {1, 0.5, 3}, skew)),
+      pair("polytopes apart, far from the origin", body(wedge, {100, -50, 7}, skew),
+           body(octahedron, {110, -45, 8}, about_y)),
+      pair("edge over edge, overlapping", body(cube, {0, 0, 0}, about_x), body(cube, {0.25, 0.125, 2.75}, about_y)),
+      pair("cubes overlapping along y", body(cube, {0, 0, 0}), body(cube, {0.25, 1.5, 0.5})),
+      pair("polytopes deep in each other", body(octahedron, {0, 0, 0}, skew),
+           body(tetrahedron, {-0.5, -0.25, -0.5}, about_y)),
+      pair("polytopes overlapping, lopsided", body(wedge, {-3, -1, -1}), body(tetrahedron, {0.5, 0.25, 1}, skew)),
+      pair("spheres apart", body(Sphere{1}, {1, 2, 3}), body(Sphere{0.5}, {3, 4, 4})),
+      pair("spheres that touch", body(Sphere{1}, {0, 0, 0}), body(Sphere{2}, {1, 2, 2})),
+      pair("sphere in a cube's side", body(Sphere{1}, {0.5, 0, 0}), body(cube, {0, 1.75, 0})),
+      pair("sphere over a cube's corner", body(cube, {0, 0, 0}, skew), body(Sphere{0.25}, {3, 3, 3})),
+      pair("two parts against one", body(corner(), {0, 0, 0}), body(octahedron, {-1, 3, 0.25}, about_y)),
+      pair("two parts around a sphere", body(corner(), {0, 0, 0}, skew), body(Sphere{0.5}, {0, 0.25, 0})),
+      many("boxes in a row, two of them touching",
+           {body(cube, {0, 0, 0}), body(cube, {2, 0.5, 0}), body(cube, {5, 0, 0}, about_x), body(brick, {6, 2, 6}),
+            body(octahedron, {2, 3, 0.5}, skew), body(Sphere{1}, {2, 1, 1})}),
+      many("solids of several densities",
+           {dense(body(tetrahedron, {1, 2, 3}, skew), 3), dense(body(wedge, {-4, 0, 0}, about_x), 0.5),
+            unmoved(body(cube, {0, 0, 9}))}),
+      many("a needle", {dense(body(needle, {1, 2, 3}, about_x), 2)}),
+  };
+}
+
+}  // namespace
+
+Body body(Shape shape, const Vec3& p_WB, const Quaternion& q_WB) {
+  Body made;
+  made.shape = std::move(shape);
+  made.X_WB = {p_WB, q_WB};
+  return made;
+}
+
+Scene pair(const std::string& name, Body a, Body b) { return many(name, {std::move(a), std::move(b)}); }
+
+const std::vector<Scene>& scenes() {
+  static const std::vector<Scene> all = build();
+  return all;
+}
+
+const Scene& scene(const std::string& name) {
+  const auto found = std::ranges::find(scenes(), name, &Scene::name);
+  if (found == scenes().end()) throw std::out_of_range(name);
+  return *found;
+}
+
+}  // namespace touchstone::tests

@@ -1,0 +1,95 @@
+// Clause ↔ property ↔ canary, both ways: nothing in the specification without a test, nothing tested that it does not
+// say.
+#include <algorithm>
+#include <set>
+
+#include "model/input_error.h"
+#include "oracle/subjects/canaries.h"
+#include "properties/clause.h"
+#include "properties/property.h"
+#include "tests/catch.h"
+#include "tests/properties/generated_page.h"
+#include "tests/properties/kills.h"
+
+using namespace touchstone;
+using properties::Clause;
+using properties::Property;
+
+namespace {
+
+bool holds(const std::vector<std::string>& names, const std::string& name) {
+  return std::ranges::find(names, name) != names.end();
+}
+
+}  // namespace
+
+TEST_CASE("ids are unique") {
+  std::set<std::string> ids;
+  for (const Clause& clause : properties::clauses()) CHECK(ids.insert(clause.id).second);
+  for (const Property& property : properties::all()) CHECK(ids.insert(property.id).second);
+  for (const auto& canary : oracle::subjects::canaries()) CHECK(ids.insert(canary.id).second);
+}
+
+TEST_CASE("ids say where they belong") {
+  for (const Property& property : properties::all()) CHECK(property.id.starts_with(property.stem + "."));
+  for (const Clause& clause : properties::clauses()) {
+    std::string stem = clause.stem;
+    std::ranges::transform(stem, stem.begin(),
+                           [](char c) { return c == '_' ? '-' : static_cast<char>(std::toupper(c)); });
+    CHECK(clause.id.starts_with("TS-" + stem + "-"));
+  }
+}
+
+TEST_CASE("every clause is checked by properties that cite it, of its stem") {
+  for (const Clause& clause : properties::clauses()) {
+    INFO(clause.id);
+    CHECK_FALSE(clause.checked_by.empty());
+    for (const std::string& id : clause.checked_by) {
+      const Property& property = properties::find(id);
+      CHECK(property.stem == clause.stem);
+      CHECK(holds(property.clauses, clause.id));
+    }
+  }
+}
+
+TEST_CASE("every property cites clauses that name it") {
+  for (const Property& property : properties::all()) {
+    INFO(property.id);
+    CHECK_FALSE(property.clauses.empty());
+    for (const std::string& id : property.clauses) CHECK(holds(properties::clause(id).checked_by, property.id));
+  }
+}
+
+TEST_CASE("every clause is proved sharp by canaries that its properties catch") {
+  for (const Clause& clause : properties::clauses()) {
+    INFO(clause.id);
+    CHECK_FALSE(clause.sharp_by.empty());
+    for (const std::string& canary : clause.sharp_by) {
+      INFO(canary);
+      CHECK_NOTHROW(oracle::subjects::canary(canary));
+      CHECK(std::ranges::any_of(clause.checked_by, [&](const std::string& property) {
+        return tests::kills().at(property).contains(canary);
+      }));
+    }
+  }
+}
+
+TEST_CASE("every property of a clause catches one of the clause's canaries") {
+  for (const Clause& clause : properties::clauses()) {
+    for (const std::string& property : clause.checked_by) {
+      INFO(clause.id << " " << property);
+      CHECK(std::ranges::any_of(
+          clause.sharp_by, [&](const std::string& canary) { return tests::kills().at(property).contains(canary); }));
+    }
+  }
+}
+
+TEST_CASE("the clauses' page is what the clauses say") {
+  CHECK(tests::committed_page("clauses.md", tests::clause_index()) == tests::clause_index());
+}
+
+TEST_CASE("an unknown name is an InputError with near names") {
+  CHECK_THROWS_WITH(properties::find("distance.symetric"), Catch::Contains("distance.symmetric"));
+  CHECK_THROWS_AS(properties::clause("TS-NONE-1"), InputError);
+  CHECK_THROWS_AS(oracle::subjects::canary("canary.none"), InputError);
+}
