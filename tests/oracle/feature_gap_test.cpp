@@ -1,0 +1,45 @@
+#include "oracle/feature_gap.h"
+
+#include "tests/catch.h"
+
+using namespace touchstone;
+using oracle::feature_gap;
+
+namespace {
+
+Body posed(Shape shape, const Vec3& p_WB, const Quaternion& q_WB = {}) {
+  Body body;
+  body.shape = std::move(shape);
+  body.X_WB = {p_WB, q_WB};
+  return body;
+}
+
+const Body cube = posed(Box{{1, 1, 1}}, {0, 0, 0});
+const Body above = posed(Box{{1, 1, 1}}, {0.5, 0.25, 3});
+
+}  // namespace
+
+TEST_CASE("feature_gap: vertices, edges and faces, in any order of their vertices") {
+  CHECK(*feature_gap(cube, {0, {4, 5, 6, 7}}, above, {0, {0, 1, 2, 3}}) == 1);
+  CHECK(*feature_gap(cube, {0, {7, 4, 6, 5}}, above, {0, {0}}) == 1);                         // a vertex over the face
+  CHECK(*feature_gap(cube, {0, {5, 7}}, above, {0, {0, 1}}) == 1);                            // edges that cross
+  CHECK(*feature_gap(cube, {0, {4, 5}}, above, {0, {0, 1}}) == Approx(std::hypot(1, 0.25)));  // parallel edges
+  CHECK(*feature_gap(cube, {0, {7}}, above, {0, {0}}) == Approx(Vec3(1.5, 1.75, 1).norm()));
+}
+
+TEST_CASE("feature_gap: hulls that cross are 0 apart; a sphere is its centre; poses of parts count") {
+  const Body through = posed(Box{{0.5, 0.5, 4}}, {0, 0, 0});
+  CHECK(*feature_gap(cube, {0, {4, 5, 6, 7}}, through, {0, {0, 4}}) == Approx(0.5 * 0).margin(1e-15));
+  const Body ball = posed(Sphere{1}, {0, 0, 5});
+  CHECK(*feature_gap(cube, {0, {4, 5, 6, 7}}, ball, {0, {0}}) == 4);
+  const Body turned =
+      posed(Compound{{{Pose{}, Sphere{1}}, {Pose{{2, 0, 0}, {}}, Sphere{1}}}}, {0, 0, 1}, {1, 0, -1, 0});
+  CHECK(*feature_gap(cube, {0, {4, 5, 6, 7}}, turned, {1, {0}}) == Approx(2));  // x turned to z: the part at (0, 0, 3)
+}
+
+TEST_CASE("feature_gap: what is not there has no gap") {
+  CHECK_FALSE(feature_gap(cube, {0, {8}}, above, {0, {0}}));
+  CHECK_FALSE(feature_gap(cube, {0, {-1}}, above, {0, {0}}));
+  CHECK_FALSE(feature_gap(cube, {1, {0}}, above, {0, {0}}));
+  CHECK_FALSE(feature_gap(cube, {0, {}}, above, {0, {0}}));
+}

@@ -1,0 +1,157 @@
+// The published schema takes what is really said, in both directions, and nothing else.
+#include "oracle/protocol.h"
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+
+#include "model/input_error.h"
+#include "oracle/child_process.h"
+#include "oracle/pipe.h"
+#include "tests/catch.h"
+
+namespace touchstone::oracle {
+namespace {
+
+/// "ok" or "bad" for each line.
+std::vector<std::string> by_schema(const std::vector<std::string>& lines) {
+  const std::string file = "protocol_test_lines.txt";
+  {
+    std::ofstream out(file);
+    for (const std::string& line : lines) out << line << '\n';
+  }
+  const std::string command =
+      "/usr/bin/python3 '" TOUCHSTONE_SOURCE "/tests/oracle/protocol_schema.py' '" TOUCHSTONE_SOURCE "/docs' < " + file;
+  FILE* output = popen(command.c_str(), "r");
+  REQUIRE(output != nullptr);
+  std::vector<std::string> verdicts;
+  char word[16];
+  while (std::fscanf(output, "%15s", word) == 1) verdicts.emplace_back(word);
+  CHECK(pclose(output) == 0);
+  std::filesystem::remove(file);
+  return verdicts;
+}
+
+Scene scene() {
+  Scene made;
+  made.name = "a \"sphere\" beside a box";
+  for (const Shape& shape : {Shape(Sphere{0.1}), Shape(Box{{1, 2, 3}})}) {
+    made.bodies.emplace_back().shape = shape;
+    made.bodies.back().X_WB.p_WB.x() = 1.25 * static_cast<double>(made.bodies.size());
+  }
+  return made;
+}
+
+/// Both sides of a whole conversation, as lines.
+std::vector<std::string> conversation(const std::vector<std::string>& command) {
+  ChildProcess child(command);
+  std::vector<std::string> lines;
+  const auto exchange = [&](std::string question) {
+    const auto said = child.exchange(question, {60, 60, 1 << 20});
+    REQUIRE(std::holds_alternative<std::string>(said));
+    question.pop_back();
+    lines.push_back(question);
+    lines.push_back(std::get<std::string>(said));
+  };
+  protocol::Seq seq = 0;
+  exchange(protocol::start(++seq));
+  for (const char* query : {"mass", "bounds", "broad_phase", "distance", "penetration"}) {
+    exchange(protocol::ask(++seq, query, json_of(scene()).dump()));
+  }
+  lines.push_back(protocol::stop(++seq));
+  lines.back().pop_back();
+  return lines;
+}
+
+TEST_CASE("real traffic in both directions fits the published schema") {
+  for (const std::string& name : subjects_beside(TOUCHSTONE_SUBJECTS)) {
+    CAPTURE(name);
+    const auto lines = conversation({std::string(TOUCHSTONE_SUBJECTS "/touchstone-subject-") + name});
+    CHECK(by_schema(lines) == std::vector<std::string>(lines.size(), "ok"));
+  }
+  const auto lines = conversation({"python3", TOUCHSTONE_SOURCE "/oracle/subjects/python/sphere_engine.py"});
+  CHECK(by_schema(lines) == std::vector<std::string>(lines.size(), "ok"));
+}
+
+TEST_CASE("every kind of answer that we write fits the schema") {
+  Distance whole;
+  whole.verdict = Verdict::touching;
+  whole.distance = 0;
+  whole.p_WCa = whole.p_WCb = Vec3(1, 2, 3);
+  whole.feature_A = whole.feature_B = Feature{0, {1, 2}};
+  whole.enclosure = Interval{0, 0};
+  std::vector<std::string> lines = {
+      protocol::answer(1, json_of(whole)),
+      protocol::answer(2, Abstains{"why"}),
+      protocol::answer(3, Breaks{Breaks::Kind::threw, "how"}),
+      protocol::answer(4, json_of(Masses{std::nullopt, MassProperties{}})),
+      protocol::answer(5, json_of(PairSet{{0, 1}})),
+      protocol::answer(6, json_of(Bounds{Aabb{}})),
+      protocol::answer(7, json_of(Penetration{Verdict::overlapping, 1.0, Vec3(0, 0, 1)}))};
+  for (std::string& line : lines) line.pop_back();
+  CHECK(by_schema(lines) == std::vector<std::string>(lines.size(), "ok"));
+}
+
+TEST_CASE("schema and reader refuse the same answers") {
+  const std::vector<std::string> lines = {R"({"result":{}})",
+                                          R"({"seq":1})",
+                                          R"({"seq":1,"result":{},"abstains":"why"})",
+                                          R"({"seq":1,"result":{"distance":null}})",
+                                          R"({"seq":1,"result":{"distance":"NaN"}})",
+                                          R"({"seq":1,"result":{"distanz":1}})",
+                                          R"({"seq":1,"result":{"verdict":"near"}})",
+                                          R"({"seq":1,"result":{"p_WCa":[1,2]}})",
+                                          R"({"seq":1,"abstains":null})",
+                                          R"({"seq":1,"breaks":"boom"})",
+                                          R"({"seq":1,"breaks":{"kind":"sulked","how":""}})",
+                                          R"({"seq":"1","result":{}})",
+                                          R"([])"};
+  CHECK(by_schema(lines) == std::vector<std::string>(lines.size(), "bad"));
+  for (const std::string& line : lines) {
+    CAPTURE(line);
+    CHECK_THROWS_AS(protocol::read_answer<Distance>(line, 1), InputError);
+  }
+}
+
+TEST_CASE("schema and reader refuse the same introductions") {
+  const std::string good =
+      R"({"seq":1,"protocol":1,"card":{"name":"n","version":"1","precision":"exact","answers":[]}})";
+  CHECK(by_schema({good}) == std::vector<std::string>{"ok"});
+  CHECK(protocol::read_introduction(good, 1).precision == Precision::exact);
+  const auto changed = [&](const std::string& from, const std::string& to) {
+    std::string text = good;
+    return text.replace(text.find(from), from.size(), to);
+  };
+  const std::vector<std::string> lines = {changed(R"("protocol":1,)", ""),
+                                          changed(R"("protocol":1)", R"("protocol":2)"),
+                                          changed("exact", "binary16"),
+                                          changed(R"("name":"n",)", ""),
+                                          changed("[]", "[1]"),
+                                          changed(R"("name")", R"("knows_touching":1,"name")")};
+  CHECK(by_schema(lines) == std::vector<std::string>(lines.size(), "bad"));
+  for (const std::string& line : lines) {
+    CAPTURE(line);
+    CHECK_THROWS_AS(protocol::read_introduction(line, 1), InputError);
+  }
+}
+
+TEST_CASE("a card survives the way") {
+  const Card card{
+      "n", "1.2", Precision::binary32, {"mass"}, true, 0.05, "about", "home", {{"TS-MASS-1", "what", "link"}}};
+  const std::string line = protocol::introduction(9, card);
+  const Card read = protocol::read_introduction(line, 9);
+  CHECK(protocol::introduction(9, read) == line);
+  CHECK(read.deviations.at(0).clause == "TS-MASS-1");
+  CHECK_THROWS_WITH(protocol::read_introduction(line, 8), "introduction.seq: not that of the question");
+}
+
+TEST_CASE("a question survives the way") {
+  const protocol::Request request = protocol::read_request(protocol::ask(7, "distance", json_of(scene()).dump()));
+  CHECK(request.op == protocol::Request::Op::ask);
+  CHECK(request.seq == 7);
+  CHECK(request.query == "distance");
+  CHECK(request.scene == scene());
+}
+
+}  // namespace
+}  // namespace touchstone::oracle

@@ -1,0 +1,117 @@
+// The bounds are neither broken nor idle: a plain computation in binary32 is held against each, from both sides.
+#include "oracle/tolerance.h"
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <cstdint>
+
+#include "oracle/precision.h"
+#include "oracle/world_points.h"
+#include "tests/catch.h"
+
+using namespace touchstone;
+using oracle::Precision;
+
+namespace {
+
+// Numbers in (-1, 1) that are floats, the same on every machine (a linear congruence, its upper bits).
+class Floats {
+ public:
+  double next() {
+    state_ = state_ * 6364136223846793005U + 1442695040888963407U;
+    return static_cast<double>(static_cast<std::int64_t>(state_ >> 40) - (1 << 23)) * 0x1p-23;
+  }
+  Vec3 point() { return {next(), next(), next()}; }
+
+ private:
+  std::uint64_t state_ = 2026;
+};
+
+Scene of(Shape shape, const Pose& X_WB = {}) {
+  Body body;
+  body.shape = std::move(shape);
+  body.X_WB = X_WB;
+  Scene scene;
+  scene.bodies = {body};
+  return scene;
+}
+
+// As engines do: normalise, make a matrix, multiply, add.
+Eigen::Vector3f placed(const Pose& X, const Vec3& p) {
+  const Eigen::Quaternionf q(Eigen::Quaterniond(X.q_WB.w, X.q_WB.x, X.q_WB.y, X.q_WB.z).cast<float>());
+  return q.normalized().toRotationMatrix() * p.cast<float>() + X.p_WB.cast<float>();
+}
+
+}  // namespace
+
+TEST_CASE("scale: the farthest coordinate of an origin, and the radius about it") {
+  CHECK(oracle::tolerance::scale(of(Sphere{2}, {{3, -5, 1}, {}})) == 7);
+  CHECK(oracle::tolerance::scale(of(Box{{1, 2, 2}})) == 3);
+  CHECK(oracle::tolerance::scale(of(Compound{{{Pose{{0, 4, 0}, {}}, Sphere{1}}, {Pose{}, Sphere{2}}}})) == 5);
+  CHECK(oracle::tolerance::scale(Scene{}) == 0);
+}
+
+TEST_CASE("ulps follow the precision") {
+  const Scene scene = of(Sphere{1});
+  CHECK(oracle::tolerance::ulp(scene, Precision::binary64) == 0x1p-53);
+  CHECK(oracle::tolerance::ulp(scene, Precision::exact) == 0x1p-53);
+  CHECK(oracle::tolerance::ulp(scene, Precision::binary32) == 0x1p-24);
+  CHECK(oracle::tolerance::distance(scene, Precision::exact) < oracle::tolerance::distance(scene, Precision::binary64));
+}
+
+TEST_CASE("a point through one pose in binary32 is within 52 ulps of S, and not always within 0.5") {
+  Floats random;
+  double worst = 0;
+  for (int i = 0; i < 100000; ++i) {
+    const Vec3 v = random.point();
+    const Pose X{random.point(), {random.next(), random.next(), random.next(), random.next()}};
+    const Scene scene = of(Polytope{{v}, {}}, X);
+    const oracle::Point exact = oracle::world_points(scene.bodies[0], 0).front();
+    const double error = static_cast<double>((placed(X, v).cast<oracle::Real>() - exact).norm());
+    worst = std::max(worst, error / oracle::tolerance::ulp(scene, Precision::binary32));
+  }
+  CHECK(worst < 52);
+  CHECK(worst > 0.5);
+}
+
+TEST_CASE("a direction normalised in binary32 is within unit_length of 1, and not always 1") {
+  Floats random;
+  double worst = 0;
+  for (int i = 0; i < 100000; ++i) {
+    const Eigen::Vector3f n = random.point().cast<float>().normalized();
+    worst = std::max(worst, std::abs(n.cast<double>().norm() - 1));
+  }
+  CHECK(worst < oracle::tolerance::unit_length(Precision::binary32));
+  CHECK(worst > 0);
+}
+
+TEST_CASE("a tetrahedron's mass by its determinant in binary32 is within the bound") {
+  Floats random;
+  for (int i = 0; i < 1000; ++i) {
+    const std::vector<Vec3> v = {random.point(), random.point(), random.point(), random.point()};
+    const double V = (v[1] - v[0]).dot((v[2] - v[0]).cross(v[3] - v[0])) / 6;
+    if (V < 1e-3) continue;
+    Body body;
+    body.shape = Polytope{v, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}};
+    float sum = 0;
+    for (const std::vector<int>& f : std::get<Polytope>(body.shape).faces) {
+      const auto at = [&](std::size_t k) { return Eigen::Vector3f(v[static_cast<std::size_t>(f[k])].cast<float>()); };
+      sum += at(0).dot(at(1).cross(at(2))) / 6;
+    }
+    CHECK(std::abs(static_cast<double>(sum) - V) < oracle::tolerance::mass(body, Precision::binary32).mass);
+  }
+}
+
+TEST_CASE("exact_in: every number of shape, pose and mass must be a float") {
+  const Precision single = Precision::binary32;
+  CHECK(oracle::exact_in(of(Sphere{0.5}), single));
+  CHECK_FALSE(oracle::exact_in(of(Sphere{0.1}), single));
+  CHECK(oracle::exact_in(of(Sphere{0.1}), Precision::binary64));
+  CHECK_FALSE(oracle::exact_in(of(Box{{1, 1, 1e300}}), single));
+  CHECK_FALSE(oracle::exact_in(of(Sphere{1}, {{0, 0x1p-200, 0}, {}}), single));
+  CHECK_FALSE(oracle::exact_in(of(Sphere{1}, {{0, 0, 0}, {1, 0, 0, 1 + 0x1p-30}}), single));
+  CHECK_FALSE(oracle::exact_in(of(Compound{{{Pose{{0.3, 0, 0}, {}}, Sphere{1}}}}), single));
+  Scene dense = of(Sphere{1});
+  dense.bodies[0].mass = Density{0.7};
+  CHECK_FALSE(oracle::exact_in(dense, single));
+}
