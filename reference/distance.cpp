@@ -1,0 +1,143 @@
+#include "reference/distance.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include "model/input_error.h"
+#include "reference/distance_impl.h"
+#include "reference/float_mode_impl.h"
+#include "reference/rational_impl.h"
+#include "reference/square_root_impl.h"
+
+namespace touchstone::reference {
+namespace {
+
+/// What one pair of parts amounts to.
+struct PartPair {
+  PartPair(const Body& A, int a, const Body& B, int b) : part_A(a), part_B(b), posed(A, a, B, b) {}
+
+  int part_A;
+  int part_B;
+  PosedPair posed;
+  CoreNearest nearest;
+  Rational squared;
+  Rational radii;
+  Verdict verdict = Verdict::separated;
+};
+
+CoreNearest nearest_by(Route route, PosedPair& pair) {
+  if (route == Route::brute_force) return nearest_by_brute_force(pair);
+  if (route == Route::qp) return nearest_by_qp(pair);
+  return nearest_certified(pair);
+}
+
+Verdict verdict_of(const PartPair& p) {
+  if (p.squared.sign() == 0) return p.radii.sign() > 0 ? Verdict::overlapping : p.nearest.cores;
+  const Rational excess = p.squared - p.radii * p.radii;
+  return excess.sign() > 0 ? Verdict::separated : excess.sign() == 0 ? Verdict::touching : Verdict::overlapping;
+}
+
+std::unique_ptr<PartPair> part_pair(const Body& A, int part_A, const Body& B, int part_B, Route route) {
+  auto p = std::make_unique<PartPair>(A, part_A, B, part_B);
+  p->nearest = nearest_by(route, p->posed);
+  const CoreNearest& n = p->nearest;
+  p->squared = p->posed.square(dot(n.difference, n.difference), Integer(n.denominator * n.denominator));
+  p->radii = Rational(p->posed.A.core().radius) + Rational(p->posed.B.core().radius);
+  p->verdict = verdict_of(*p);
+  return p;
+}
+
+bool nearer(const PartPair& p, const PartPair& q) {
+  if (p.verdict != q.verdict) return p.verdict > q.verdict;
+  return p.verdict == Verdict::separated && compare_roots(p.squared, q.squared, p.radii - q.radii) < 0;
+}
+
+std::unique_ptr<PartPair> nearest_parts(const Body& A, const Body& B, Route route) {
+  std::unique_ptr<PartPair> best;
+  for (int a = 0; a < part_count(A); ++a) {
+    for (int b = 0; b < part_count(B); ++b) {
+      std::unique_ptr<PartPair> candidate = part_pair(A, a, B, b, route);
+      if (!best || nearer(*candidate, *best)) best = std::move(candidate);
+    }
+  }
+  return best;
+}
+
+Certificate certificate_of(const PartPair& p, const DistanceTruth& truth) {
+  const CoreNearest& n = p.nearest;
+  Certificate c;
+  c.cores = n.cores;
+  c.part_A = p.part_A;
+  c.part_B = p.part_B;
+  if (n.cores == Verdict::separated) c.direction = truth.difference;
+  if (n.cores == Verdict::touching) {
+    c.direction = {rational(n.direction.x), rational(n.direction.y), rational(n.direction.z)};
+  }
+  c.pairs = n.pairs;
+  for (const Integer& weight : n.weights) c.weights.push_back(rational(fraction(weight, n.denominator)));
+  return c;
+}
+
+/// core + reach · d*/|d*|. The root's 300 bits are far beyond the double that the point ends as.
+Vec3 swollen(const RationalVec3& core, const DistanceTruth& truth, double reach) {
+  if (reach == 0 || truth.core_squared.sign() == 0) return {core.x.nearest(), core.y.nearest(), core.z.nearest()};
+  const mpq_class& square = truth.core_squared.impl().value;
+  const mpq_class inverse = root_below(square, 300 + mpz_sizeinbase(square.get_den_mpz_t(), 2)) / square;
+  const Rational step = Rational(reach) * rational(inverse);
+  const RationalVec3& d = truth.difference;
+  return {(core.x + step * d.x).nearest(), (core.y + step * d.y).nearest(), (core.z + step * d.z).nearest()};
+}
+
+DistanceTruth truth_of(const PartPair& p) {
+  const CoreNearest& n = p.nearest;
+  DistanceTruth truth;
+  truth.verdict = p.verdict;
+  truth.part_A = p.part_A;
+  truth.part_B = p.part_B;
+  truth.core_squared = p.squared;
+  truth.radius_sum = p.radii;
+  truth.difference = p.posed.vector(n.difference, n.denominator);
+  truth.core_A = p.posed.point(n.point_A, n.point_denominator);
+  truth.core_B = n.point_denominator == n.denominator
+                     ? p.posed.point(n.point_A - n.difference, n.denominator)
+                     : p.posed.point(n.denominator * n.point_A - n.point_denominator * n.difference,
+                                     Integer(n.denominator * n.point_denominator));
+  truth.feature_A = {p.part_A, n.face_A};
+  truth.feature_B = {p.part_B, n.face_B};
+  truth.p_WCa = swollen(truth.core_A, truth, -p.posed.A.core().radius);
+  truth.p_WCb = swollen(truth.core_B, truth, p.posed.B.core().radius);
+  if (truth.verdict == Verdict::separated)
+    truth.distance = enclosure_of_root_minus(truth.core_squared, truth.radius_sum);
+  truth.certificate = certificate_of(p, truth);
+  return truth;
+}
+
+}  // namespace
+
+DistanceTruth distance(const Scene& scene, Route route) {
+  if (scene.bodies.size() < 2) throw InputError("bodies", "two are needed for a distance");
+  const DefaultFloatMode mode;
+  return truth_of(*nearest_parts(scene.bodies[0], scene.bodies[1], route));
+}
+
+Interval distance_to_body(const Body& body, const Vec3& p_W) {
+  const DefaultFloatMode mode;
+  Body point;
+  point.shape = Sphere{1};
+  point.X_WB.p_WB = p_W;
+  Interval least = {INFINITY, INFINITY};
+  for (int part = 0; part < part_count(body); ++part) {
+    PosedPair pair(body, part, point, 0);
+    const CoreNearest n = nearest_certified(pair);
+    const Rational squared = pair.square(dot(n.difference, n.difference), Integer(n.denominator * n.denominator));
+    const Rational radius = pair.A.core().radius;
+    if (squared <= radius * radius) return {0, 0};
+    const Interval gap = enclosure_of_root_minus(squared, radius);
+    least = {std::min(least.lo, gap.lo), std::min(least.hi, gap.hi)};
+  }
+  return least;
+}
+
+}  // namespace touchstone::reference

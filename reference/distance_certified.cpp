@@ -1,0 +1,177 @@
+// The route for daily use: a guess in doubles, then GJK in exact arithmetic from there, which strictly descends and so
+// ends. A vertex is looked at exactly only where its interval cannot tell on which side of the plane it lies.
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <span>
+#include <stdexcept>
+
+#include "reference/distance_guess_impl.h"
+#include "reference/distance_impl.h"
+#include "reference/simplex_impl.h"
+#include "reference/touching_impl.h"
+
+namespace touchstone::reference {
+namespace {
+
+/// The point of scale·(A − B) + shift nearest to 0.
+struct Minimum {
+  std::vector<VertexPair> pairs;
+  std::vector<Integer> weights;  ///< > 0; Σ weights·(scale·(a − b) + shift) = numerator
+  Integer total;                 ///< Σ weights
+  IntegerVec numerator;
+  IntegerVec direction;
+  std::vector<int> lowest_A;  ///< with numerator ≠ 0: all vertices of A lowest along it, all of B highest
+  std::vector<int> highest_B;
+};
+
+/// The first subset whose projection is inside and below which no other member lies: it is the one, by convexity.
+NearestPoint<Integer> nearest(std::span<const IntegerVec> w) {
+  for (const unsigned mask : simplex::subsets) {
+    if (mask >> w.size() != 0) continue;
+    std::optional<NearestPoint<Integer>> y = simplex::interior_projection(w, mask);
+    if (!y) continue;
+    const IntegerVec& base = w[static_cast<std::size_t>(y->members[0])];
+    bool lowest = true;
+    for (std::size_t i = 0; i < w.size() && lowest; ++i) {
+      lowest = (mask >> i & 1U) != 0 || dot(y->direction, w[i] - base) >= 0;
+    }
+    if (lowest) return *std::move(y);
+  }
+  throw std::logic_error("a simplex without a nearest point");
+}
+
+struct Below {
+  int vertex = -1;        ///< the lowest below `from` along n, or -1
+  std::vector<int> ties;  ///< as high as `from`, ascending
+};
+
+Below below(const PosedCore& core, const IntegerVec& n, int from) {
+  const EnclosureVec around = enclosure(n);
+  Below result;
+  double least = 0;
+  for (int i = 0; i < core.size(); ++i) {
+    const int sign = side(core, n, around, i, from);
+    if (sign == 0) result.ties.push_back(i);
+    if (sign >= 0) continue;
+    const double height = dot(around, core.enclosed(i) - core.enclosed(from)).inf();
+    if (result.vertex < 0 || height < least) {
+      result.vertex = i;
+      least = height;
+    }
+  }
+  return result;
+}
+
+Minimum minimise(const PosedPair& pair, std::vector<VertexPair> pairs, const Integer& scale, const IntegerVec& shift) {
+  while (true) {
+    std::vector<IntegerVec> w;
+    for (const auto& [a, b] : pairs) w.push_back(scale * pair.difference(a, b) + shift);
+    NearestPoint<Integer> y = nearest(w);
+    Minimum m;
+    for (int i = 0; i < y.count; ++i) {
+      m.pairs.push_back(pairs[static_cast<std::size_t>(y.members[static_cast<std::size_t>(i)])]);
+      m.weights.push_back(std::move(y.weight[static_cast<std::size_t>(i)]));
+    }
+    m.total = std::move(y.total);
+    m.numerator = std::move(y.numerator);
+    m.direction = std::move(y.direction);
+    if (is_zero(m.direction)) return m;
+
+    const auto [a, b] = m.pairs[0];
+    Below below_A = below(pair.A, m.direction, a);
+    Below above_B = below(pair.B, -m.direction, b);
+    if (below_A.vertex < 0 && above_B.vertex < 0) {
+      m.lowest_A = std::move(below_A.ties);
+      m.highest_B = std::move(above_B.ties);
+      return m;
+    }
+    pairs = std::move(m.pairs);
+    pairs.emplace_back(below_A.vertex < 0 ? a : below_A.vertex, above_B.vertex < 0 ? b : above_B.vertex);
+  }
+}
+
+/// Four vertices with volume.
+std::vector<int> tetrahedron(const PosedCore& core) {
+  std::vector<int> corners = {0, 1};
+  const IntegerVec first = core.exact(1) - core.exact(0);
+  IntegerVec normal;
+  for (int i = 2; i < core.size(); ++i) {
+    const IntegerVec edge = core.exact(i) - core.exact(0);
+    if (corners.size() == 2) {
+      normal = cross(first, edge);
+      if (!is_zero(normal)) corners.push_back(i);
+    } else if (dot(normal, edge) != 0) {
+      corners.push_back(i);
+      return corners;
+    }
+  }
+  throw std::logic_error("a polytope without volume");
+}
+
+/// 0 is inside A − B, but on the boundary of the simplex found. Take any tetrahedron T of differences, with the sum q
+/// of its corners; −εq is in A − B for some ε > 0, so 0 is a positive combination of the corners of T and of what −εq
+/// needs.
+void prove_overlap(const PosedPair& pair, CoreNearest& result) {
+  std::vector<VertexPair> corners;
+  if (pair.A.core().is_point()) {
+    for (const int b : tetrahedron(pair.B)) corners.emplace_back(0, b);
+  } else {
+    for (const int a : tetrahedron(pair.A)) corners.emplace_back(a, 0);
+  }
+  IntegerVec sum;
+  for (const auto& [a, b] : corners) sum = sum + pair.difference(a, b);
+  Integer scale = 4;
+  Minimum m = minimise(pair, corners, scale, sum);
+  for (; !is_zero(m.direction); m = minimise(pair, m.pairs, scale, sum)) scale *= scale;
+
+  std::map<VertexPair, Integer> weights;
+  for (const VertexPair& corner : corners) weights[corner] += m.total;
+  for (std::size_t i = 0; i < m.pairs.size(); ++i) weights[m.pairs[i]] += scale * m.weights[i];
+  result.pairs.clear();
+  result.weights.clear();
+  result.denominator = 0;
+  for (const auto& [vertices, weight] : weights) {
+    result.pairs.push_back(vertices);
+    result.weights.push_back(weight);
+    result.denominator += weight;
+  }
+}
+
+}  // namespace
+
+CoreNearest nearest_certified(PosedPair& pair) {
+  std::vector<VertexPair> guess = guess_nearest(pair);
+  const RoundUpward rounding;
+  pair.A.enclose();
+  pair.B.enclose();
+  Minimum m = minimise(pair, std::move(guess), 1, {});
+
+  CoreNearest result;
+  for (std::size_t i = 0; i < m.pairs.size(); ++i) {
+    result.point_A = result.point_A + m.weights[i] * pair.A.exact(m.pairs[i].first);
+  }
+  result.point_denominator = m.total;
+  result.difference = std::move(m.numerator);
+  result.denominator = std::move(m.total);
+  result.pairs = std::move(m.pairs);
+  result.weights = std::move(m.weights);
+  result.face_A = std::move(m.lowest_A);
+  result.face_B = std::move(m.highest_B);
+  if (!is_zero(m.direction)) return result;
+
+  if (result.pairs.size() < 4) {
+    if (std::optional<SupportingPlane> plane = supporting_plane(pair, result.pairs)) {
+      result.cores = Verdict::touching;
+      result.direction = std::move(plane->normal);
+      result.face_A = std::move(plane->on_A);
+      result.face_B = std::move(plane->on_B);
+      return result;
+    }
+    prove_overlap(pair, result);
+  }
+  result.cores = Verdict::overlapping;
+  return result;
+}
+
+}  // namespace touchstone::reference

@@ -1,0 +1,12 @@
+// Where a pose takes a point, exactly.
+#pragma once
+
+#include "model/frame.h"
+#include "reference/rational.h"
+
+namespace touchstone::reference {
+
+/// p_WA = R(q_WB/|q_WB|) p_BA + p_WB. Rational, as R = M(q)/|q|² with M quadratic in q (model/frame.h): no square root.
+RationalVec3 in_world(const Pose& X_WB, const Vec3& p_BA);
+
+}  // namespace touchstone::reference

@@ -1,0 +1,107 @@
+// The vertices of a pair of convex cores in W as integers over one common denominator, and as intervals around them.
+//
+// A vertex is t + M(q)v/|q|². Lengths (v, t) are integers times one power of two, each q is scaled to integers freely,
+// and all is multiplied by the least common multiple of |qA|² and |qB|²: no division anywhere. With the origin moved to
+// body B's,
+//   vertex = origin + integer · 2^exponent / denominator.
+// The interval side is scaled by another power of two, so that coordinates are about 1 whatever the scene's scale.
+#pragma once
+
+#include <CGAL/Interval_nt.h>
+#include <gmpxx.h>
+
+#include <array>
+#include <vector>
+
+#include "model/scene.h"
+#include "reference/rational.h"
+#include "reference/triple_impl.h"
+
+namespace touchstone::reference {
+
+using Integer = mpz_class;
+using IntegerVec = Triple<Integer>;
+using Enclosure = CGAL::Interval_nt<false>;  // only inside a scope of RoundUpward
+using EnclosureVec = Triple<Enclosure>;
+using PlainVec = Triple<double>;
+
+/// Interval arithmetic needs the processor to round upwards. Plain double code stays outside, to stay reproducible.
+using RoundUpward = CGAL::Protect_FPU_rounding<true>;
+
+/// Some positive multiple of an integer vector, in doubles about 1.
+EnclosureVec enclosure(const IntegerVec& v);
+
+/// num/den · 2^shift.
+Enclosure enclosure(const Integer& num, const Integer& den, long shift);
+
+/// A convex part without its radius, in its own frame.
+struct Core {
+  std::vector<Vec3> vertices;
+  std::vector<std::vector<int>> faces;  ///< none for a point
+  double radius = 0;
+
+  bool is_point() const { return vertices.size() == 1; }
+};
+
+Core core_of(const ConvexShape& shape);
+
+int part_count(const Body& body);
+ConvexShape convex_part(const Body& body, int part);
+
+/// One core of a pair, posed. Exact vertices are computed when they are first asked for, and kept.
+class PosedCore {
+ public:
+  int size() const { return static_cast<int>(core_.vertices.size()); }
+  const Core& core() const { return core_; }
+
+  const IntegerVec& exact(int vertex) const;
+  const EnclosureVec& enclosed(int vertex) const { return enclosed_[static_cast<std::size_t>(vertex)]; }
+  const PlainVec& plain(int vertex) const { return plain_[static_cast<std::size_t>(vertex)]; }
+
+  void enclose();  ///< fills enclosed(); inside RoundUpward
+
+ private:
+  friend class PosedPair;
+
+  Core core_;
+  std::array<Integer, 9> linear_;  ///< of integer lengths
+  IntegerVec offset_;
+  Integer denominator_;
+  long unit_ = 0;                 ///< lengths are integers · 2^unit
+  long scale_ = 0;                ///< plain and enclosed coordinates are lengths · 2^-scale
+  std::vector<PlainVec> scaled_;  ///< vertices in their own frame
+  std::vector<PlainVec> plain_;
+  std::vector<EnclosureVec> enclosed_;
+  mutable std::vector<IntegerVec> exact_;
+  mutable std::vector<bool> known_;
+};
+
+class PosedPair {
+ public:
+  /// `shift_A` (W) is added to A's place, exactly.
+  PosedPair(const Body& A, int part_A, const Body& B, int part_B, const Vec3& shift_A = Vec3::Zero());
+
+  PosedCore A;
+  PosedCore B;
+
+  IntegerVec difference(int a, int b) const { return A.exact(a) - B.exact(b); }
+
+  Rational length(const Integer& num, const Integer& den) const;         ///< m, of num/den integer units
+  Rational square(const Integer& num, const Integer& den) const;         ///< m², of num/den squared integer units
+  RationalVec3 vector(const IntegerVec& num, const Integer& den) const;  ///< m
+  RationalVec3 point(const IntegerVec& num, const Integer& den) const;   ///< in W, m
+
+ private:
+  IntegerVec origin_;  ///< in integer lengths
+  Integer denominator_;
+  long exponent_;
+};
+
+/// The exact sign of n·(vertex − from); `around` encloses a positive multiple of n. Inside RoundUpward, after
+/// enclose().
+int side(const PosedCore& core, const IntegerVec& n, const EnclosureVec& around, int vertex, int from);
+
+mpq_class fraction(const Integer& num, const Integer& den, long shift = 0);  ///< num/den · 2^shift, in lowest terms
+Rational rational(mpq_class value);
+
+}  // namespace touchstone::reference
