@@ -1,8 +1,8 @@
 // The scenes that are asked: families of near-degenerate scenes, drawn from a seed (docs/design/generators.md).
 //
-// Uniformly random scenes do not find the bugs (docs/design/generators.md has the figures), so the families make touching,
-// parallel, equal, tiny, huge and far cases on purpose. Most are small integers times a power of two under integer
-// quaternions: such scenes are exact in doubles, many in floats, and they shrink.
+// Uniformly random scenes do not find the bugs (docs/design/generators.md has the figures), so the families make
+// touching, parallel, equal, tiny, huge and far cases on purpose. Most are small integers times a power of two under
+// integer quaternions: such scenes are exact in doubles, many in floats, and they shrink.
 #pragma once
 
 #include <cstdint>

@@ -26,6 +26,8 @@ class Random {
   /// Uniform in lo … hi, both included. Requires lo ≤ hi.
   int between(int lo, int hi) { return lo + below(hi - lo + 1); }
 
+  double whole(int lo, int hi) { return between(lo, hi); }
+
   /// True once in `n` times, on average.
   bool one_in(int n) { return below(n) == 0; }
 

@@ -1,0 +1,228 @@
+// What kind of case a scene is, by its exact truth, and how often each kind must come.
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "model/input_error.h"
+#include "oracle/precision.h"
+#include "oracle/tolerance.h"
+#include "oracle/truth.h"
+#include "properties/domain.h"
+#include "reference/broad_phase.h"
+
+namespace touchstone::properties {
+namespace {
+
+using oracle::Precision;
+using Names = std::vector<std::string>;
+
+constexpr const char* shape_names[] = {"sphere", "box", "polytope", "compound"};
+
+std::string ordered(std::string a, std::string b) {
+  if (b < a) std::swap(a, b);
+  return a + '-' + b;
+}
+
+std::string shapes(const Scene& scene) {
+  return ordered(shape_names[scene.bodies[0].shape.index()], shape_names[scene.bodies[1].shape.index()]);
+}
+
+bool is_turned(const Body& body) {
+  const Quaternion& q = body.X_WB.q_WB;
+  return q.x != 0 || q.y != 0 || q.z != 0;
+}
+
+const char* name_of(Verdict verdict) {
+  return verdict == Verdict::separated ? "separated" : verdict == Verdict::touching ? "touching" : "overlapping";
+}
+
+/// The vertices of the part that a feature speaks of, in the part's own frame; a sphere has none.
+std::vector<Vec3> points_of(const Body& body, const Feature& feature) {
+  const auto vertices = [](const auto& shape) -> std::vector<Vec3> {
+    using T = std::decay_t<decltype(shape)>;
+    if constexpr (std::is_same_v<T, Polytope>) return shape.vertices;
+    std::vector<Vec3> corners;
+    if constexpr (std::is_same_v<T, Box>) {
+      for (int i = 0; i < 8; ++i) {
+        const Vec3 signs{i & 1 ? 1.0 : -1.0, i & 2 ? 1.0 : -1.0, i & 4 ? 1.0 : -1.0};
+        corners.push_back(signs.cwiseProduct(shape.half_extents));
+      }
+    }
+    return corners;
+  };
+  std::vector<Vec3> all;
+  if (const auto* compound = std::get_if<Compound>(&body.shape)) {
+    all = std::visit(vertices, compound->parts[static_cast<std::size_t>(feature.part)].shape);
+  } else {
+    all = std::visit(vertices, body.shape);
+  }
+  std::vector<Vec3> points;
+  for (const int i : feature.vertices) {
+    if (!all.empty()) points.push_back(all[static_cast<std::size_t>(i)]);
+  }
+  return points;
+}
+
+/// A feature is a face of a polytope: its dimension shows in the number of its vertices, but for vertices that stand in
+/// the middle of an edge. Those count as an edge when all directions from the first vertex are multiples of one.
+const char* kind_of(const Body& body, const Feature& feature) {
+  const std::vector<Vec3> points = points_of(body, feature);
+  if (points.empty()) return "sphere";
+  if (points.size() == 1) return "vertex";
+  const Vec3 along = points[1] - points[0];
+  const bool line = std::ranges::all_of(points, [&](const Vec3& p) { return along.cross(p - points[0]).isZero(0); });
+  return line ? "edge" : "face";
+}
+
+std::string closeness(double length, double scale) {
+  return length <= std::ldexp(scale, -40)   ? "within 2^-40"
+         : length <= std::ldexp(scale, -12) ? "within 2^-12"
+                                            : "clear";
+}
+
+void pair_classes(const Scene& scene, Names& names) {
+  const reference::DistanceTruth& truth = oracle::truth::distance(scene);
+  const std::string verdict = name_of(truth.verdict);
+  names.push_back(verdict);
+  names.push_back(shapes(scene));
+  if (truth.feature_A.vertices.empty()) return;
+  const std::string kinds =
+      ordered(kind_of(scene.bodies[0], truth.feature_A), kind_of(scene.bodies[1], truth.feature_B));
+  names.push_back(kinds);
+  if (truth.verdict == Verdict::touching) names.push_back("touching " + kinds);
+  if (truth.verdict == Verdict::separated) {
+    names.push_back("separated " + closeness(truth.distance.lo, oracle::tolerance::scale(scene)));
+  }
+}
+
+void depth_classes(const Scene& scene, Names& names) {
+  names.push_back(shapes(scene));
+  const reference::PenetrationTruth& truth = oracle::truth::penetration(scene);
+  names.push_back(name_of(truth.verdict));
+  if (truth.verdict == Verdict::overlapping) {
+    names.push_back("overlapping " + closeness(truth.depth.lo, oracle::tolerance::scale(scene)));
+  }
+}
+
+void shape_classes(const Scene& scene, Names& names) {
+  std::set<std::string> kinds;
+  for (const Body& body : scene.bodies) {
+    kinds.insert(shape_names[body.shape.index()]);
+    kinds.insert(is_turned(body) ? "turned" : "not turned");
+    if (body.X_WB.p_WB.minCoeff() < 0) kinds.insert("negative coordinates");
+  }
+  names.insert(names.end(), kinds.begin(), kinds.end());
+}
+
+void mass_classes(const Scene& scene, Names& names) {
+  shape_classes(scene, names);
+  for (const Body& body : scene.bodies) {
+    if (std::holds_alternative<MassProperties>(body.mass)) names.push_back("given");
+    if (std::holds_alternative<Fixed>(body.mass)) names.push_back("fixed");
+    if (const auto* density = std::get_if<Density>(&body.mass); density && density->value != 1)
+      names.push_back("density");
+  }
+  const auto& truth = oracle::truth::mass(scene);
+  for (const auto& mass : truth) {
+    if (!mass) continue;
+    const auto [low, high] = std::ranges::minmax({mass->I_BBcm_B[0].lo, mass->I_BBcm_B[1].lo, mass->I_BBcm_B[2].lo});
+    names.push_back(high > 100 * low ? "slender" : "compact");
+  }
+}
+
+void broad_phase_classes(const Scene& scene, Names& names) {
+  const std::size_t count = scene.bodies.size();
+  names.push_back(count <= 2 ? "two bodies" : count <= 12 ? "3 to 12 bodies" : "more than 12 bodies");
+  const std::vector<reference::ExactBox>& boxes = oracle::truth::bounds(scene);
+  bool touching = false;
+  bool overlapping = false;
+  bool equal_end = false;
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t j = i + 1; j < count; ++j) {
+      const int sign = reference::gap(boxes[i], boxes[j]).sign();
+      touching = touching || sign == 0;
+      overlapping = overlapping || sign < 0;
+      for (std::size_t axis = 0; axis < 3 && !equal_end; ++axis) {
+        equal_end = boxes[i].lo[axis] == boxes[j].lo[axis] || boxes[i].hi[axis] == boxes[j].lo[axis] ||
+                    boxes[i].lo[axis] == boxes[j].hi[axis] || boxes[i].hi[axis] == boxes[j].hi[axis];
+      }
+    }
+  }
+  if (touching) names.push_back("touching boxes");
+  if (overlapping) names.push_back("overlapping boxes");
+  if (!touching && !overlapping) names.push_back("no pair");
+  if (equal_end) names.push_back("equal end points");
+}
+
+std::vector<Class> with_shapes(std::vector<Class> classes) {
+  for (const char* pair :
+       {"box-box", "box-polytope", "box-sphere", "polytope-polytope", "polytope-sphere", "sphere-sphere"}) {
+    classes.push_back({pair, 0.002});
+  }
+  classes.push_back({"binary32", 0.5});
+  return classes;
+}
+
+std::vector<Class> distance_classes() {
+  std::vector<Class> all = {{"separated", 0.15},
+                            {"touching", 0.15},
+                            {"overlapping", 0.15},
+                            {"separated within 2^-40", 0.01},
+                            {"separated within 2^-12", 0.03},
+                            {"separated clear", 0.05}};
+  for (const char* kinds : {"vertex-vertex", "edge-vertex", "face-vertex", "edge-edge", "edge-face", "face-face"}) {
+    all.push_back({kinds, 0.01});
+    all.push_back({"touching " + std::string(kinds), 0.005});
+  }
+  for (const char* kinds : {"sphere-vertex", "edge-sphere", "face-sphere", "sphere-sphere"})
+    all.push_back({kinds, 0.002});
+  all.push_back({"compound-compound", 0.002});
+  return with_shapes(all);
+}
+
+std::vector<Class> with_kinds_of_body(std::vector<Class> classes) {
+  for (const char* kind : {"sphere", "box", "polytope", "compound", "turned", "not turned", "negative coordinates"}) {
+    classes.push_back({kind, 0.02});
+  }
+  classes.push_back({"binary32", 0.5});
+  return classes;
+}
+
+}  // namespace
+
+std::vector<std::string> classes_of(const Scene& scene, const std::string& stem) {
+  Names names;
+  if (stem == "distance" && scene.bodies.size() == 2) pair_classes(scene, names);
+  if (stem == "penetration" && scene.bodies.size() == 2) depth_classes(scene, names);
+  if (stem == "mass") mass_classes(scene, names);
+  if (stem == "bounds") shape_classes(scene, names);
+  if (stem == "broad_phase") broad_phase_classes(scene, names);
+  if (oracle::exact_in(scene, Precision::binary32)) names.push_back("binary32");
+  std::ranges::sort(names);
+  names.erase(std::ranges::unique(names).begin(), names.end());
+  return names;
+}
+
+const std::vector<Class>& classes(const std::string& stem) {
+  static const std::vector<Class> mass =
+      with_kinds_of_body({{"given", 0.005}, {"fixed", 0.005}, {"density", 0.02}, {"slender", 0.05}, {"compact", 0.2}});
+  static const std::vector<Class> bounds = with_kinds_of_body({});
+  static const std::vector<Class> broad_phase = {
+      {"two bodies", 0.3},        {"3 to 12 bodies", 0.05}, {"more than 12 bodies", 0.01}, {"touching boxes", 0.2},
+      {"overlapping boxes", 0.2}, {"no pair", 0.05},        {"equal end points", 0.2},     {"binary32", 0.5}};
+  static const std::vector<Class> distance = distance_classes();
+  static const std::vector<Class> penetration = with_shapes({{"separated", 0.15},
+                                                             {"touching", 0.15},
+                                                             {"overlapping", 0.15},
+                                                             {"overlapping within 2^-40", 0.01},
+                                                             {"overlapping within 2^-12", 0.03},
+                                                             {"overlapping clear", 0.05}});
+  if (stem == "mass") return mass;
+  if (stem == "bounds") return bounds;
+  if (stem == "broad_phase") return broad_phase;
+  if (stem == "distance") return distance;
+  if (stem == "penetration") return penetration;
+  throw InputError("stem", "no stem is called " + stem);
+}
+
+}  // namespace touchstone::properties

@@ -1,0 +1,30 @@
+// The families by what makes them hard; properties/domain.cpp lists them all.
+#pragma once
+
+#include <vector>
+
+#include "properties/domain.h"
+
+namespace touchstone::properties {
+
+std::vector<Family> box_families();
+std::vector<Family> touching_families();
+std::vector<Family> parallel_families();
+std::vector<Family> slender_families();
+std::vector<Family> round_families();
+std::vector<Family> hull_families();
+std::vector<Family> mixed_families();
+std::vector<Family> contained_families();
+std::vector<Family> placed_families();
+std::vector<Family> crowd_families();
+std::vector<Family> mass_families();
+
+/// What a family is for: pairs of convex bodies are asked about everything, compounds have no depth.
+inline const std::vector<std::string> convex_pair_stems = {"mass", "bounds", "broad_phase", "distance", "penetration"};
+inline const std::vector<std::string> pair_stems = {"mass", "bounds", "broad_phase", "distance"};
+
+/// A small scene of two convex bodies from one of the families that stand near the origin, of size about 1 to 10, exact
+/// in floats: what the families of poses, scales and places start from.
+Scene some_pair(Random& random);
+
+}  // namespace touchstone::properties

@@ -1,0 +1,64 @@
+// Two bodies placed without rounding: across the plane z = 0 of a common frame, that frame then turned as a whole.
+//
+// The order in which C++ evaluates arguments and operands is open: no expression here may draw twice, or compilers
+// would disagree about the scenes. (Between braces the order is fixed.)
+#pragma once
+
+#include "model/scene.h"
+#include "properties/domain_solids.h"
+#include "properties/random.h"
+
+namespace touchstone::properties {
+
+enum class Kind { vertex, edge, face };
+
+Kind some_kind(Random& random);
+
+/// A solid in z ≤ 0 whose highest feature is of that kind, at z = 0, and has the origin on it; an edge lies along x.
+Polytope summit(Random& random, Kind kind);
+
+/// The same in z ≥ 0, its lowest feature at z = 0.
+Polytope depression(Random& random, Kind kind);
+
+Body at_rest(Shape shape, const Pose& X_WB = {});
+
+/// In either order.
+Scene pair(Random& random, Body A, Body B);
+
+/// q r: first r, then q. Exact for small integers.
+Quaternion times(const Quaternion& q, const Quaternion& r);
+
+/// Integer components in ±3, not all zero: any rotation angle, |q| ≠ 1 mostly.
+Quaternion small_quaternion(Random& random);
+
+/// One of the rotations that map the axes to axes, by integer components in ±1.
+Quaternion axes_quaternion(Random& random);
+
+/// A turn about z by a rational angle: (w, 0, 0, z) with small integers.
+Quaternion twist(Random& random);
+
+/// The point p turned by a quaternion of axes_quaternion: exact.
+Vec3 turned_by_axes(const Quaternion& q, const Vec3& p);
+
+/// `below` (in z ≤ 0) and `above` (in z ≥ 0), the latter lifted by `gap` in its own coordinates and both in the frame
+/// X: exact at any rotation. Requires that z + gap is exact for each of its vertices.
+Scene across(Random& random, Polytope below, Polytope above, double gap, const Pose& X,
+             const Quaternion& twist_below = {}, const Quaternion& twist_above = {});
+
+/// The same, but `above` is lifted by its pose, so that any double can be the gap; X.q must be of axes_quaternion and
+/// X.p 0.
+Scene across_by_pose(Random& random, Polytope below, Polytope above, double gap, const Quaternion& q);
+
+/// A summit and a depression of random kinds, across with a twist each.
+Scene contact(Random& random, double gap, const Pose& X);
+
+/// An integer from lo to hi, times 2^e with e from least to greatest.
+double dyadic(Random& random, int lo, int hi, int least, int greatest);
+
+/// An integer in ±`limit` on each axis.
+Vec3 small_vector(Random& random, int limit);
+
+/// ±2^-k or 0, k from `least` to `greatest`; 0 once in four.
+double dyadic_gap(Random& random, int least, int greatest);
+
+}  // namespace touchstone::properties
