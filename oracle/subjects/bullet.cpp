@@ -3,47 +3,17 @@
 #include <BulletCollision/NarrowPhaseCollision/btGjkEpaPenetrationDepthSolver.h>
 #include <BulletCollision/NarrowPhaseCollision/btGjkPairDetector.h>
 #include <BulletCollision/NarrowPhaseCollision/btPointCollector.h>
-#include <btBulletCollisionCommon.h>
 
 #include <algorithm>
 #include <numbers>
 #include <stdexcept>
 
-#include "oracle/subjects/engine.h"
+#include "oracle/subjects/bullet_input.h"
 
 namespace touchstone::oracle::subjects {
 namespace {
 
-constexpr bool is_double = sizeof(btScalar) == sizeof(double);
-
-btScalar scalar(double x) { return static_cast<btScalar>(x); }
-btVector3 vector(const Vec3& v) { return {scalar(v.x()), scalar(v.y()), scalar(v.z())}; }
-Vec3 vec3(const btVector3& v) { return {v.x(), v.y(), v.z()}; }
-
-btTransform transform(const Pose& X_WB) {
-  const Eigen::Quaterniond q = unit_quaternion(X_WB.q_WB);
-  return btTransform(btQuaternion(scalar(q.x()), scalar(q.y()), scalar(q.z()), scalar(q.w())), vector(X_WB.p_WB));
-}
-
-using ConvexPtr = std::unique_ptr<btConvexShape>;
-
-/// Margin 0 before anything is computed with it. A sphere's margin is its radius, and stays.
-struct MakeShape {
-  ConvexPtr operator()(const Sphere& sphere) const { return std::make_unique<btSphereShape>(scalar(sphere.radius)); }
-  ConvexPtr operator()(const Box& box) const {
-    auto shape = std::make_unique<btBoxShape>(vector(box.half_extents));
-    shape->setMargin(0);
-    return shape;
-  }
-  ConvexPtr operator()(const Polytope& polytope) const {
-    auto shape = std::make_unique<btConvexHullShape>();
-    shape->setMargin(0);
-    for (const Vec3& vertex : polytope.vertices) shape->addPoint(vector(vertex), false);
-    shape->recalcLocalAabb();
-    return shape;
-  }
-  ConvexPtr operator()(const Compound&) const { return nullptr; }
-};
+using namespace in_bullet;
 
 /// The signed distance, the normal from B to A, and the witness on B.
 btPointCollector closest_points(const Scene& scene) {

@@ -1,44 +1,13 @@
 #include "oracle/subjects/fcl.h"
 
-#include <fcl/fcl.h>
-
 #include <algorithm>
 
-#include "oracle/subjects/engine.h"
+#include "oracle/subjects/fcl_input.h"
 
 namespace touchstone::oracle::subjects {
 namespace {
 
-using Geometry = std::shared_ptr<::fcl::CollisionGeometryd>;
-
-struct MakeGeometry {
-  Geometry operator()(const Sphere& sphere) const { return std::make_shared<::fcl::Sphered>(sphere.radius); }
-  /// FCL's box is given by its full sides.
-  Geometry operator()(const Box& box) const { return std::make_shared<::fcl::Boxd>(Vec3(2 * box.half_extents)); }
-  Geometry operator()(const Polytope& polytope) const {
-    const auto faces = std::make_shared<std::vector<int>>();
-    for (const std::vector<int>& face : polytope.faces) {
-      faces->push_back(static_cast<int>(face.size()));
-      faces->insert(faces->end(), face.begin(), face.end());
-    }
-    return std::make_shared<::fcl::Convexd>(std::make_shared<const std::vector<Vec3>>(polytope.vertices),
-                                            static_cast<int>(polytope.faces.size()), faces);
-  }
-  Geometry operator()(const Compound&) const { return nullptr; }
-};
-
-::fcl::Transform3d transform(const Pose& X_WB) {
-  ::fcl::Transform3d X = ::fcl::Transform3d::Identity();
-  X.linear() = unit_quaternion(X_WB.q_WB).toRotationMatrix();
-  X.translation() = X_WB.p_WB;
-  return X;
-}
-
-struct FclBody {
-  explicit FclBody(const Body& body) : geometry(std::visit(MakeGeometry{}, body.shape)), X_WB(transform(body.X_WB)) {}
-  Geometry geometry;
-  ::fcl::Transform3d X_WB;
-};
+using namespace in_fcl;
 
 /// Of a Convex, FCL's inertia is that of a unit mass; of a Box and a Sphere, that of unit density.
 std::optional<MassProperties> mass_of(const Body& body) {
@@ -119,8 +88,7 @@ class Fcl : public Subject {
     request.gjk_solver_type = solver_;
     ::fcl::DistanceResultd result;
     ::fcl::distance(A.geometry.get(), A.X_WB, B.geometry.get(), B.X_WB, request, result);
-    // A negative distance is FCL's word for "in collision"; 0 is neither apart nor that, and a two-valued verdict may
-    // be either.
+    // A negative distance is FCL's word for "in collision". Of two that touch, a two-valued verdict may say either.
     if (result.min_distance <= 0) return in_collision();
     return apart(result.min_distance, result.nearest_points[0], result.nearest_points[1]);
   }
@@ -147,6 +115,9 @@ const std::string issues = "https://github.com/flexible-collision-library/fcl/is
 
 Card card(const std::string& name, const std::string& solver, std::vector<Deviation> deviations) {
   deviations.push_back({"", "a rotated object's broad-phase box is that of its bounding sphere", issues + "509"});
+  deviations.push_back({"",
+                        "a Convex's inertia is that of a unit mass, but is moved to its centre as if of unit density",
+                        issues + "595"});
   return {.name = name,
           .version = FCL_VERSION,
           .answers = {"mass", "bounds", "broad_phase", "distance", "penetration"},
@@ -168,7 +139,10 @@ std::unique_ptr<Subject> make_fcl_libccd() {
 
 std::unique_ptr<Subject> make_fcl_indep() {
   return std::make_unique<Fcl>(
-      card("fcl.indep", "GST_INDEP", {{"", "collide() reports the depth of convex shapes negated", issues + "541"}}),
+      card(
+          "fcl.indep", "GST_INDEP",
+          {{"", "collide() reports the depth of convex shapes negated, which aborts a signed distance", issues + "541"},
+           {"", "collide() leaves the normal of convex shapes in the first one's frame", ""}}),
       ::fcl::GST_INDEP);
 }
 
