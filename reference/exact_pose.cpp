@@ -179,6 +179,7 @@ const IntegerVec& PosedCore::exact(int vertex) const {
 }
 
 void PosedCore::enclose() {
+  if (!enclosed_.empty()) return;
   std::array<Enclosure, 9> m;
   for (std::size_t i = 0; i < 9; ++i) m[i] = enclosure(linear_[i], denominator_, 0);
   const long shift = unit_ - scale_;
@@ -259,6 +260,15 @@ PosedPair::PosedPair(const Body& body_A, int part_A, const Body& body_B, int par
                                m[6] * v.x + m[7] * v.y + m[8] * v.z + t.z});
     }
   }
+}
+
+PlainVec plain(const IntegerVec& v) {
+  const long exponent = std::max({bits(v.x), bits(v.y), bits(v.z)});
+  const auto shrink = [&](const Integer& x) {
+    const auto [mantissa, own] = leading(x);
+    return std::ldexp(mantissa, static_cast<int>(std::max(own - exponent, -5000L)));
+  };
+  return {shrink(v.x), shrink(v.y), shrink(v.z)};
 }
 
 int side(const PosedCore& core, const IntegerVec& n, const EnclosureVec& around, int vertex, int from) {

@@ -31,6 +31,9 @@ using RoundUpward = CGAL::Protect_FPU_rounding<true>;
 /// Some positive multiple of an integer vector, in doubles about 1.
 EnclosureVec enclosure(const IntegerVec& v);
 
+/// The same without proof.
+PlainVec plain(const IntegerVec& v);
+
 /// num/den · 2^shift.
 Enclosure enclosure(const Integer& num, const Integer& den, long shift);
 
