@@ -8,7 +8,6 @@
 #include "oracle/tolerance.h"
 #include "oracle/truth.h"
 #include "properties/domain.h"
-#include "reference/broad_phase.h"
 
 namespace touchstone::properties {
 namespace {
