@@ -73,6 +73,25 @@ TEST_CASE("real traffic in both directions fits the published schema") {
   CHECK(by_schema(lines) == std::vector<std::string>(lines.size(), "ok"));
 }
 
+TEST_CASE("the session in the document is what is really said") {
+  std::ifstream document(TOUCHSTONE_SOURCE "/docs/protocol.md");
+  ChildProcess child({"python3", TOUCHSTONE_SOURCE "/oracle/subjects/python/sphere_engine.py"});
+  std::vector<std::string> lines;
+  std::string said;
+  for (std::string line; std::getline(document, line);) {
+    if (!line.starts_with("> {") && !line.starts_with("< {")) continue;
+    const std::string message = line.substr(2);
+    lines.push_back(message);
+    if (line[0] == '<') {
+      CHECK(message == said);
+    } else if (protocol::read_request(message).op != protocol::Request::Op::stop) {
+      said = std::get<std::string>(child.exchange(message + '\n', {60, 60, 1 << 20}));
+    }
+  }
+  CHECK(lines.size() == 7);
+  CHECK(by_schema(lines) == std::vector<std::string>(lines.size(), "ok"));
+}
+
 TEST_CASE("every kind of answer that we write fits the schema") {
   Distance whole;
   whole.verdict = Verdict::touching;

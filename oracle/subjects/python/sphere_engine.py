@@ -61,5 +61,10 @@ for line in sys.stdin:
     message = json.loads(line)
     if message["op"] == "stop":
         break
-    answer = {"protocol": 1, "card": CARD} if message["op"] == "start" else distance(message["scene"])
+    if message["op"] == "start":
+        answer = {"protocol": 1, "card": CARD}
+    elif message["query"] == "distance":
+        answer = distance(message["scene"])
+    else:
+        answer = {"abstains": "no " + message["query"] + " query"}
     print(json.dumps({"seq": message["seq"], **answer}), flush=True)
