@@ -45,8 +45,8 @@ PenetrationTruth truth_of(PosedPair& pair, DepthRoute route) {
     if (truth.verdict == Verdict::overlapping) measure_depth(pair, route, truth);
     return truth;
   }
-  truth.core_squared = pair.square(dot(nearest.difference, nearest.difference),
-                                   Integer(nearest.denominator * nearest.denominator));
+  truth.core_squared =
+      pair.square(dot(nearest.difference, nearest.difference), Integer(nearest.denominator * nearest.denominator));
   point_along(nearest.difference, truth);
   const Rational excess = truth.core_squared - truth.radius_sum * truth.radius_sum;
   if (excess.sign() == 0) truth.verdict = Verdict::touching;
@@ -61,7 +61,8 @@ PosedPair convex_pair(const Scene& scene, const Vec3& shift_A) {
   if (scene.bodies.size() < 2) throw InputError("bodies", "two are needed for a penetration depth");
   for (std::size_t i = 0; i < 2; ++i) {
     if (!std::holds_alternative<Compound>(scene.bodies[i].shape)) continue;
-    throw InputError("bodies[" + std::to_string(i) + "].shape", "a compound has no depth here: the body must be convex");
+    throw InputError("bodies[" + std::to_string(i) + "].shape",
+                     "a compound has no depth here: the body must be convex");
   }
   return PosedPair(scene.bodies[0], 0, scene.bodies[1], 0, shift_A);
 }

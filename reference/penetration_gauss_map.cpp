@@ -1,10 +1,10 @@
 // A − B is the sum of A and −B. The depth is the least value over unit directions n of the sum's support function
 //   h(n) = max n·a + max n·(−b),
-// and it is reached at a facet normal: a face of A, a face of −B, or e × f of edges whose Gauss-map arcs cross (for those n
-// between the normals beside e that are also between the normals beside f). So any direction gives an upper bound (the
-// ceiling), and any one vertex of the sum gives a lower bound along n; on an edge's arc between unit normals l and r it gives
-// min(l·w, r·w), as n = αl + βr with α + β ≥ |n| = 1. Intervals drop what is surely above the ceiling, exact integers decide
-// among the rest.
+// and it is reached at a facet normal: a face of A, a face of −B, or e × f of edges whose Gauss-map arcs cross (for
+// those n between the normals beside e that are also between the normals beside f). So any direction gives an upper
+// bound (the ceiling), and any one vertex of the sum gives a lower bound along n; on an edge's arc between unit normals
+// l and r it gives min(l·w, r·w), as n = αl + βr with α + β ≥ |n| = 1. Intervals drop what is surely above the ceiling,
+// exact integers decide among the rest.
 #include <algorithm>
 #include <limits>
 
@@ -169,13 +169,15 @@ class GaussMap {
         const Enclosure f_left = dot(along_f, A_.normal(e->left));
         const Enclosure f_right = dot(along_f, A_.normal(e->right));
         if (!may_differ_in_sign(f_left, f_right)) continue;
-        weigh(*e, *f, along_e, along_f, surely_differ_in_sign(e_left, e_right) && surely_differ_in_sign(f_left, f_right));
+        weigh(*e, *f, along_e, along_f,
+              surely_differ_in_sign(e_left, e_right) && surely_differ_in_sign(f_left, f_right));
       }
     }
   }
 
   /// The arcs' great circles cross where the arcs are, or at the opposite points.
-  void weigh(const Edge& e, const Edge& f, const EnclosureVec& along_e, const EnclosureVec& along_f, bool circles_cross) {
+  void weigh(const Edge& e, const Edge& f, const EnclosureVec& along_e, const EnclosureVec& along_f,
+             bool circles_cross) {
     const EnclosureVec n = cross(along_e, along_f);
     const Enclosure outward_A = dot(n, A_.normal(e.left) + A_.normal(e.right));
     const Enclosure outward_B = dot(n, B_.normal(f.left) + B_.normal(f.right));
@@ -194,7 +196,8 @@ class GaussMap {
     edge_pairs_.push_back({&e, &f, low});
   }
 
-  void offer_faces(const Summand& one, const Summand& other, const std::vector<Face>& faces, Shallowest& shallowest) const {
+  void offer_faces(const Summand& one, const Summand& other, const std::vector<Face>& faces,
+                   Shallowest& shallowest) const {
     for (const Face& f : faces) {
       if (f.low > ceiling_) continue;
       const IntegerVec n = one.exact_outward(f.face);

@@ -5,7 +5,8 @@
 
 namespace touchstone::reference {
 
-/// The facet of A − B whose plane n·x = gap is nearest to 0: depth = gap/|n|, in the integer units of the pair; n outward.
+/// The facet of A − B whose plane n·x = gap is nearest to 0: depth = gap/|n|, in the integer units of the pair; n
+/// outward.
 struct CoreDepth {
   IntegerVec normal;
   Integer gap;
