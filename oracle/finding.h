@@ -55,6 +55,8 @@ struct Finding {
   std::optional<Interval> margin;  ///< m: how far the input is from changing the truth
   std::string certificate;         ///< the proof of the truth, in words
   std::string why;                 ///< for abstains, breaks and outside
+
+  bool operator==(const Finding&) const = default;
 };
 
 std::string name_of(Outcome outcome);

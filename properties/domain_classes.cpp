@@ -1,4 +1,5 @@
 // What kind of case a scene is, by its exact truth, and how often each kind must come.
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <set>

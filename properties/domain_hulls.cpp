@@ -1,4 +1,5 @@
 // Hulls of random points: few bits, where features coincide often, and full mantissas, where nothing does.
+#include <Eigen/Geometry>
 #include <cmath>
 #include <optional>
 #include <utility>

@@ -1,5 +1,6 @@
 #include "properties/domain_solids.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <utility>

@@ -1,0 +1,142 @@
+#include "oracle/case.h"
+
+#include <cmath>
+#include <limits>
+
+#include "model/json_node.h"
+#include "model/limits.h"
+
+namespace touchstone::oracle {
+namespace {
+
+constexpr const char* case_format = "case/1";
+
+Json number(double x) {
+  if (std::isnan(x)) return "nan";
+  if (std::isinf(x)) return x > 0 ? "inf" : "-inf";
+  return x;
+}
+
+double read_number(const Json& json, const Node& node) {
+  constexpr double inf = std::numeric_limits<double>::infinity();
+  if (!json.is_string()) return node.number();
+  const std::string word = json.get<std::string>();
+  if (word == "inf") return inf;
+  if (word == "-inf") return -inf;
+  if (word == "nan") return std::numeric_limits<double>::quiet_NaN();
+  node.refuse("expected a number, \"inf\", \"-inf\" or \"nan\", found " + json.dump());
+}
+
+/// The value whose name it is; `last` is the greatest of the enumeration.
+template <class Name>
+Name read_name(const Node& node, Name last) {
+  const std::string word = node.text();
+  for (int i = 0; i <= static_cast<int>(last); ++i) {
+    if (name_of(static_cast<Name>(i)) == word) return static_cast<Name>(i);
+  }
+  node.refuse("unknown name " + Json(word).dump());
+}
+
+void write_if_there(Json& json, const char* key, const std::string& text) {
+  if (!text.empty()) json[key] = text;
+}
+
+void read_if_there(const Node& node, const char* key, std::string& text) {
+  if (const auto found = node.find(key)) text = found->text();
+}
+
+/// All 64 bits, which Node's numbers, being doubles, do not hold.
+std::uint64_t read_uint64(const Json& json, const char* key, const Node& node) {
+  const Node value = node.at(key);
+  if (!json.at(key).is_number_unsigned())
+    value.refuse("expected an integer from 0 to 2^64 - 1, found " + json.at(key).dump());
+  return json.at(key).get<std::uint64_t>();
+}
+
+Case read_case_json(const Json& json, const std::string& place) {
+  const Node node(json, place);
+  node.expect_object({"touchstone", "property", "subject", "family", "seed", "index", "note", "finding", "scene"});
+  if (const std::string format = node.at("touchstone").text(); format != case_format) {
+    node.at("touchstone").refuse("expected \"" + std::string(case_format) + "\", found " + Json(format).dump());
+  }
+  Case a_case;
+  a_case.property = node.at("property").text();
+  read_if_there(node, "subject", a_case.subject);
+  read_if_there(node, "family", a_case.family);
+  a_case.seed = read_uint64(json, "seed", node);
+  a_case.index = read_uint64(json, "index", node);
+  read_if_there(node, "note", a_case.note);
+  const std::string dot = place.empty() ? "" : ".";
+  node.at("finding");
+  a_case.finding = read_finding(json.at("finding"), place + dot + "finding");
+  node.at("scene");
+  a_case.scene = read<Scene>(json.at("scene"), place + dot + "scene");
+  try {
+    validate(a_case.scene);
+  } catch (const InputError& error) {
+    throw InputError(place + dot + "scene", error.what());
+  }
+  return a_case;
+}
+
+}  // namespace
+
+Json json_of(const Finding& finding) {
+  Json json = {{"outcome", name_of(finding.outcome)}, {"defect", name_of(finding.defect)}};
+  write_if_there(json, "observed", finding.observed);
+  write_if_there(json, "expected", finding.expected);
+  json["error"] = number(finding.error);
+  json["allowed"] = number(finding.allowed);
+  write_if_there(json, "unit", finding.unit);
+  if (finding.margin) json["margin"] = {number(finding.margin->lo), number(finding.margin->hi)};
+  write_if_there(json, "certificate", finding.certificate);
+  write_if_there(json, "why", finding.why);
+  return json;
+}
+
+Finding read_finding(const Json& json, const std::string& place) {
+  const Node node(json, place);
+  node.expect_object(
+      {"outcome", "defect", "observed", "expected", "error", "allowed", "unit", "margin", "certificate", "why"});
+  Finding finding;
+  finding.outcome = read_name(node.at("outcome"), Outcome::outside);
+  finding.defect = read_name(node.at("defect"), Defect::garbage);
+  read_if_there(node, "observed", finding.observed);
+  read_if_there(node, "expected", finding.expected);
+  const Node error = node.at("error");
+  finding.error = read_number(json.at("error"), error);
+  const Node allowed = node.at("allowed");
+  finding.allowed = read_number(json.at("allowed"), allowed);
+  read_if_there(node, "unit", finding.unit);
+  if (const auto margin = node.find("margin")) {
+    margin->expect_size(2);
+    finding.margin = {read_number(json.at("margin")[0], (*margin)[0]), read_number(json.at("margin")[1], (*margin)[1])};
+  }
+  read_if_there(node, "certificate", finding.certificate);
+  read_if_there(node, "why", finding.why);
+  return finding;
+}
+
+Json json_of(const Case& a_case) {
+  Json json = {{"touchstone", case_format}, {"property", a_case.property}};
+  write_if_there(json, "subject", a_case.subject);
+  write_if_there(json, "family", a_case.family);
+  json["seed"] = a_case.seed;
+  json["index"] = a_case.index;
+  write_if_there(json, "note", a_case.note);
+  json["finding"] = json_of(a_case.finding);
+  json["scene"] = touchstone::json_of(a_case.scene);
+  return json;
+}
+
+Case case_from(std::string_view text, const std::string& place) try {
+  return read_case_json(parse(text, ""), "");
+} catch (const InputError& error) {
+  throw InputError(place, error.what());
+}
+
+Case read_case(const std::string& path) { return case_from(read_text(path), path); }
+
+void write_case(const Case& a_case, const std::string& path) { write_text(path, text_of(json_of(a_case))); }
+
+}  // namespace touchstone::oracle

@@ -1,0 +1,134 @@
+#include "oracle/minimise.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/input_error.h"
+#include "oracle/scene_edit.h"
+#include "oracle/smaller.h"
+#include "oracle/truth.h"
+
+namespace touchstone::oracle {
+namespace {
+
+std::size_t vertex_count(const ConvexShape& shape) { return std::max<std::size_t>(1, corners(shape).size()); }
+
+bool is_turned(const Quaternion& q) { return !(q == Quaternion{}); }
+
+int extras(const Body& body) {
+  return !body.name.empty() + !(body.velocity == Velocity{}) + !(body.material == Material{}) +
+         !(body.mass == Mass{Density{}});
+}
+
+/// Hulls where faces are missing, then all the laws of a valid scene.
+Scene completed(Scene scene) {
+  for (const Slot slot : slots(scene)) {
+    const ConvexShape shape = shape_at(scene, slot);
+    const auto* polytope = std::get_if<Polytope>(&shape);
+    if (polytope && polytope->faces.empty()) set_shape(scene, slot, truth::convex_hull(polytope->vertices));
+  }
+  return truth::completed(std::move(scene));
+}
+
+class Search {
+ public:
+  Search(const Scene& scene, const std::function<bool(const Scene&)>& still_fails, int budget)
+      : scene_(scene), still_fails_(still_fails), budget_(budget) {}
+
+  /// One pass over all stages: did anything help?
+  bool pass() {
+    bool helped = false;
+    for (const smaller::Stage& stage : smaller::stages()) {
+      for (const smaller::Move& move : stage(scene_)) {
+        while (budget_ > 0 && accepts(move)) helped = true;
+      }
+    }
+    return helped;
+  }
+
+  const Scene& scene() const { return scene_; }
+
+ private:
+  bool accepts(const smaller::Move& move) {
+    std::optional<Scene> candidate = smaller::step(scene_, move);
+    if (!candidate) return false;
+    --budget_;
+    if (!still_fails_(*candidate)) return false;
+    scene_ = std::move(*candidate);
+    return true;
+  }
+
+  Scene scene_;
+  const std::function<bool(const Scene&)>& still_fails_;
+  int budget_;
+};
+
+}  // namespace
+
+const std::vector<smaller::Stage>& smaller::stages() {
+  static const std::vector<Stage> all = {tidy,           fewer_bodies,  fewer_parts,   many_vertices_less,
+                                         plainer_shapes, plainer_poses, coarser_grids, few_vertices_less,
+                                         fewer_bits,     plainer_units};
+  return all;
+}
+
+smaller::Cost smaller::cost(const Scene& scene) {
+  Cost cost;
+  cost.bodies = scene.bodies.size();
+  const std::vector<Slot> all = slots(scene);
+  cost.parts = all.size();
+  for (const Slot slot : all) cost.vertices += vertex_count(shape_at(scene, slot));
+  Scene numbers = scene;
+  for (const auto& some : {lengths(numbers), quaternion_components(numbers), mass_numbers(numbers)}) {
+    for (const double* x : some) {
+      const int bits = significant_bits(*x);
+      cost.bits_max = std::max(cost.bits_max, bits);
+      cost.bits_total += bits;
+      if (*x != 0) cost.magnitudes += std::abs(std::ilogb(*x));
+    }
+  }
+  cost.extras = !scene.name.empty() + !scene.gravity.isZero(0);
+  for (const Body& body : scene.bodies) {
+    cost.turned += is_turned(body.X_WB.q_WB);
+    cost.extras += extras(body);
+    if (const auto* compound = std::get_if<Compound>(&body.shape)) {
+      cost.extras += 1;
+      for (const Part& part : compound->parts) cost.turned += is_turned(part.X_BP.q_WB);
+    }
+  }
+  return cost;
+}
+
+std::optional<Scene> smaller::step(const Scene& scene, const Move& move) {
+  std::optional<Scene> candidate = move(scene);
+  if (!candidate) return std::nullopt;
+  try {
+    candidate = completed(std::move(*candidate));
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+  if (cost(*candidate) >= cost(scene)) return std::nullopt;
+  return candidate;
+}
+
+Scene minimise(const Scene& scene, const std::function<bool(const Scene&)>& still_fails, int budget) {
+  Search search(scene, still_fails, budget);
+  while (search.pass()) {
+  }
+  return search.scene();
+}
+
+Size size_of(const Scene& scene) {
+  Size size;
+  size.bodies = static_cast<int>(scene.bodies.size());
+  std::vector<int> vertices(scene.bodies.size(), 0);
+  for (const Slot slot : slots(scene)) vertices[slot.body] += static_cast<int>(vertex_count(shape_at(scene, slot)));
+  for (const int count : vertices) size.vertices_per_body_max = std::max(size.vertices_per_body_max, count);
+  Scene numbers = scene;
+  for (const auto& some : {lengths(numbers), quaternion_components(numbers)}) {
+    for (const double* x : some) size.significant_bits_max = std::max(size.significant_bits_max, significant_bits(*x));
+  }
+  return size;
+}
+
+}  // namespace touchstone::oracle

@@ -1,0 +1,133 @@
+#include "oracle/scene_edit.h"
+
+#include <Eigen/Geometry>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <variant>
+
+namespace touchstone::oracle {
+namespace {
+
+template <class... Fs>
+struct Overloaded : Fs... {
+  using Fs::operator()...;
+};
+
+void add(std::vector<double*>& numbers, Vec3& v) {
+  for (double& x : v) numbers.push_back(&x);
+}
+
+void add(std::vector<double*>& numbers, Sphere& sphere) { numbers.push_back(&sphere.radius); }
+void add(std::vector<double*>& numbers, Box& box) { add(numbers, box.half_extents); }
+void add(std::vector<double*>& numbers, Polytope& polytope) {
+  for (Vec3& v : polytope.vertices) add(numbers, v);
+}
+void add(std::vector<double*>& numbers, Compound& compound) {
+  for (Part& part : compound.parts) {
+    add(numbers, part.X_BP.p_WB);
+    std::visit([&](auto& shape) { add(numbers, shape); }, part.shape);
+  }
+}
+
+void add(std::vector<double*>& numbers, Quaternion& q) {
+  for (double* x : {&q.w, &q.x, &q.y, &q.z}) numbers.push_back(x);
+}
+
+}  // namespace
+
+std::vector<Slot> slots(const Scene& scene) {
+  std::vector<Slot> all;
+  for (std::size_t body = 0; body < scene.bodies.size(); ++body) {
+    const auto* compound = std::get_if<Compound>(&scene.bodies[body].shape);
+    const int parts = compound ? static_cast<int>(compound->parts.size()) : 1;
+    for (int part = 0; part < parts; ++part) all.push_back({body, part});
+  }
+  return all;
+}
+
+ConvexShape shape_at(const Scene& scene, Slot slot) {
+  return std::visit(
+      Overloaded{[slot](const Compound& compound) { return compound.parts[static_cast<std::size_t>(slot.part)].shape; },
+                 [](const auto& convex) -> ConvexShape { return convex; }},
+      scene.bodies[slot.body].shape);
+}
+
+void set_shape(Scene& scene, Slot slot, const ConvexShape& shape) {
+  Shape& old = scene.bodies[slot.body].shape;
+  if (auto* compound = std::get_if<Compound>(&old)) {
+    compound->parts[static_cast<std::size_t>(slot.part)].shape = shape;
+  } else {
+    std::visit([&old](const auto& convex) { old = convex; }, shape);
+  }
+}
+
+std::vector<Vec3> corners(const ConvexShape& shape) {
+  if (const auto* polytope = std::get_if<Polytope>(&shape)) return polytope->vertices;
+  std::vector<Vec3> all;
+  if (const auto* box = std::get_if<Box>(&shape)) {
+    for (int i = 0; i < 8; ++i) {
+      const Vec3 signs{i & 1 ? 1.0 : -1.0, i & 2 ? 1.0 : -1.0, i & 4 ? 1.0 : -1.0};
+      all.push_back(signs.cwiseProduct(box->half_extents));
+    }
+  }
+  return all;
+}
+
+std::vector<double*> lengths(Scene& scene) {
+  std::vector<double*> numbers;
+  for (Body& body : scene.bodies) {
+    add(numbers, body.X_WB.p_WB);
+    std::visit([&](auto& shape) { add(numbers, shape); }, body.shape);
+  }
+  return numbers;
+}
+
+std::vector<double*> quaternion_components(Scene& scene) {
+  std::vector<double*> numbers;
+  for (Body& body : scene.bodies) {
+    add(numbers, body.X_WB.q_WB);
+    if (auto* compound = std::get_if<Compound>(&body.shape)) {
+      for (Part& part : compound->parts) add(numbers, part.X_BP.q_WB);
+    }
+  }
+  return numbers;
+}
+
+std::vector<double*> mass_numbers(Scene& scene) {
+  std::vector<double*> numbers;
+  for (Body& body : scene.bodies) {
+    if (auto* density = std::get_if<Density>(&body.mass)) numbers.push_back(&density->value);
+    if (auto* given = std::get_if<MassProperties>(&body.mass)) {
+      numbers.push_back(&given->mass);
+      add(numbers, given->p_BBcm);
+    }
+  }
+  return numbers;
+}
+
+void drop_faces(Scene& scene) {
+  for (const Slot slot : slots(scene)) {
+    ConvexShape shape = shape_at(scene, slot);
+    if (auto* polytope = std::get_if<Polytope>(&shape)) {
+      polytope->faces.clear();
+      set_shape(scene, slot, shape);
+    }
+  }
+}
+
+Mat3 rounded_rotation(const Quaternion& q) {
+  // Divided by its largest component first, so that no square overflows or vanishes.
+  const Eigen::Vector4d all(q.w, q.x, q.y, q.z);
+  const Eigen::Vector4d unit = (all / all.cwiseAbs().maxCoeff()).normalized();
+  return Eigen::Quaterniond(unit[0], unit[1], unit[2], unit[3]).toRotationMatrix();
+}
+
+int significant_bits(double x) {
+  if (x == 0 || !std::isfinite(x)) return 0;
+  int exponent = 0;
+  const auto mantissa = static_cast<std::uint64_t>(std::ldexp(std::abs(std::frexp(x, &exponent)), 53));
+  return 53 - std::countr_zero(mantissa);
+}
+
+}  // namespace touchstone::oracle
