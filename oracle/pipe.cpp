@@ -1,11 +1,33 @@
 #include "oracle/pipe.h"
 
 #include <algorithm>
+#include <array>
 
 #include "model/json.h"
 #include "oracle/protocol.h"
 
 namespace touchstone::oracle {
+namespace {
+
+/// A scene is put to one subject after another, and a property goes back and forth between a scene and its image:
+/// writing costs as much as asking. One memory a thread.
+const std::string& text_of(const Scene& scene) {
+  struct Written {
+    Scene scene;
+    std::string text;
+  };
+  thread_local std::array<Written, 4> last;
+  thread_local std::size_t oldest = 0;
+  for (const Written& written : last) {
+    if (!written.text.empty() && written.scene == scene) return written.text;
+  }
+  Written& written = last[oldest];
+  oldest = (oldest + 1) % last.size();
+  written = {scene, json_of(scene).dump()};
+  return written.text;
+}
+
+}  // namespace
 
 PipeSubject::PipeSubject(std::vector<std::string> command, PipeLimits limits)
     : command_(std::move(command)), limits_(limits) {
@@ -56,7 +78,7 @@ Answer<T> PipeSubject::ask(const std::string& query, const Scene& scene) {
     }
   }
   ++asked_;
-  const auto said = child_->exchange(protocol::ask(++seq_, query, text_of_scene(scene)),
+  const auto said = child_->exchange(protocol::ask(++seq_, query, text_of(scene)),
                                      {limits_.cpu_seconds, limits_.wall_seconds, limits_.longest_line});
   if (const Breaks* breaks = std::get_if<Breaks>(&said)) {
     child_.reset();
@@ -68,14 +90,6 @@ Answer<T> PipeSubject::ask(const std::string& query, const Scene& scene) {
     child_.reset();
     return Breaks{Breaks::Kind::garbage, error.what()};
   }
-}
-
-const std::string& PipeSubject::text_of_scene(const Scene& scene) {
-  if (scene_text_.empty() || !(scene == scene_)) {
-    scene_ = scene;
-    scene_text_ = json_of(scene).dump();
-  }
-  return scene_text_;
 }
 
 }  // namespace touchstone::oracle

@@ -42,16 +42,13 @@ class PipeSubject : public Subject {
   template <class T>
   Answer<T> ask(const std::string& query, const Scene& scene);
   Card start();
-  const std::string& text_of_scene(const Scene& scene);
 
   std::vector<std::string> command_;
   PipeLimits limits_;
   Card card_;
   std::unique_ptr<ChildProcess> child_;
   std::int64_t seq_ = 0;
-  int asked_ = 0;           ///< of this process
-  Scene scene_;             ///< the last one asked about
-  std::string scene_text_;  ///< its JSON: most scenes are asked about several times
+  int asked_ = 0;  ///< of this process
 };
 
 /// The names of the subjects whose programs (`touchstone-subject-NAME`) stand in `folder`, sorted.
