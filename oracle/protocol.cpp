@@ -43,22 +43,6 @@ Enum read_word(const Node& node, const Words<Enum, n>& words) {
 /// Messages of engines may hold any bytes.
 std::string line_of(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n'; }
 
-Json json_of(const Card& card) {
-  Json deviations = Json::array();
-  for (const Deviation& known : card.deviations) {
-    deviations.push_back({{"clause", known.clause}, {"what", known.what}, {"link", known.link}});
-  }
-  return {{"name", card.name},
-          {"version", card.version},
-          {"precision", word_of(card.precision, precisions)},
-          {"answers", card.answers},
-          {"knows_touching", card.knows_touching},
-          {"broad_phase_margin", card.broad_phase_margin},
-          {"about", card.about},
-          {"homepage", card.homepage},
-          {"deviations", std::move(deviations)}};
-}
-
 std::string text_or(const Node& object, const char* key, const std::string& fallback) {
   const auto said = object.find(key);
   return said ? said->text() : fallback;
@@ -99,6 +83,22 @@ Breaks read_breaks(const Node& node) {
 }
 
 }  // namespace
+
+Json json_of(const Card& card) {
+  Json deviations = Json::array();
+  for (const Deviation& known : card.deviations) {
+    deviations.push_back({{"clause", known.clause}, {"what", known.what}, {"link", known.link}});
+  }
+  return {{"name", card.name},
+          {"version", card.version},
+          {"precision", word_of(card.precision, precisions)},
+          {"answers", card.answers},
+          {"knows_touching", card.knows_touching},
+          {"broad_phase_margin", card.broad_phase_margin},
+          {"about", card.about},
+          {"homepage", card.homepage},
+          {"deviations", std::move(deviations)}};
+}
 
 std::string start(Seq seq) { return line_of({{"op", "start"}, {"seq", seq}, {"protocol", version}}); }
 

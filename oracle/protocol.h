@@ -27,6 +27,7 @@ struct Request {
 std::string start(Seq seq);
 std::string ask(Seq seq, std::string_view query, std::string_view scene_json);
 std::string stop(Seq seq);
+Json json_of(const Card& card);
 std::string introduction(Seq seq, const Card& card);
 std::string answer(Seq seq, const Json& result);
 std::string answer(Seq seq, const Abstains& abstains);
