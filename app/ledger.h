@@ -1,0 +1,69 @@
+// What came of a run: one row a property and subject, with the finding that shows the row best.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/meshes.h"
+#include "model/scene.h"
+#include "oracle/case.h"
+#include "oracle/finding.h"
+#include "oracle/grade.h"
+#include "oracle/minimise.h"
+#include "oracle/subject.h"
+
+namespace touchstone::app {
+
+/// One failing question.
+struct Example {
+  std::string family;
+  std::uint64_t index = 0;
+  Scene scene;
+  oracle::Finding finding;
+};
+
+struct Row {
+  std::string property;
+  std::string subject;
+  long holds = 0;
+  long fails = 0;
+  long abstains = 0;
+  long breaks = 0;
+  long outside = 0;
+  long not_asked = 0;  ///< given up after hangs
+  std::array<long, 5> grades{};            ///< of the answered: A, B, C, D, F
+  std::map<oracle::Defect, long> defects;  ///< of fails and breaks
+  std::string why_abstains;                ///< the first reason
+  std::optional<Example> worst;            ///< the worst grade, then the largest error, then the first
+  std::optional<Example> smallest;         ///< of the worst grade, the fewest vertices, then the first: what is cut down
+  std::optional<oracle::Case> smallest_case;  ///< after cutting down
+  oracle::Size size_found;                 ///< of `smallest` before
+  std::string case_file;                   ///< relative to the report's folder
+
+  void count(Example example);
+  void merge(Row later);
+  bool failing() const { return fails + breaks > 0; }
+  std::optional<oracle::Grade> grade() const;  ///< the worst; none if nothing was answered
+};
+
+struct Ledger {
+  std::uint64_t seed = 0;
+  std::string effort;
+  int cases = 0;  ///< drawn scenes a stem
+  bool interrupted = false;
+  std::vector<oracle::Card> subjects;
+  std::vector<Row> rows;  ///< property by property; in each, the subjects in order
+  std::map<std::string, std::map<std::string, long>> classes;  ///< stem -> class -> scenes
+  std::map<std::string, long> scenes;                          ///< stem -> scenes asked about
+  std::vector<std::string> empty_classes;                      ///< "distance: edge-edge"
+  std::string mesh_folder;
+  std::string meshes_absent;
+  std::size_t mesh_count = 0;
+  std::map<std::string, long> mesh_scenes;  ///< family -> scenes
+};
+
+}  // namespace touchstone::app

@@ -1,0 +1,156 @@
+#include "app/picture.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "model/input_error.h"
+#include "oracle/truth.h"
+#include "oracle/world_points.h"
+
+namespace touchstone::app {
+namespace {
+
+using oracle::Points;
+using Real = oracle::Real;
+using Edges = std::set<std::pair<int, int>>;
+
+constexpr double side = 180;    // of a view, in SVG units
+constexpr double margin = 14;
+
+/// One convex part, in W: points and the edges between them, or a ball.
+struct Drawn {
+  int body = 0;
+  Points points;
+  Edges edges;
+  double radius = 0;
+};
+
+Edges edges_of(const Sphere&) { return {}; }
+
+Edges edges_of(const Box&) {
+  Edges edges;
+  for (int i = 0; i < 8; ++i) {
+    for (const int bit : {1, 2, 4}) {
+      if ((i & bit) == 0) edges.emplace(i, i | bit);
+    }
+  }
+  return edges;
+}
+
+Edges edges_of(const Polytope& polytope) {
+  Edges edges;
+  for (const std::vector<int>& face : polytope.faces) {
+    for (std::size_t k = 0; k < face.size(); ++k) edges.insert(std::minmax(face[k], face[(k + 1) % face.size()]));
+  }
+  return edges;
+}
+
+double radius_of(const ConvexShape& shape) {
+  const auto* sphere = std::get_if<Sphere>(&shape);
+  return sphere != nullptr ? sphere->radius : 0;
+}
+
+std::vector<ConvexShape> parts_of(const Shape& shape) {
+  std::vector<ConvexShape> parts;
+  if (const auto* compound = std::get_if<Compound>(&shape)) {
+    for (const Part& part : compound->parts) parts.push_back(part.shape);
+  } else {
+    std::visit(
+        [&](const auto& convex) {
+          if constexpr (!std::is_same_v<std::decay_t<decltype(convex)>, Compound>) parts.emplace_back(convex);
+        },
+        shape);
+  }
+  return parts;
+}
+
+std::vector<Drawn> drawn(const Scene& scene) {
+  std::vector<Drawn> all;
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    const std::vector<ConvexShape> parts = parts_of(scene.bodies[b].shape);
+    for (std::size_t p = 0; p < parts.size(); ++p) {
+      all.push_back({static_cast<int>(b), world_points(scene.bodies[b], static_cast<int>(p)),
+                     std::visit([](const auto& shape) { return edges_of(shape); }, parts[p]), radius_of(parts[p])});
+    }
+  }
+  return all;
+}
+
+/// From the world to the page: two of the axes, the second one upwards.
+struct View {
+  int right;
+  int up;
+  const char* title;
+  double left;  ///< of the view on the page
+  Real scale;
+  oracle::Point centre;
+
+  double x(const oracle::Point& p) const {
+    return left + side / 2 + static_cast<double>((p[right] - centre[right]) * scale);
+  }
+  double y(const oracle::Point& p) const { return side / 2 - static_cast<double>((p[up] - centre[up]) * scale); }
+};
+
+std::string line(const View& view, const oracle::Point& a, const oracle::Point& b, const std::string& style) {
+  return fmt::format("<line class=\"{}\" x1=\"{:.2f}\" y1=\"{:.2f}\" x2=\"{:.2f}\" y2=\"{:.2f}\"/>", style, view.x(a),
+                     view.y(a), view.x(b), view.y(b));
+}
+
+std::string dot(const View& view, const oracle::Point& p, const std::string& style, double radius) {
+  return fmt::format("<circle class=\"{}\" cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"{:.2f}\"/>", style, view.x(p), view.y(p), radius);
+}
+
+std::string wire_frame(const Drawn& part, const View& view) {
+  const std::string style = fmt::format("body-{}", std::min(part.body, 2));
+  std::string svg;
+  for (const auto& [i, j] : part.edges) {
+    svg += line(view, part.points[static_cast<std::size_t>(i)], part.points[static_cast<std::size_t>(j)], style);
+  }
+  if (part.radius > 0) svg += dot(view, part.points[0], style, static_cast<double>(part.radius * view.scale));
+  return svg;
+}
+
+std::string witnesses(const Scene& scene, const View& view) {
+  if (scene.bodies.size() != 2) return "";
+  const reference::DistanceTruth& truth = oracle::truth::distance(scene);
+  if (truth.verdict == Verdict::overlapping) return "";
+  const oracle::Point a = truth.p_WCa.cast<Real>();
+  const oracle::Point b = truth.p_WCb.cast<Real>();
+  return line(view, a, b, "witness") + dot(view, a, "witness", 2.5) + dot(view, b, "witness", 2.5);
+}
+
+}  // namespace
+
+std::string picture(const Scene& scene) {
+  const std::vector<Drawn> parts = drawn(scene);
+  oracle::Point lo = oracle::Point::Constant(std::numeric_limits<Real>::infinity());
+  oracle::Point hi = -lo;
+  for (const Drawn& part : parts) {
+    if (part.points.size() > most_drawn) return "";
+    for (const oracle::Point& p : part.points) {
+      lo = lo.cwiseMin(p - oracle::Point::Constant(part.radius));
+      hi = hi.cwiseMax(p + oracle::Point::Constant(part.radius));
+    }
+  }
+  const Real extent = (hi - lo).maxCoeff();
+  if (!(extent > 0) || !std::isfinite(extent)) return "";
+  const Real scale = static_cast<Real>(side - 2 * margin) / extent;
+  const oracle::Point centre = lo + (hi - lo) / 2;
+  std::string svg = fmt::format("<svg viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{}\">", 2 * side, side + 16,
+                                "the scene from above and from the front");
+  for (const View& view : {View{0, 1, "x right, y up", 0, scale, centre}, View{0, 2, "x right, z up", side, scale, centre}}) {
+    for (const Drawn& part : parts) svg += wire_frame(part, view);
+    svg += witnesses(scene, view);
+    svg += fmt::format("<text x=\"{}\" y=\"{}\">{}</text>", view.left + side / 2, side + 10, view.title);
+  }
+  return svg + "</svg>";
+}
+
+}  // namespace touchstone::app

@@ -1,0 +1,15 @@
+// Where the running program stands, and what was built or installed beside it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace touchstone::app {
+
+/// The folder of the subjects' programs: ../subjects in a build, ../libexec/touchstone in an installation.
+std::string subjects_folder();
+
+/// Where the robot meshes of Debian's dart-doc may be, in the order in which they are looked for.
+std::vector<std::string> mesh_folders();
+
+}  // namespace touchstone::app

@@ -1,0 +1,22 @@
+// Who is on trial: subjects by name, behind a pipe or in this process.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "oracle/pipe.h"
+#include "oracle/subject.h"
+
+namespace touchstone::app {
+
+/// NAME (a program beside ours), exec:COMMAND LINE, or inproc:reference and inproc:fast. Throws InputError.
+std::unique_ptr<oracle::Subject> connect(const std::string& connectable, oracle::PipeLimits limits);
+
+/// The names given, or all that stand beside the program if none is.
+std::vector<std::string> roster(const std::vector<std::string>& asked_for);
+
+/// Whatever the subject remembers is gone: a fresh process, if it has one.
+void start_afresh(oracle::Subject& subject);
+
+}  // namespace touchstone::app

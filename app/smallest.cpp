@@ -1,0 +1,71 @@
+#include "app/smallest.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "app/interruption.h"
+#include "app/parallel.h"
+#include "app/progress.h"
+#include "app/roster.h"
+#include "oracle/grade.h"
+
+namespace touchstone::app {
+namespace {
+
+using oracle::Defect;
+using oracle::Finding;
+
+/// A crash costs a new process, a hang the whole time limit.
+int affordable(int budget, Defect defect) {
+  if (defect == Defect::hung) return budget / 25;
+  if (defect == Defect::crashed) return budget / 2;
+  return budget;
+}
+
+bool failed(const Finding& finding) {
+  return finding.outcome == oracle::Outcome::fails || finding.outcome == oracle::Outcome::breaks;
+}
+
+bool shows_the_same(const Finding& finding, const Finding& original) {
+  return failed(finding) && finding.defect == original.defect && oracle::grade(finding) >= oracle::grade(original);
+}
+
+}  // namespace
+
+oracle::Case smallest_case(const Example& example, const properties::Property& property, oracle::Subject& subject,
+                           std::uint64_t seed, int budget) {
+  start_afresh(subject);
+  const auto still_fails = [&](const Scene& scene) {
+    return !interrupted() && shows_the_same(property.check(scene, subject), example.finding);
+  };
+  oracle::Case result{property.id, subject.card().name, example.family, seed, example.index, {}, {}, ""};
+  result.scene = oracle::minimise(example.scene, still_fails, affordable(budget, example.finding.defect));
+  start_afresh(subject);
+  result.finding = property.check(result.scene, subject);
+  if (shows_the_same(result.finding, example.finding)) return result;
+  start_afresh(subject);
+  result.scene = example.scene;
+  result.finding = property.check(result.scene, subject);
+  result.note = failed(result.finding) ? "not cut down: the smaller scene fails only after other questions"
+                                       : "fails only after other questions: the finding is the one of the run";
+  if (!failed(result.finding)) result.finding = example.finding;
+  return result;
+}
+
+void cut_down(Ledger& ledger, const std::vector<std::vector<std::unique_ptr<oracle::Subject>>>& crews, int budget) {
+  std::vector<std::pair<Row*, std::size_t>> failing;  // and the subject's place
+  for (std::size_t r = 0; r < ledger.rows.size(); ++r) {
+    if (ledger.rows[r].failing()) failing.emplace_back(&ledger.rows[r], r % crews[0].size());
+  }
+  Progress progress("cutting down", static_cast<int>(failing.size()));
+  in_parallel(failing.size(), static_cast<int>(crews.size()), [&](std::size_t f, std::size_t job) {
+    auto& [row, subject] = failing[f];
+    row->size_found = oracle::size_of(row->smallest->scene);
+    row->smallest_case =
+        smallest_case(*row->smallest, properties::find(row->property), *crews[job][subject], ledger.seed, budget);
+    row->case_file = "cases/" + row->property + "." + row->subject + ".json";
+    progress.step(row->property + " of " + row->subject);
+  });
+}
+
+}  // namespace touchstone::app

@@ -1,0 +1,177 @@
+#include "app/trial.h"
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "app/interruption.h"
+#include "app/parallel.h"
+#include "app/progress.h"
+#include "app/questions.h"
+#include "app/roster.h"
+#include "app/smallest.h"
+#include "properties/domain.h"
+#include "properties/property.h"
+
+namespace touchstone::app {
+namespace {
+
+using properties::Property;
+using Subjects = std::vector<std::unique_ptr<oracle::Subject>>;
+
+constexpr std::size_t chunk_size = 24;
+constexpr int patience = 3;  ///< hangs in a unit, then the subject is not asked any more in it
+
+struct Unit {
+  std::size_t stem = 0;
+  std::size_t begin = 0;
+  std::size_t end = 0;
+};
+
+struct Stem {
+  std::string name;
+  std::vector<const Property*> properties;
+  std::vector<Question> questions;
+};
+
+/// What one unit found: rows of its stem, property by property.
+struct UnitResult {
+  std::vector<Row> rows;
+  std::map<std::string, long> classes;
+  std::map<std::string, long> mesh_scenes;
+  long scenes = 0;
+};
+
+Subjects connect_all(const TrialPlan& plan) {
+  Subjects subjects;
+  for (const std::string& name : plan.subjects) subjects.push_back(connect(name, plan.limits));
+  return subjects;
+}
+
+std::vector<Stem> stems(const TrialPlan& plan, const MeshSet& meshes) {
+  std::vector<Stem> all;
+  for (const Property& property : properties::all()) {
+    if (std::ranges::find(plan.properties, property.id) == plan.properties.end()) continue;
+    if (all.empty() || all.back().name != property.stem) {
+      all.push_back({property.stem, {}, questions(property.stem, plan.effort, plan.seed, meshes)});
+    }
+    all.back().properties.push_back(&property);
+  }
+  return all;
+}
+
+std::vector<Unit> units(const std::vector<Stem>& stems) {
+  std::vector<Unit> all;
+  for (std::size_t s = 0; s < stems.size(); ++s) {
+    for (std::size_t begin = 0; begin < stems[s].questions.size(); begin += chunk_size) {
+      all.push_back({s, begin, std::min(begin + chunk_size, stems[s].questions.size())});
+    }
+  }
+  return all;
+}
+
+void ask(const Question& question, const Scene& scene, const Property& property, oracle::Subject& subject, int& hangs,
+         Row& row) {
+  if (hangs >= patience) {
+    ++row.not_asked;
+    return;
+  }
+  Example example{question.family, question.index, scene, property.check(scene, subject)};
+  if (example.finding.defect == oracle::Defect::hung) ++hangs;
+  row.count(std::move(example));
+}
+
+UnitResult run_unit(const Stem& stem, const Unit& unit, const Subjects& subjects) {
+  UnitResult result;
+  result.rows.resize(stem.properties.size() * subjects.size());
+  for (const auto& subject : subjects) start_afresh(*subject);
+  std::vector<int> hangs(subjects.size());
+  for (std::size_t q = unit.begin; q < unit.end && !interrupted(); ++q) {
+    const Question& question = stem.questions[q];
+    const Scene scene = question.scene();
+    ++result.scenes;
+    if (question.family.starts_with("mesh.")) ++result.mesh_scenes[question.family];
+    if (question.counts_for_classes) {
+      for (const std::string& name : properties::classes_of(scene, stem.name)) ++result.classes[name];
+    }
+    for (std::size_t s = 0; s < subjects.size(); ++s) {
+      for (std::size_t p = 0; p < stem.properties.size(); ++p) {
+        if (!question.asked_under(*stem.properties[p])) continue;
+        ask(question, scene, *stem.properties[p], *subjects[s], hangs[s], result.rows[p * subjects.size() + s]);
+      }
+    }
+  }
+  return result;
+}
+
+Ledger opened(const TrialPlan& plan, const MeshSet& meshes, const Subjects& subjects, const std::vector<Stem>& stems) {
+  Ledger ledger;
+  ledger.seed = plan.seed;
+  ledger.effort = plan.effort.name;
+  ledger.cases = plan.effort.cases;
+  ledger.mesh_folder = meshes.folder;
+  ledger.meshes_absent = meshes.absent;
+  ledger.mesh_count = meshes.meshes.size();
+  for (const auto& subject : subjects) ledger.subjects.push_back(subject->card());
+  for (const Stem& stem : stems) {
+    for (const Property* property : stem.properties) {
+      for (const auto& subject : subjects) {
+        Row row;
+        row.property = property->id;
+        row.subject = subject->card().name;
+        ledger.rows.push_back(std::move(row));
+      }
+    }
+  }
+  return ledger;
+}
+
+void enter(Ledger& ledger, const Stem& stem, std::size_t first_row, UnitResult result) {
+  for (std::size_t r = 0; r < result.rows.size(); ++r) ledger.rows[first_row + r].merge(std::move(result.rows[r]));
+  for (const auto& [name, count] : result.classes) ledger.classes[stem.name][name] += count;
+  for (const auto& [family, count] : result.mesh_scenes) ledger.mesh_scenes[family] += count;
+  ledger.scenes[stem.name] += result.scenes;
+}
+
+void name_empty_classes(Ledger& ledger, const std::vector<Stem>& stems) {
+  for (const Stem& stem : stems) {
+    for (const properties::Class& wanted : properties::classes(stem.name)) {
+      long& count = ledger.classes[stem.name][wanted.name];
+      if (count == 0) ledger.empty_classes.push_back(stem.name + ": " + wanted.name);
+    }
+  }
+}
+
+}  // namespace
+
+Ledger run(const TrialPlan& plan, const MeshSet& meshes) {
+  const std::vector<Stem> all_stems = stems(plan, meshes);
+  const std::vector<Unit> all_units = units(all_stems);
+  std::vector<Subjects> crews;  // one a job
+  for (int job = 0; job < plan.jobs; ++job) crews.push_back(connect_all(plan));
+  Ledger ledger = opened(plan, meshes, crews[0], all_stems);
+
+  std::vector<UnitResult> results(all_units.size());
+  {
+    Progress progress("asking", static_cast<int>(all_units.size()));
+    in_parallel(all_units.size(), plan.jobs, [&](std::size_t u, std::size_t job) {
+      const Unit& unit = all_units[u];
+      if (!interrupted()) results[u] = run_unit(all_stems[unit.stem], unit, crews[job]);
+      progress.step(all_stems[unit.stem].name);
+    });
+  }
+  std::vector<std::size_t> first_row(all_stems.size());
+  for (std::size_t s = 1; s < all_stems.size(); ++s) {
+    first_row[s] = first_row[s - 1] + all_stems[s - 1].properties.size() * crews[0].size();
+  }
+  for (std::size_t u = 0; u < all_units.size(); ++u) {
+    enter(ledger, all_stems[all_units[u].stem], first_row[all_units[u].stem], std::move(results[u]));
+  }
+  name_empty_classes(ledger, all_stems);
+  cut_down(ledger, crews, plan.effort.minimise_budget);
+  ledger.interrupted = interrupted();
+  return ledger;
+}
+
+}  // namespace touchstone::app
