@@ -9,11 +9,6 @@
 namespace touchstone::oracle {
 namespace {
 
-template <class... Fs>
-struct Overloaded : Fs... {
-  using Fs::operator()...;
-};
-
 void add(std::vector<double*>& numbers, Vec3& v) {
   for (double& x : v) numbers.push_back(&x);
 }
@@ -47,10 +42,11 @@ std::vector<Slot> slots(const Scene& scene) {
 }
 
 ConvexShape shape_at(const Scene& scene, Slot slot) {
-  return std::visit(
-      Overloaded{[slot](const Compound& compound) { return compound.parts[static_cast<std::size_t>(slot.part)].shape; },
-                 [](const auto& convex) -> ConvexShape { return convex; }},
-      scene.bodies[slot.body].shape);
+  const Shape& shape = scene.bodies[slot.body].shape;
+  if (const auto* sphere = std::get_if<Sphere>(&shape)) return *sphere;
+  if (const auto* box = std::get_if<Box>(&shape)) return *box;
+  if (const auto* polytope = std::get_if<Polytope>(&shape)) return *polytope;
+  return std::get<Compound>(shape).parts[static_cast<std::size_t>(slot.part)].shape;
 }
 
 void set_shape(Scene& scene, Slot slot, const ConvexShape& shape) {

@@ -44,7 +44,8 @@ Scene concentric(Random& random) {
 Scene concentric_spheres(Random& random) {
   const Vec3 p = small_vector(random, 4);
   const double radius = dyadic(random, 1, 8, -2, 2);
-  Body other = at_rest(around_origin(random), {p, small_quaternion(random)});
+  const Polytope solid = around_origin(random);
+  Body other = at_rest(solid, {p, small_quaternion(random)});
   if (random.one_in(3)) other.shape = Sphere{dyadic(random, 1, 8, -2, 2)};
   return pair(random, at_rest(Sphere{radius}, {p, {}}), std::move(other));
 }

@@ -49,7 +49,8 @@ Scene cut_cubes(Random& random) {
 
 /// The integrals over tetrahedra from the origin are larger than the result by (distance / size)^k.
 Scene far_off_origin(Random& random, const Vec3& t) {
-  Polytope solid = mapped(bipyramid(some_polygon(random), -2, 2), some_axes(random));
+  const Polytope upright = bipyramid(some_polygon(random), -2, 2);
+  Polytope solid = mapped(upright, some_axes(random));
   return alone(with_density(random, at_rest(shifted(std::move(solid), t))));
 }
 

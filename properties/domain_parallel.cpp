@@ -13,10 +13,11 @@ Pose turned_pose(Random& random) { return {Vec3::Zero(), small_quaternion(random
 /// Ridges over each other along x, shifted along it so that they share a segment, a point, or nothing.
 Scene parallel_edges(Random& random) {
   Polytope below = summit(random, Kind::edge);
-  Polytope above = shifted(depression(random, Kind::edge), Vec3{random.whole(-9, 9), 0, 0});
+  const Polytope above = depression(random, Kind::edge);
+  const Vec3 shift{random.whole(-9, 9), 0, 0};
   const double gap = dyadic_gap(random, 0, 12);
   const Pose X = turned_pose(random);
-  return across(random, std::move(below), std::move(above), gap, X);
+  return across(random, std::move(below), shifted(above, shift), gap, X);
 }
 
 Scene crossed_edges(Random& random) {

@@ -13,7 +13,10 @@ double power_of_two(Random& random, int least, int greatest) {
   return std::ldexp(1.0, random.between(least, greatest));
 }
 
-Scene times_a_power_of_two(Random& random, int k) { return *scaled(some_pair(random), random.sign() * k); }
+Scene times_a_power_of_two(Random& random, int k) {
+  const Scene scene = some_pair(random);
+  return *scaled(scene, random.sign() * k);
+}
 
 /// The gap stands in the bodies' own coordinates, so no digit of it is lost far away.
 Scene far_away(Random& random, const Vec3& t) {

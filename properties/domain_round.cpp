@@ -111,11 +111,12 @@ Scene sphere_beside_corner(Random& random) {
   if (random.one_in(3)) {  // over a face: at the height of one coordinate alone
     c = Vec3{-random.whole(0, 2), -random.whole(0, 2), distance};
   }
-  const Vec3 size{random.whole(2, 6), random.whole(2, 6), random.whole(2, 6)};
+  const Vec3 half{random.whole(1, 3), random.whole(1, 3), random.whole(1, 3)};
   const Quaternion q = axes_quaternion(random);
   const double radius = distance + dyadic_gap(random, 2, 16);
-  return pair(random, at_rest(block(-size, Vec3::Zero()), {Vec3::Zero(), q}),
-              at_rest(Sphere{radius}, {turned_by_axes(q, c), {}}));
+  const Body corner = random.one_in(2) ? at_rest(block(-2 * half, Vec3::Zero()), {Vec3::Zero(), q})
+                                       : at_rest(Box{half}, {turned_by_axes(q, -half), q});
+  return pair(random, corner, at_rest(Sphere{radius}, {turned_by_axes(q, c), {}}));
 }
 
 Scene sphere_on_summit(Random& random) {

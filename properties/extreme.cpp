@@ -14,24 +14,32 @@ namespace {
 constexpr double least = std::numeric_limits<double>::denorm_min();
 constexpr double greatest = std::numeric_limits<double>::max();
 
-Scene times_2_500(Random& random) { return *scaled(some_pair(random), random.sign() * 500); }
+Scene times_2_500(Random& random) {
+  const Scene scene = some_pair(random);
+  return *scaled(scene, random.sign() * 500);
+}
 
 /// Every length a few times the least double.
 Scene denormal(Random& random) {
   const auto length = [&random] { return least * random.whole(1, 9); };
   const Vec3 half{length(), length(), length()};
   const Vec3 p{length(), -length(), length()};
-  Body other = at_rest(Box{Vec3{length(), length(), length()}}, {p, small_quaternion(random)});
+  const Vec3 other_half{length(), length(), length()};
+  Body other = at_rest(Box{other_half}, {p, small_quaternion(random)});
   if (random.one_in(2)) other.shape = Sphere{length()};
   return pair(random, at_rest(Box{half}), std::move(other));
 }
 
 /// Extents and places near the greatest double: sums overflow too.
 Scene huge(Random& random) {
-  const auto length = [&random] { return std::ldexp(random.unit() + 0.25, random.between(1000, 1022)); };
+  const auto length = [&random] {
+    const double mantissa = random.unit() + 0.25;
+    return std::ldexp(mantissa, random.between(1000, 1022));
+  };
   const Vec3 half{length(), length(), length()};
   const Vec3 p{length(), -length(), 0};
-  Body other = at_rest(Box{Vec3{length(), length(), length()}}, {p, small_quaternion(random)});
+  const Vec3 other_half{length(), length(), length()};
+  Body other = at_rest(Box{other_half}, {p, small_quaternion(random)});
   if (random.one_in(2)) other.shape = Sphere{random.one_in(4) ? greatest : length()};
   return pair(random, at_rest(Box{half}, {-p, {}}), std::move(other));
 }
@@ -68,7 +76,8 @@ Scene hair_thin(Random& random) {
   const auto flake = [&random, thin] {
     const Vec3 b{random.whole(1, 9), 0, 0};
     const Vec3 c{random.whole(-9, 9), random.whole(1, 9), 0};
-    return mapped(tetrahedron(Vec3::Zero(), b, c, Vec3{random.whole(-9, 9), 1, thin}), some_axes(random));
+    const Vec3 d{random.whole(-9, 9), 1, thin};
+    return mapped(tetrahedron(Vec3::Zero(), b, c, d), some_axes(random));
   };
   Polytope A = flake();
   const Pose X{small_vector(random, 2), small_quaternion(random)};
@@ -113,8 +122,9 @@ Scene many_corners(Random& random) {
 }
 
 Scene crowded_place(Random& random) {
-  const Body body = at_rest(Box{Vec3::Constant(random.pick({least, 1.0, 0x1p1000}))},
-                            {random.pick({0.0, 0x1p900}) * Vec3::Ones(), {}});
+  const double half = random.pick({least, 1.0, 0x1p1000});
+  const Vec3 place = random.pick({0.0, 0x1p900}) * Vec3::Ones();
+  const Body body = at_rest(Box{Vec3::Constant(half)}, {place, {}});
   Scene scene;
   scene.bodies.assign(static_cast<std::size_t>(random.between(2, 60)), body);
   return scene;
