@@ -1,72 +1,71 @@
 #include "reference/mesh.h"
 
-#include <CGAL/IO/polygon_soup_io.h>
-#include <CGAL/Simple_cartesian.h>
-#include <fmt/format.h>
-
+#include <algorithm>
+#include <array>
+#include <cctype>
 #include <cmath>
 #include <filesystem>
-#include <set>
-#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "model/input_error.h"
+#include "model/json.h"
 #include "reference/convex_hull.h"
+#include "reference/mesh_formats_impl.h"
 
 namespace touchstone::reference {
 namespace {
 
-namespace fs = std::filesystem;
-using SoupPoint = CGAL::Simple_cartesian<double>::Point_3;
+using Reader = std::vector<Vec3> (*)(std::string text);
 
-void require_readable(const fs::path& path) {
-  static const std::set<std::string> endings = {".obj", ".off", ".ply", ".stl"};
-  std::string ending = path.extension().string();
-  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  if (!fs::exists(path)) throw InputError(path.string(), "no such file");
-  if (!fs::is_regular_file(path)) throw InputError(path.string(), "not a file");
-  if (!endings.contains(ending)) {
-    throw InputError(path.string(),
-                     "not a mesh format that is read here: OBJ, OFF, PLY and STL are (by the file's ending)");
+constexpr std::array<std::pair<const char*, Reader>, 4> readers = {
+    {{".obj", obj_vertices}, {".off", off_vertices}, {".stl", stl_vertices}, {".ply", ply_vertices}}};
+
+Reader reader_for(const std::string& path) {
+  std::string extension = std::filesystem::path(path).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  for (const auto& [known, reader] : readers) {
+    if (extension == known) return reader;
   }
-  const std::uintmax_t size = fs::file_size(path);
-  if (size > largest_mesh_bytes) {
-    throw InputError(path.string(),
-                     fmt::format("{} bytes; a mesh may have {}: simplify it first", size, largest_mesh_bytes));
+  const std::string found = extension == ".dae" ? "COLLADA (.dae) is not read" : "not a mesh format by its name";
+  throw InputError(path, found + "; expected .obj, .off, .stl or .ply");
+}
+
+void require_size(const std::string& path) {
+  std::error_code error;
+  if (!std::filesystem::exists(path, error)) throw InputError(path, "no such file");
+  if (!std::filesystem::is_regular_file(path, error)) throw InputError(path, "not a plain file");
+  const std::uintmax_t bytes = std::filesystem::file_size(path, error);
+  if (error) throw InputError(path, "cannot read: " + error.message());
+  if (bytes > mesh_bytes_at_most) {
+    throw InputError(path, "has " + std::to_string(bytes / 1'000'000) + " MB; a mesh may have " +
+                               std::to_string(mesh_bytes_at_most / 1'000'000));
   }
 }
 
-/// Each point once, in the order of the file: a soup repeats a vertex for each triangle.
-std::vector<Vec3> distinct(const std::vector<SoupPoint>& soup, const std::string& path) {
-  std::set<std::tuple<double, double, double>> seen;
-  std::vector<Vec3> points;
-  for (std::size_t i = 0; i < soup.size(); ++i) {
-    const SoupPoint& p = soup[i];
-    if (!std::isfinite(p.x()) || !std::isfinite(p.y()) || !std::isfinite(p.z())) {
-      throw InputError(path, "point " + std::to_string(i) + " is not finite");
+void require_finite(const std::vector<Vec3>& vertices, const std::string& path) {
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    if (!vertices[i].allFinite()) {
+      throw InputError(path, "vertex " + std::to_string(i) + " is NaN or infinite; expected finite coordinates");
     }
-    if (seen.emplace(p.x(), p.y(), p.z()).second) points.emplace_back(p.x(), p.y(), p.z());
   }
-  return points;
 }
 
 }  // namespace
 
 Polytope read_mesh(const std::string& path) {
-  require_readable(path);
-  std::vector<SoupPoint> soup;
-  std::vector<std::vector<std::size_t>> polygons;
-  bool read = false;
+  const Reader vertices_of = reader_for(path);
+  require_size(path);
   try {
-    read = CGAL::IO::read_polygon_soup(path, soup, polygons, CGAL::parameters::verbose(false));
-  } catch (const std::exception&) {
-    // A reader that trips over the text says no more than that.
-  }
-  if (!read || soup.empty()) throw InputError(path, "not a mesh in the format that its ending names");
-  try {
-    return convex_hull(distinct(soup, path));
-  } catch (const InputError& error) {
+    const std::vector<Vec3> vertices = vertices_of(read_text(path));
+    require_finite(vertices, path);
+    return convex_hull(vertices);
+  } catch (const MeshError& error) {
     throw InputError(path, error.what());
+  } catch (const InputError& error) {
+    const std::string what = error.what();
+    throw what.starts_with(path) ? error : InputError(path, what);
   }
 }
 
