@@ -8,17 +8,16 @@ namespace touchstone::app {
 
 struct Effort {
   std::string name;
-  int cases = 0;             ///< drawn scenes a stem
-  int extreme_cases = 0;     ///< of them, for the properties that ask only for an end and sense, besides
-  int minimise_budget = 0;   ///< questions a failing row
-  int mesh_share = 1;        ///< each pair of meshes is asked under every so-many-th property of the stem
-  int deep_mesh_pairs = 0;   ///< overlapping pairs of meshes that are asked for their depth
+  int cases = 0;            ///< drawn scenes a stem
+  int extreme_cases = 0;    ///< of them, for the properties that ask only for an end and sense, besides
+  int minimise_budget = 0;  ///< questions a failing row
+  int mesh_share = 1;       ///< each pair of meshes is asked under every so-many-th property of the stem
+  int deep_mesh_pairs = 0;  ///< overlapping pairs of meshes that are asked for their depth
 };
 
 inline const std::vector<Effort>& efforts() {
-  static const std::vector<Effort> all = {{"quick", 300, 60, 300, 4, 12},
-                                          {"standard", 4000, 600, 800, 1, 60},
-                                          {"soak", 40000, 6000, 1500, 1, 600}};
+  static const std::vector<Effort> all = {
+      {"quick", 300, 60, 300, 4, 12}, {"standard", 4000, 600, 800, 1, 60}, {"soak", 40000, 6000, 1500, 1, 600}};
   return all;
 }
 

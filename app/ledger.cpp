@@ -9,12 +9,11 @@ namespace {
 using oracle::Grade;
 using oracle::Outcome;
 
-double excess(const oracle::Finding& finding) {
-  return finding.error / (finding.allowed > 0 ? finding.allowed : 1);
-}
+double excess(const oracle::Finding& finding) { return finding.error / (finding.allowed > 0 ? finding.allowed : 1); }
 
 bool worse(const Example& a, const Example& b) {
-  return std::pair(oracle::grade(a.finding), excess(a.finding)) > std::pair(oracle::grade(b.finding), excess(b.finding));
+  return std::pair(oracle::grade(a.finding), excess(a.finding)) >
+         std::pair(oracle::grade(b.finding), excess(b.finding));
 }
 
 /// A better start for the minimiser: as bad, and smaller.

@@ -34,15 +34,15 @@ struct Row {
   long abstains = 0;
   long breaks = 0;
   long outside = 0;
-  long not_asked = 0;  ///< given up after hangs
+  long not_asked = 0;                      ///< given up after hangs
   std::array<long, 5> grades{};            ///< of the answered: A, B, C, D, F
   std::map<oracle::Defect, long> defects;  ///< of fails and breaks
   std::string why_abstains;                ///< the first reason
   std::optional<Example> worst;            ///< the worst grade, then the largest error, then the first
-  std::optional<Example> smallest;         ///< of the worst grade, the fewest vertices, then the first: what is cut down
+  std::optional<Example> smallest;  ///< of the worst grade, the fewest vertices, then the first: what is cut down
   std::optional<oracle::Case> smallest_case;  ///< after cutting down
-  oracle::Size size_found;                 ///< of `smallest` before
-  std::string case_file;                   ///< relative to the report's folder
+  oracle::Size size_found;                    ///< of `smallest` before
+  std::string case_file;                      ///< relative to the report's folder
 
   void count(Example example);
   void merge(Row later);
@@ -56,7 +56,7 @@ struct Ledger {
   int cases = 0;  ///< drawn scenes a stem
   bool interrupted = false;
   std::vector<oracle::Card> subjects;
-  std::vector<Row> rows;  ///< property by property; in each, the subjects in order
+  std::vector<Row> rows;                                       ///< property by property; in each, the subjects in order
   std::map<std::string, std::map<std::string, long>> classes;  ///< stem -> class -> scenes
   std::map<std::string, long> scenes;                          ///< stem -> scenes asked about
   std::vector<std::string> empty_classes;                      ///< "distance: edge-edge"

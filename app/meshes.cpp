@@ -32,8 +32,7 @@ Robots mesh_files(const std::string& folder) {
 }
 
 void keep_largest(Robots& robots) {
-  const auto largest =
-      std::ranges::max_element(robots, {}, [](const auto& robot) { return robot.second.size(); });
+  const auto largest = std::ranges::max_element(robots, {}, [](const auto& robot) { return robot.second.size(); });
   Robots only = {*largest};
   robots = std::move(only);
 }
@@ -114,7 +113,8 @@ MeshSet read_meshes(const std::string& folder, bool one_robot_only) {
   } else if (robots.empty()) {
     throw InputError(folder, "holds no mesh (STL or OBJ)");
   }
-  if (robots.empty()) return {"", "Debian's package dart-doc is not here; the launcher fetches it, or name a folder with --meshes", {}};
+  if (robots.empty())
+    return {"", "Debian's package dart-doc is not here; the launcher fetches it, or name a folder with --meshes", {}};
   if (one_robot_only) keep_largest(robots);
   set.meshes = read_all(robots);
   return set;

@@ -18,14 +18,14 @@ struct Mesh {
 };
 
 struct MeshSet {
-  std::string folder;  ///< empty if there is none
-  std::string absent;  ///< why there is none
+  std::string folder;        ///< empty if there is none
+  std::string absent;        ///< why there is none
   std::vector<Mesh> meshes;  ///< sorted by path
 };
 
-/// Reads the STL and OBJ files below `folder`, or below the first of the known folders that exists if `folder` is empty. A
-/// folder that was named must hold a mesh: InputError. Files that are flat or no meshes are left out. `one_robot_only`
-/// reads just the folder that holds the most files.
+/// Reads the STL and OBJ files below `folder`, or below the first of the known folders that exists if `folder` is
+/// empty. A folder that was named must hold a mesh: InputError. Files that are flat or no meshes are left out.
+/// `one_robot_only` reads just the folder that holds the most files.
 MeshSet read_meshes(const std::string& folder, bool one_robot_only);
 
 /// A pair (or, for mass, bounds and broad phase, one mesh or all of a robot) in one of three kinds of pose.
@@ -38,8 +38,9 @@ struct MeshQuestion {
 /// Every pair of meshes of one robot; the kinds of pose take turns.
 std::vector<MeshQuestion> mesh_questions(const std::string& stem, const Effort& effort, const MeshSet& set);
 
-/// Rotations of small integers and the direction are drawn from the seed; the exact distance then says how far to move B
-/// so that the gap is about a tenth (separated) or a millionth (near) of the bodies' size, or −5 % of it (overlapping).
+/// Rotations of small integers and the direction are drawn from the seed; the exact distance then says how far to move
+/// B so that the gap is about a tenth (separated) or a millionth (near) of the bodies' size, or −5 % of it
+/// (overlapping).
 Scene mesh_scene(const MeshSet& set, const MeshQuestion& question, std::uint64_t seed);
 
 }  // namespace touchstone::app

@@ -21,7 +21,7 @@ using oracle::Points;
 using Real = oracle::Real;
 using Edges = std::set<std::pair<int, int>>;
 
-constexpr double side = 180;    // of a view, in SVG units
+constexpr double side = 180;  // of a view, in SVG units
 constexpr double margin = 14;
 
 /// One convex part, in W: points and the edges between them, or a ball.
@@ -104,7 +104,8 @@ std::string line(const View& view, const oracle::Point& a, const oracle::Point& 
 }
 
 std::string dot(const View& view, const oracle::Point& p, const std::string& style, double radius) {
-  return fmt::format("<circle class=\"{}\" cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"{:.2f}\"/>", style, view.x(p), view.y(p), radius);
+  return fmt::format("<circle class=\"{}\" cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"{:.2f}\"/>", style, view.x(p), view.y(p),
+                     radius);
 }
 
 std::string wire_frame(const Drawn& part, const View& view) {
@@ -145,7 +146,8 @@ std::string picture(const Scene& scene) {
   const oracle::Point centre = lo + (hi - lo) / 2;
   std::string svg = fmt::format("<svg viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{}\">", 2 * side, side + 16,
                                 "the scene from above and from the front");
-  for (const View& view : {View{0, 1, "x right, y up", 0, scale, centre}, View{0, 2, "x right, z up", side, scale, centre}}) {
+  for (const View& view :
+       {View{0, 1, "x right, y up", 0, scale, centre}, View{0, 2, "x right, z up", side, scale, centre}}) {
     for (const Drawn& part : parts) svg += wire_frame(part, view);
     svg += witnesses(scene, view);
     svg += fmt::format("<text x=\"{}\" y=\"{}\">{}</text>", view.left + side / 2, side + 10, view.title);

@@ -7,9 +7,9 @@
 
 namespace touchstone::app {
 
-/// Wire frames of the bodies in two views, along −z and along −y, with the closest points of bodies 0 and 1 and the line
-/// between them. Colours and line styles come from CSS classes (body-0, body-1, witness); texts are part of the drawing.
-/// Scenes of more than `most_drawn` vertices a body give an empty string.
+/// Wire frames of the bodies in two views, along −z and along −y, with the closest points of bodies 0 and 1 and the
+/// line between them. Colours and line styles come from CSS classes (body-0, body-1, witness); texts are part of the
+/// drawing. Scenes of more than `most_drawn` vertices a body give an empty string.
 std::string picture(const Scene& scene);
 
 inline constexpr int most_drawn = 64;

@@ -27,7 +27,8 @@ void Progress::draw(const std::string& doing) const {
   if (!on_terminal_ || steps_ == 0) return;
   constexpr int width = 30;
   const int filled = width * done_ / steps_;
-  fmt::print(stderr, "\r\033[K{} [{:█<{}}{:·<{}}] {}/{} {}", what_, "", filled, "", width - filled, done_, steps_, doing);
+  fmt::print(stderr, "\r\033[K{} [{:█<{}}{:·<{}}] {}/{} {}", what_, "", filled, "", width - filled, done_, steps_,
+             doing);
   std::fflush(stderr);
 }
 

@@ -48,12 +48,13 @@ void add_meshes(std::vector<Question>& questions, const std::string& stem, const
   const auto share = static_cast<std::size_t>(effort.mesh_share);
   for (std::size_t k = 0; k < asked.size(); ++k) {
     const MeshQuestion& question = asked[k];
-    questions.push_back({question.family, question.index, [&set, question, seed] { return mesh_scene(set, question, seed); },
-                         [ids, k, share](const Property& property) {
-                           const auto place = static_cast<std::size_t>(std::ranges::find(ids, property.id) - ids.begin());
-                           return place % share == k % share;
-                         },
-                         false});
+    questions.push_back(
+        {question.family, question.index, [&set, question, seed] { return mesh_scene(set, question, seed); },
+         [ids, k, share](const Property& property) {
+           const auto place = static_cast<std::size_t>(std::ranges::find(ids, property.id) - ids.begin());
+           return place % share == k % share;
+         },
+         false});
   }
 }
 

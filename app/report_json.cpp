@@ -26,8 +26,8 @@ Json grades_of(const Row& row) {
 }
 
 Json json_of(const Row& row) {
-  Json json = {{"property", row.property}, {"subject", row.subject},   {"holds", row.holds},
-               {"fails", row.fails},       {"abstains", row.abstains}, {"breaks", row.breaks},
+  Json json = {{"property", row.property}, {"subject", row.subject},    {"holds", row.holds},
+               {"fails", row.fails},       {"abstains", row.abstains},  {"breaks", row.breaks},
                {"outside", row.outside},   {"not_asked", row.not_asked}};
   if (const auto grade = row.grade()) {
     json["grade"] = oracle::name_of(*grade);
@@ -57,7 +57,8 @@ Json properties_of(const Ledger& ledger) {
   for (const Row& row : ledger.rows) {
     if (!all.empty() && all.back()["id"] == row.property) continue;
     const properties::Property& property = properties::find(row.property);
-    all.push_back({{"id", property.id}, {"stem", property.stem}, {"clauses", property.clauses}, {"says", property.says}});
+    all.push_back(
+        {{"id", property.id}, {"stem", property.stem}, {"clauses", property.clauses}, {"says", property.says}});
   }
   return all;
 }

@@ -50,8 +50,9 @@ std::string report_junit(const Ledger& ledger) {
       skips += skipped(row) ? 1 : 0;
       cases += test_case(row);
     }
-    suites += fmt::format("  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"0\" skipped=\"{}\">\n{}  </testsuite>\n",
-                          escaped(card.name), tests, failures, skips, cases);
+    suites += fmt::format(
+        "  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"0\" skipped=\"{}\">\n{}  </testsuite>\n",
+        escaped(card.name), tests, failures, skips, cases);
   }
   return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"touchstone\">\n" + suites + "</testsuites>\n";
 }

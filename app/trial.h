@@ -21,9 +21,9 @@ struct TrialPlan {
   oracle::PipeLimits limits;
 };
 
-/// A unit of work is a chunk of one stem's scenes: the subjects start it afresh and are asked inside, so the exact truth of
-/// a scene is found once for all of them. Units are merged in their order: the ledger does not depend on `jobs`. Then each
-/// failing row's scene is cut down (smallest.h). Stops early, with a valid ledger, when interrupted.
+/// A unit of work is a chunk of one stem's scenes: the subjects start it afresh and are asked inside, so the exact
+/// truth of a scene is found once for all of them. Units are merged in their order: the ledger does not depend on
+/// `jobs`. Then each failing row's scene is cut down (smallest.h). Stops early, with a valid ledger, when interrupted.
 Ledger run(const TrialPlan& plan, const MeshSet& meshes);
 
 }  // namespace touchstone::app

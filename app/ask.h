@@ -1,0 +1,15 @@
+// The exact answer as a tool in its own right.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace touchstone::app {
+
+/// "mass", "bounds", "broad_phase", "distance", "penetration".
+const std::vector<std::string>& queries();
+
+/// Reads the scene, asks the reference, prints words or JSON to stdout. Throws InputError.
+void ask(const std::string& query, const std::string& scene_path, bool as_json);
+
+}  // namespace touchstone::app

@@ -1,0 +1,29 @@
+#include "app/import.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "model/json.h"
+#include "reference/mesh.h"
+
+namespace touchstone::app {
+
+void import_mesh(const std::string& mesh_path, const std::string& out) {
+  Body body;
+  body.name = std::filesystem::path(mesh_path).stem().string();
+  body.shape = reference::read_mesh(mesh_path);
+  Scene scene;
+  scene.name = body.name;
+  scene.bodies.push_back(std::move(body));
+  const std::string text = json_of(scene).dump(1) + '\n';
+  if (out.empty()) {
+    fmt::print("{}", text);
+    return;
+  }
+  write_text(out, text);
+  const auto& hull = std::get<Polytope>(scene.bodies[0].shape);
+  fmt::print("{}: the convex hull, {} vertices, {} faces\n", out, hull.vertices.size(), hull.faces.size());
+}
+
+}  // namespace touchstone::app

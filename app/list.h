@@ -1,0 +1,14 @@
+// What there is: subjects, properties, clauses, families.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace touchstone::app {
+
+/// "subjects", "properties", "clauses", "families".
+const std::vector<std::string>& listable();
+
+void list(const std::string& what);
+
+}  // namespace touchstone::app
