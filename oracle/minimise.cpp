@@ -66,9 +66,9 @@ class Search {
 }  // namespace
 
 const std::vector<smaller::Stage>& smaller::stages() {
-  static const std::vector<Stage> all = {tidy,           fewer_bodies,  fewer_parts,   many_vertices_less,
-                                         plainer_shapes, plainer_poses, coarser_grids, few_vertices_less,
-                                         fewer_bits,     plainer_units};
+  static const std::vector<Stage> all = {
+      tidy,           fewer_bodies,  fewer_parts,       many_vertices_less, plainer_shapes, plainer_poses,
+      facing_along_z, coarser_grids, few_vertices_less, fewer_bits,         plainer_units};
   return all;
 }
 

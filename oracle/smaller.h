@@ -28,7 +28,8 @@ std::vector<Move> plainer_shapes(
 std::vector<Move> many_vertices_less(
     const Scene& scene);  ///< the half, quarter and eighth farthest from the other bodies
 std::vector<Move> few_vertices_less(const Scene& scene);  ///< then sixteenths, …, single vertices
-std::vector<Move> plainer_poses(const Scene& scene);  ///< the first body at the origin, rotations gone or of few bits
+std::vector<Move> plainer_poses(const Scene& scene);   ///< the first body at the origin, rotations gone or of few bits
+std::vector<Move> facing_along_z(const Scene& scene);  ///< the closest features along z, the gap in a translation
 std::vector<Move> coarser_grids(const Scene& scene);  ///< all lengths on a grid, rotations perhaps worked into vertices
 std::vector<Move> fewer_bits(const Scene& scene);     ///< each number alone: 0, then 1, 2, … bits
 std::vector<Move> plainer_units(const Scene& scene);  ///< lengths and quaternions of size about 1
