@@ -9,20 +9,23 @@
 namespace touchstone::oracle {
 namespace {
 
+struct Written {
+  Scene scene;
+  std::string text;
+};
+
 /// A scene is put to one subject after another, and a property goes back and forth between a scene and its image:
-/// writing costs as much as asking. One memory a thread.
+/// writing costs as much as asking. One memory a thread. A restart forgets, so that what is written never depends on
+/// what was asked before it: 0 and -0 are equal, but are not written alike.
+thread_local std::array<Written, 4> memory;
+thread_local std::size_t oldest = 0;
+
 const std::string& text_of(const Scene& scene) {
-  struct Written {
-    Scene scene;
-    std::string text;
-  };
-  thread_local std::array<Written, 4> last;
-  thread_local std::size_t oldest = 0;
-  for (const Written& written : last) {
+  for (const Written& written : memory) {
     if (!written.text.empty() && written.scene == scene) return written.text;
   }
-  Written& written = last[oldest];
-  oldest = (oldest + 1) % last.size();
+  Written& written = memory[oldest];
+  oldest = (oldest + 1) % memory.size();
   written = {scene, json_of(scene).dump()};
   return written.text;
 }
@@ -46,6 +49,7 @@ Answer<Penetration> PipeSubject::penetration(const Scene& scene) { return ask<Pe
 void PipeSubject::restart() {
   if (child_) child_->say(protocol::stop(++seq_));
   child_.reset();
+  memory = {};
 }
 
 /// The introduction is held to the wall clock alone: loading is not answering, and a large runtime loads for seconds.
