@@ -1,0 +1,74 @@
+// The corpus reads, names properties that exist, and its truths are those that a person finds by hand.
+#include <algorithm>
+#include <filesystem>
+#include <map>
+
+#include "oracle/case.h"
+#include "oracle/truth.h"
+#include "properties/property.h"
+#include "tests/catch.h"
+
+namespace touchstone::properties {
+namespace {
+
+namespace fs = std::filesystem;
+using oracle::Case;
+using reference::Rational;
+
+const fs::path corpus = fs::path(TOUCHSTONE_SOURCE_DIR) / "properties" / "corpus";
+
+Scene scene_of(const std::string& name) { return oracle::read_case((corpus / (name + ".json")).string()).scene; }
+
+TEST_CASE("Every case of the corpus is whole: read, complete, under a property of its folder's stem") {
+  std::map<std::string, int> count;
+  for (const auto& entry : fs::recursive_directory_iterator(corpus)) {
+    if (entry.path().extension() != ".json") continue;
+    INFO(entry.path().string());
+    const Case a_case = oracle::read_case(entry.path().string());
+    CHECK(oracle::truth::completed(a_case.scene) == a_case.scene);
+    CHECK(find(a_case.property).stem == entry.path().parent_path().filename().string());
+    CHECK(a_case.subject.empty());
+    CHECK(!a_case.note.empty());
+    ++count[find(a_case.property).stem];
+  }
+  for (const char* stem : {"mass", "bounds", "broad_phase", "distance", "penetration"}) CHECK(count[stem] >= 3);
+}
+
+TEST_CASE("Distances of the corpus by hand") {
+  const auto verdict = [](const std::string& name) {
+    return oracle::truth::distance(scene_of("distance/" + name)).verdict;
+  };
+  CHECK(oracle::truth::distance(scene_of("distance/equal_cubes_apart_in_y")).core_squared == Rational(1));
+  CHECK(oracle::truth::distance(scene_of("distance/crossed_edges_2_40_apart")).core_squared == Rational(0x1p-80));
+  CHECK(verdict("vertex_on_face_turned") == Verdict::touching);
+  CHECK(verdict("parallel_edges_share_a_point") == Verdict::touching);
+  CHECK(verdict("coplanar_faces_meet_in_a_corner") == Verdict::touching);
+}
+
+TEST_CASE("Depths of the corpus by hand") {
+  const auto depth = [](const std::string& name) {
+    return oracle::truth::penetration(scene_of("penetration/" + name)).depth;
+  };
+  CHECK(depth("concentric_cubes") == Interval{2, 2});
+  CHECK(depth("sliver_2_30") == Interval{0x1p-30, 0x1p-30});
+  CHECK(depth("sphere_about_cube") == Interval{4, 4});
+  CHECK(depth("faces_touch") == Interval{0, 0});
+}
+
+TEST_CASE("Pairs, boxes and masses of the corpus by hand") {
+  CHECK(oracle::truth::broad_phase(scene_of("broad_phase/corner_neighbours")) == PairSet{{0, 1}, {1, 2}});
+  CHECK(oracle::truth::broad_phase(scene_of("broad_phase/equal_end_points")) == PairSet{{0, 1}, {0, 2}, {1, 2}});
+  CHECK(oracle::truth::broad_phase(scene_of("broad_phase/speck_in_giant")) == PairSet{{0, 1}});
+  const auto box = oracle::truth::bounds(scene_of("bounds/three_four_five"))[0];
+  CHECK(box.hi[0] == Rational("7/5"));
+  CHECK(box.lo[1] == Rational("-7/5"));
+  CHECK(box.hi[2] == Rational(1));
+  CHECK(oracle::truth::mass(scene_of("mass/two_cubes"))[0]->mass == Interval{16, 16});
+  const Interval sixth = oracle::truth::mass(scene_of("mass/far_tetrahedron"))[0]->mass;
+  CHECK(Rational(sixth.lo) <= Rational("1/6"));
+  CHECK(Rational(sixth.hi) >= Rational("1/6"));
+  CHECK(sixth.hi - sixth.lo < 1e-15);
+}
+
+}  // namespace
+}  // namespace touchstone::properties
