@@ -33,6 +33,12 @@ CoreNearest nearest_by(Route route, PosedPair& pair) {
   return nearest_certified(pair);
 }
 
+/// Vectors in the direction of `normal` have one fraction in common: reducing that first is cheap.
+RationalVec3 difference(const PosedPair& pair, const CoreNearest& n) {
+  const Rational factor = pair.length(n.height, n.denominator);
+  return {factor * rational(n.normal.x), factor * rational(n.normal.y), factor * rational(n.normal.z)};
+}
+
 Verdict verdict_of(const PartPair& p) {
   if (p.squared.sign() == 0) return p.radii.sign() > 0 ? Verdict::overlapping : p.nearest.cores;
   const Rational excess = p.squared - p.radii * p.radii;
@@ -43,8 +49,8 @@ std::unique_ptr<PartPair> part_pair(const Body& A, int part_A, const Body& B, in
   auto p = std::make_unique<PartPair>(A, part_A, B, part_B);
   p->nearest = nearest_by(route, p->posed);
   const CoreNearest& n = p->nearest;
-  p->squared = p->posed.square(dot(n.difference, n.difference), Integer(n.denominator * n.denominator));
-  p->radii = Rational(p->posed.A.core().radius) + Rational(p->posed.B.core().radius);
+  p->squared = squared_distance(p->posed, n);
+  p->radii = Rational(p->posed.A.radius()) + Rational(p->posed.B.radius());
   p->verdict = verdict_of(*p);
   return p;
 }
@@ -76,16 +82,15 @@ Certificate certificate_of(const PartPair& p, const DistanceTruth& truth) {
     c.direction = {rational(n.direction.x), rational(n.direction.y), rational(n.direction.z)};
   }
   c.pairs = n.pairs;
-  for (const Integer& weight : n.weights) c.weights.push_back(rational(fraction(weight, n.denominator)));
+  for (const Integer& weight : n.weights) c.weights.push_back(rational(fraction(weight, n.total)));
   return c;
 }
 
 /// core + reach · d*/|d*|. The root's 300 bits are far beyond the double that the point ends as.
 Vec3 swollen(const RationalVec3& core, const DistanceTruth& truth, double reach) {
   if (reach == 0 || truth.core_squared.sign() == 0) return {core.x.nearest(), core.y.nearest(), core.z.nearest()};
-  const mpq_class& square = truth.core_squared.impl().value;
-  const mpq_class inverse = root_below(square, 300 + mpz_sizeinbase(square.get_den_mpz_t(), 2)) / square;
-  const Rational step = Rational(reach) * rational(inverse);
+  const Rational step =
+      Rational(reach) * rational(root_bounds(truth.core_squared.impl().value, 300).lo) / truth.core_squared;
   const RationalVec3& d = truth.difference;
   return {(core.x + step * d.x).nearest(), (core.y + step * d.y).nearest(), (core.z + step * d.z).nearest()};
 }
@@ -98,16 +103,14 @@ DistanceTruth truth_of(const PartPair& p) {
   truth.part_B = p.part_B;
   truth.core_squared = p.squared;
   truth.radius_sum = p.radii;
-  truth.difference = p.posed.vector(n.difference, n.denominator);
-  truth.core_A = p.posed.point(n.point_A, n.point_denominator);
-  truth.core_B = n.point_denominator == n.denominator
-                     ? p.posed.point(n.point_A - n.difference, n.denominator)
-                     : p.posed.point(n.denominator * n.point_A - n.point_denominator * n.difference,
-                                     Integer(n.denominator * n.point_denominator));
+  truth.difference = difference(p.posed, n);
+  truth.core_A = p.posed.point(n.point_A.num, n.point_A.den);
+  const RationalVec3& a = truth.core_A;
+  truth.core_B = {a.x - truth.difference.x, a.y - truth.difference.y, a.z - truth.difference.z};
   truth.feature_A = {p.part_A, n.face_A};
   truth.feature_B = {p.part_B, n.face_B};
-  truth.p_WCa = swollen(truth.core_A, truth, -p.posed.A.core().radius);
-  truth.p_WCb = swollen(truth.core_B, truth, p.posed.B.core().radius);
+  truth.p_WCa = swollen(truth.core_A, truth, -p.posed.A.radius());
+  truth.p_WCb = swollen(truth.core_B, truth, p.posed.B.radius());
   if (truth.verdict == Verdict::separated)
     truth.distance = enclosure_of_root_minus(truth.core_squared, truth.radius_sum);
   truth.certificate = certificate_of(p, truth);
@@ -115,6 +118,13 @@ DistanceTruth truth_of(const PartPair& p) {
 }
 
 }  // namespace
+
+// d*·d* = d*·(a − b) for every closest pair.
+Rational squared_distance(const PosedPair& pair, const CoreNearest& nearest) {
+  if (is_zero(nearest.normal)) return 0.0;
+  const Integer along = dot(nearest.normal, pair.difference(nearest.face_A[0], nearest.face_B[0]));
+  return pair.length(nearest.height, nearest.denominator) * pair.length(along, 1);
+}
 
 DistanceTruth distance(const Scene& scene, Route route) {
   if (scene.bodies.size() < 2) throw InputError("bodies", "two are needed for a distance");
@@ -124,15 +134,13 @@ DistanceTruth distance(const Scene& scene, Route route) {
 
 Interval distance_to_body(const Body& body, const Vec3& p_W) {
   const DefaultFloatMode mode;
-  Body point;
-  point.shape = Sphere{1};
-  point.X_WB.p_WB = p_W;
+  const Body point = {"point", Sphere{1}, {p_W, {}}, {}, {}, Fixed{}};
   Interval least = {INFINITY, INFINITY};
   for (int part = 0; part < part_count(body); ++part) {
     PosedPair pair(body, part, point, 0);
     const CoreNearest n = nearest_certified(pair);
-    const Rational squared = pair.square(dot(n.difference, n.difference), Integer(n.denominator * n.denominator));
-    const Rational radius = pair.A.core().radius;
+    const Rational squared = squared_distance(pair, n);
+    const Rational radius = pair.A.radius();
     if (squared <= radius * radius) return {0, 0};
     const Interval gap = enclosure_of_root_minus(squared, radius);
     least = {std::min(least.lo, gap.lo), std::min(least.hi, gap.hi)};

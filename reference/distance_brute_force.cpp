@@ -12,8 +12,8 @@ namespace {
 
 /// A core with all its exact normals.
 struct Solid {
-  explicit Solid(const PosedCore& posed) : core(posed), edges(edges_of(posed.core().faces)) {
-    for (std::size_t f = 0; f < posed.core().faces.size(); ++f) {
+  explicit Solid(const PosedCore& posed) : core(posed), edges(edges_of(posed.faces())) {
+    for (std::size_t f = 0; f < posed.faces().size(); ++f) {
       normals.push_back(exact_normal(posed, static_cast<int>(f)));
       around.push_back(enclosure(normals.back()));
     }
@@ -24,14 +24,8 @@ struct Solid {
   std::vector<IntegerVec> normals;
   std::vector<EnclosureVec> around;
 
-  const std::vector<int>& corners(std::size_t face) const { return core.core().faces[face]; }
+  const std::vector<int>& corners(std::size_t face) const { return core.faces()[face]; }
   std::size_t faces() const { return normals.size(); }
-};
-
-/// A point num/den, den > 0.
-struct HomogeneousPoint {
-  IntegerVec num;
-  Integer den;
 };
 
 int sign_of(const Enclosure& x, const auto& exactly) {
@@ -48,7 +42,7 @@ int outside(const Solid& solid, std::size_t face, const PosedCore& other, int ve
 }
 
 bool holds(const Solid& solid, const PosedCore& other, int vertex) {
-  if (solid.core.core().is_point()) return solid.core.exact(0) == other.exact(vertex);
+  if (solid.core.is_point()) return solid.core.exact(0) == other.exact(vertex);
   for (std::size_t f = 0; f < solid.faces(); ++f) {
     if (outside(solid, f, other, vertex) > 0) return false;
   }
@@ -155,14 +149,12 @@ bool is_all(const Solid& solid, const std::vector<int>& face) {
 /// Sharing a point without common volume is touching; but a point core may also be strictly within the other.
 CoreNearest contact(const Solid& A, const Solid& B, const Intersection& common) {
   CoreNearest result;
-  result.point_A = common.points()[0].num;
-  result.point_denominator = common.points()[0].den;
+  result.point_A = common.points()[0];
   result.cores = Verdict::overlapping;
   if (common.has_volume()) return result;
   std::vector<int> face_A = least_face(A, common.points());
   std::vector<int> face_B = least_face(B, common.points());
-  const bool point_within =
-      (A.core.core().is_point() && is_all(B, face_B)) != (B.core.core().is_point() && is_all(A, face_A));
+  const bool point_within = (A.core.is_point() && is_all(B, face_B)) != (B.core.is_point() && is_all(A, face_A));
   if (point_within) return result;
   result.cores = Verdict::touching;
   result.face_A = std::move(face_A);
@@ -305,10 +297,9 @@ CoreNearest gap(const Solid& A, const Solid& B) {
     for (const Edge& f : B.edges) edge_edge(A.core, e, B.core, f, least);
   }
   CoreNearest result;
-  result.difference = least.best().num;
+  result.normal = least.best().num;
   result.denominator = least.best().den;
-  result.point_A = least.best().on_A.num;
-  result.point_denominator = least.best().on_A.den;
+  result.point_A = least.best().on_A;
   return result;
 }
 
@@ -335,8 +326,8 @@ CoreNearest nearest_by_brute_force(PosedPair& pair) {
   const Intersection common(A, B);
   if (!common.points().empty()) return contact(A, B, common);
   CoreNearest result = gap(A, B);
-  result.face_A = extreme(pair.A, result.difference);
-  result.face_B = extreme(pair.B, -result.difference);
+  result.face_A = extreme(pair.A, result.normal);
+  result.face_B = extreme(pair.B, -result.normal);
   return result;
 }
 

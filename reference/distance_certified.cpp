@@ -17,11 +17,12 @@ namespace {
 /// The point of scale·(A − B) + shift nearest to 0.
 struct Minimum {
   std::vector<VertexPair> pairs;
-  std::vector<Integer> weights;  ///< > 0; Σ weights·(scale·(a − b) + shift) = numerator
+  std::vector<Integer> weights;  ///< > 0; Σ weights·(scale·(a − b) + shift) / total = direction·height / denominator
   Integer total;                 ///< Σ weights
-  IntegerVec numerator;
   IntegerVec direction;
-  std::vector<int> lowest_A;  ///< with numerator ≠ 0: all vertices of A lowest along it, all of B highest
+  Integer height;
+  Integer denominator;
+  std::vector<int> lowest_A;  ///< with direction ≠ 0: all vertices of A lowest along it, all of B highest
   std::vector<int> highest_B;
 };
 
@@ -74,8 +75,9 @@ Minimum minimise(const PosedPair& pair, std::vector<VertexPair> pairs, const Int
       m.weights.push_back(std::move(y.weight[static_cast<std::size_t>(i)]));
     }
     m.total = std::move(y.total);
-    m.numerator = std::move(y.numerator);
     m.direction = std::move(y.direction);
+    m.height = std::move(y.height);
+    m.denominator = std::move(y.denominator);
     if (is_zero(m.direction)) return m;
 
     const auto [a, b] = m.pairs[0];
@@ -114,7 +116,7 @@ std::vector<int> tetrahedron(const PosedCore& core) {
 /// needs.
 void prove_overlap(const PosedPair& pair, CoreNearest& result) {
   std::vector<VertexPair> corners;
-  if (pair.A.core().is_point()) {
+  if (pair.A.is_point()) {
     for (const int b : tetrahedron(pair.B)) corners.emplace_back(0, b);
   } else {
     for (const int a : tetrahedron(pair.A)) corners.emplace_back(a, 0);
@@ -130,12 +132,27 @@ void prove_overlap(const PosedPair& pair, CoreNearest& result) {
   for (std::size_t i = 0; i < m.pairs.size(); ++i) weights[m.pairs[i]] += scale * m.weights[i];
   result.pairs.clear();
   result.weights.clear();
-  result.denominator = 0;
+  result.total = 0;
   for (const auto& [vertices, weight] : weights) {
     result.pairs.push_back(vertices);
     result.weights.push_back(weight);
-    result.denominator += weight;
+    result.total += weight;
   }
+}
+
+/// a*. Where b* is a vertex, a* is d* from it: smaller numbers.
+HomogeneousPoint nearest_of_A(const PosedPair& pair, const Minimum& m) {
+  const auto [a, b] = m.pairs[0];
+  if (std::all_of(m.pairs.begin(), m.pairs.end(), [a = a](const VertexPair& p) { return p.first == a; })) {
+    return {pair.A.exact(a), 1};
+  }
+  if (std::all_of(m.pairs.begin(), m.pairs.end(), [b = b](const VertexPair& p) { return p.second == b; })) {
+    return {m.denominator * pair.B.exact(b) + m.height * m.direction, m.denominator};
+  }
+  HomogeneousPoint point = {{}, m.total};
+  for (std::size_t i = 0; i < m.pairs.size(); ++i)
+    point.num = point.num + m.weights[i] * pair.A.exact(m.pairs[i].first);
+  return point;
 }
 
 }  // namespace
@@ -148,17 +165,16 @@ CoreNearest nearest_certified(PosedPair& pair) {
   Minimum m = minimise(pair, std::move(guess), 1, {});
 
   CoreNearest result;
-  for (std::size_t i = 0; i < m.pairs.size(); ++i) {
-    result.point_A = result.point_A + m.weights[i] * pair.A.exact(m.pairs[i].first);
-  }
-  result.point_denominator = m.total;
-  result.difference = std::move(m.numerator);
-  result.denominator = std::move(m.total);
+  result.point_A = nearest_of_A(pair, m);
+  result.normal = std::move(m.direction);
+  result.height = std::move(m.height);
+  result.denominator = std::move(m.denominator);
+  result.total = std::move(m.total);
   result.pairs = std::move(m.pairs);
   result.weights = std::move(m.weights);
   result.face_A = std::move(m.lowest_A);
   result.face_B = std::move(m.highest_B);
-  if (!is_zero(m.direction)) return result;
+  if (!is_zero(result.normal)) return result;
 
   if (result.pairs.size() < 4) {
     if (std::optional<SupportingPlane> plane = supporting_plane(pair, result.pairs)) {

@@ -10,7 +10,10 @@ namespace {
 
 using Point = NearestPoint<double>;
 
-double squared_length(const Point& y) { return dot(y.numerator, y.numerator) / (y.total * y.total); }
+double squared_length(const Point& y) {
+  const double factor = y.height / y.denominator;
+  return dot(y.direction, y.direction) * factor * factor;
+}
 
 /// Of all subsets whose projection is inside, the nearest: robust where rounding makes cofactors lie.
 std::optional<Point> nearest(std::span<const PlainVec> w) {
@@ -59,10 +62,10 @@ std::vector<VertexPair> guess_nearest(const PosedPair& pair) {
     pairs = std::move(kept);
     w = std::move(kept_w);
     if (y->count == 4 || length == 0) break;
-    const VertexPair next = {lowest(pair.A, y->numerator), lowest(pair.B, -y->numerator)};
+    const VertexPair next = {lowest(pair.A, y->direction), lowest(pair.B, -y->direction)};
     if (std::find(pairs.begin(), pairs.end(), next) != pairs.end()) break;
     const PlainVec step = pair.A.plain(next.first) - pair.B.plain(next.second);
-    if (!(dot(y->numerator, step - w[0]) < 0)) break;
+    if (!(dot(y->direction, step - w[0]) < 0)) break;
     pairs.push_back(next);
     w.push_back(step);
   }

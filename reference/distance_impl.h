@@ -9,24 +9,33 @@
 
 namespace touchstone::reference {
 
+/// num/den
+struct HomogeneousPoint {
+  IntegerVec num;
+  Integer den = 1;
+};
+
 /// In the integer units of a PosedPair (exact_pose_impl.h).
 struct CoreNearest {
   Verdict cores = Verdict::separated;
-  IntegerVec difference;  ///< d* = difference / denominator
+  IntegerVec normal;  ///< d* = normal · height / denominator; 0 exactly when d* = 0
+  Integer height = 1;
   Integer denominator = 1;
   std::vector<int> face_A;  ///< F_A, ascending; empty if the cores overlap
   std::vector<int> face_B;
-  IntegerVec point_A;  ///< a* = point_A / point_denominator
-  Integer point_denominator = 1;
+  HomogeneousPoint point_A;  ///< a*
 
   // The proof; left empty by the routes that are second opinions.
   std::vector<std::pair<int, int>> pairs;
-  std::vector<Integer> weights;  ///< Σ weights = denominator, Σ weights·(a − b) = difference
-  IntegerVec direction;          ///< cores touch: of the supporting plane
+  std::vector<Integer> weights;
+  Integer total = 1;     ///< Σ weights; Σ weights·(a − b) / total = d*
+  IntegerVec direction;  ///< cores touch: of the supporting plane
 };
 
 CoreNearest nearest_certified(PosedPair& pair);
 CoreNearest nearest_by_brute_force(PosedPair& pair);
 CoreNearest nearest_by_qp(PosedPair& pair);
+
+Rational squared_distance(const PosedPair& pair, const CoreNearest& nearest);  ///< |d*|², m²
 
 }  // namespace touchstone::reference

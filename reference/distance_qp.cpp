@@ -116,7 +116,7 @@ std::vector<int> where_extreme(const PosedCore& core, const IntegerVec& n) {
 
 /// A common point: the cores touch, or one overlaps the other.
 void classify_contact(const PosedPair& pair, CoreNearest& result) {
-  if (pair.A.core().is_point() && pair.B.core().is_point()) {
+  if (pair.A.is_point() && pair.B.is_point()) {
     result.cores = Verdict::touching;
     result.face_A = result.face_B = {0};
     return;
@@ -139,17 +139,15 @@ CoreNearest nearest_by_qp(PosedPair& pair) {
   const Point b = program.realizing_point_q();
 
   CoreNearest result;
-  result.point_A = {integer(a.hx()), integer(a.hy()), integer(a.hz())};
-  result.point_denominator = integer(a.hw());
-  const IntegerVec point_B = {integer(b.hx()), integer(b.hy()), integer(b.hz())};
-  const Integer denominator_B = integer(b.hw());
-  result.difference = denominator_B * result.point_A - result.point_denominator * point_B;
-  result.denominator = result.point_denominator * denominator_B;
-  if (is_zero(result.difference)) {
+  result.point_A = {{integer(a.hx()), integer(a.hy()), integer(a.hz())}, integer(a.hw())};
+  const HomogeneousPoint point_B = {{integer(b.hx()), integer(b.hy()), integer(b.hz())}, integer(b.hw())};
+  result.normal = point_B.den * result.point_A.num - result.point_A.den * point_B.num;
+  result.denominator = result.point_A.den * point_B.den;
+  if (is_zero(result.normal)) {
     classify_contact(pair, result);
     return result;
   }
-  const IntegerVec n = result.denominator > 0 ? result.difference : -result.difference;
+  const IntegerVec n = result.denominator > 0 ? result.normal : -result.normal;
   result.face_A = where_extreme(pair.A, n);
   result.face_B = where_extreme(pair.B, -n);
   return result;

@@ -115,17 +115,42 @@ Enclosure enclosure_of_scaled(double scaled, double original) {
   return Enclosure(-least, least);
 }
 
+using Faces = std::vector<std::vector<int>>;
+
+Core core_of(const Sphere& sphere) {
+  static const Faces none;
+  return {{Vec3::Zero()}, &none, sphere.radius};
+}
+
+Core core_of(const Box& box) {
+  static const Faces six = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
+  const Vec3& h = box.half_extents;
+  Core core = {{}, &six, 0};
+  for (int i = 0; i < 8; ++i)
+    core.vertices.emplace_back(i & 1 ? h.x() : -h.x(), i & 2 ? h.y() : -h.y(), i & 4 ? h.z() : -h.z());
+  return core;
+}
+
+Core core_of(const Polytope& polytope) { return {polytope.vertices, &polytope.faces, 0}; }
+
+Core core_of(const Body& body, int part) {
+  const auto convex = [](const auto& shape) { return core_of(shape); };
+  if (const auto* compound = std::get_if<Compound>(&body.shape)) {
+    return std::visit(convex, compound->parts.at(static_cast<std::size_t>(part)).shape);
+  }
+  if (const auto* sphere = std::get_if<Sphere>(&body.shape)) return core_of(*sphere);
+  if (const auto* box = std::get_if<Box>(&body.shape)) return core_of(*box);
+  return core_of(std::get<Polytope>(body.shape));
+}
+
 }  // namespace
 
 RationalVec3 in_world(const Pose& X_WB, const Vec3& p_BA) {
-  const Rotation r = rotation(X_WB.q_WB);
-  const std::array<mpq_class, 3> v = {mpq_class(p_BA.x()), mpq_class(p_BA.y()), mpq_class(p_BA.z())};
-  std::array<mpq_class, 3> p;
-  for (std::size_t i = 0; i < 3; ++i) {
-    p[i] = r.matrix[3 * i] * v[0] + r.matrix[3 * i + 1] * v[1] + r.matrix[3 * i + 2] * v[2];
-    p[i] = p[i] / r.norm_squared + mpq_class(X_WB.p_WB[static_cast<Eigen::Index>(i)]);
-  }
-  return {rational(p[0]), rational(p[1]), rational(p[2])};
+  Body body;
+  body.shape = Polytope{{p_BA}, {}};
+  body.X_WB = X_WB;
+  const PosedPair posed(body, 0, body, 0);
+  return posed.point(posed.A.exact(0), 1);
 }
 
 Enclosure enclosure(const Integer& num, const Integer& den, long shift) {
@@ -145,28 +170,9 @@ EnclosureVec enclosure(const IntegerVec& v) {
   return {enclosure_below(v.x, exponent), enclosure_below(v.y, exponent), enclosure_below(v.z, exponent)};
 }
 
-Core core_of(const ConvexShape& shape) {
-  if (const auto* sphere = std::get_if<Sphere>(&shape)) return {{Vec3::Zero()}, {}, sphere->radius};
-  if (const auto* polytope = std::get_if<Polytope>(&shape)) return {polytope->vertices, polytope->faces, 0};
-  const Vec3& h = std::get<Box>(shape).half_extents;
-  Core core;
-  for (int i = 0; i < 8; ++i)
-    core.vertices.emplace_back(i & 1 ? h.x() : -h.x(), i & 2 ? h.y() : -h.y(), i & 4 ? h.z() : -h.z());
-  core.faces = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
-  return core;
-}
-
 int part_count(const Body& body) {
   const auto* compound = std::get_if<Compound>(&body.shape);
   return compound ? static_cast<int>(compound->parts.size()) : 1;
-}
-
-ConvexShape convex_part(const Body& body, int part) {
-  if (const auto* compound = std::get_if<Compound>(&body.shape))
-    return compound->parts.at(static_cast<std::size_t>(part)).shape;
-  if (const auto* sphere = std::get_if<Sphere>(&body.shape)) return *sphere;
-  if (const auto* box = std::get_if<Box>(&body.shape)) return *box;
-  return std::get<Polytope>(body.shape);
 }
 
 const IntegerVec& PosedCore::exact(int vertex) const {
@@ -204,8 +210,8 @@ PosedPair::PosedPair(const Body& body_A, int part_A, const Body& body_B, int par
     Pose X_BP;
   };
   std::array<Source, 2> sources = {{{A, body_A, part_pose(body_A, part_A)}, {B, body_B, part_pose(body_B, part_B)}}};
-  A.core_ = core_of(convex_part(body_A, part_A));
-  B.core_ = core_of(convex_part(body_B, part_B));
+  A.core_ = core_of(body_A, part_A);
+  B.core_ = core_of(body_B, part_B);
 
   long unit = std::min(lowest_bit(shift_A), lowest_bit(origin));
   double size = greatest(body_A.X_WB.p_WB + shift_A - origin);
@@ -294,6 +300,8 @@ Rational rational(mpq_class value) {
   return Rational(std::make_unique<Rational::Impl>(Rational::Impl{std::move(value)}));
 }
 
+Rational rational(const Integer& value) { return rational(mpq_class(value)); }
+
 Rational PosedPair::length(const Integer& num, const Integer& den) const {
   return rational(fraction(num, Integer(den * denominator_), exponent_));
 }
@@ -302,12 +310,9 @@ Rational PosedPair::square(const Integer& num, const Integer& den) const {
   return rational(fraction(num, Integer(den * denominator_ * denominator_), 2 * exponent_));
 }
 
-RationalVec3 PosedPair::vector(const IntegerVec& num, const Integer& den) const {
-  return {length(num.x, den), length(num.y, den), length(num.z, den)};
-}
-
 RationalVec3 PosedPair::point(const IntegerVec& num, const Integer& den) const {
-  return vector(num + Integer(den * denominator_) * origin_, den);
+  const IntegerVec sum = num + Integer(den * denominator_) * origin_;
+  return {length(sum.x, den), length(sum.y, den), length(sum.z, den)};
 }
 
 }  // namespace touchstone::reference

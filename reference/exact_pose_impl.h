@@ -14,16 +14,16 @@
 #include <vector>
 
 #include "model/scene.h"
+#include "reference/coordinates_impl.h"
 #include "reference/rational.h"
-#include "reference/triple_impl.h"
 
 namespace touchstone::reference {
 
 using Integer = mpz_class;
-using IntegerVec = Triple<Integer>;
+using IntegerVec = Coordinates<Integer>;
 using Enclosure = CGAL::Interval_nt<false>;  // only inside a scope of RoundUpward
-using EnclosureVec = Triple<Enclosure>;
-using PlainVec = Triple<double>;
+using EnclosureVec = Coordinates<Enclosure>;
+using PlainVec = Coordinates<double>;
 
 /// Interval arithmetic needs the processor to round upwards. Plain double code stays outside, to stay reproducible.
 using RoundUpward = CGAL::Protect_FPU_rounding<true>;
@@ -37,25 +37,24 @@ PlainVec plain(const IntegerVec& v);
 /// num/den · 2^shift.
 Enclosure enclosure(const Integer& num, const Integer& den, long shift);
 
-/// A convex part without its radius, in its own frame.
+/// A convex part without its radius, in its own frame. It looks at the faces of the body, which must stay.
 struct Core {
   std::vector<Vec3> vertices;
-  std::vector<std::vector<int>> faces;  ///< none for a point
+  const std::vector<std::vector<int>>* faces = nullptr;  ///< an empty list for a point
   double radius = 0;
 
   bool is_point() const { return vertices.size() == 1; }
 };
 
-Core core_of(const ConvexShape& shape);
-
 int part_count(const Body& body);
-ConvexShape convex_part(const Body& body, int part);
 
 /// One core of a pair, posed. Exact vertices are computed when they are first asked for, and kept.
 class PosedCore {
  public:
   int size() const { return static_cast<int>(core_.vertices.size()); }
-  const Core& core() const { return core_; }
+  bool is_point() const { return core_.is_point(); }
+  double radius() const { return core_.radius; }
+  const std::vector<std::vector<int>>& faces() const { return *core_.faces; }
 
   const IntegerVec& exact(int vertex) const;
   const EnclosureVec& enclosed(int vertex) const { return enclosed_[static_cast<std::size_t>(vertex)]; }
@@ -89,10 +88,9 @@ class PosedPair {
 
   IntegerVec difference(int a, int b) const { return A.exact(a) - B.exact(b); }
 
-  Rational length(const Integer& num, const Integer& den) const;         ///< m, of num/den integer units
-  Rational square(const Integer& num, const Integer& den) const;         ///< m², of num/den squared integer units
-  RationalVec3 vector(const IntegerVec& num, const Integer& den) const;  ///< m
-  RationalVec3 point(const IntegerVec& num, const Integer& den) const;   ///< in W, m
+  Rational length(const Integer& num, const Integer& den) const;        ///< m, of num/den integer units
+  Rational square(const Integer& num, const Integer& den) const;        ///< m², of num/den squared integer units
+  RationalVec3 point(const IntegerVec& num, const Integer& den) const;  ///< in W, m
 
  private:
   IntegerVec origin_;  ///< in integer lengths
@@ -104,6 +102,7 @@ class PosedPair {
 /// enclose().
 int side(const PosedCore& core, const IntegerVec& n, const EnclosureVec& around, int vertex, int from);
 
+Rational rational(const Integer& value);
 mpq_class fraction(const Integer& num, const Integer& den, long shift = 0);  ///< num/den · 2^shift, in lowest terms
 Rational rational(mpq_class value);
 

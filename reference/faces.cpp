@@ -40,7 +40,7 @@ std::vector<Edge> edges_of(const std::vector<std::vector<int>>& faces) {
 
 // The corners after the first two may lie on their line: the first one that does not gives the normal.
 IntegerVec exact_normal(const PosedCore& core, int face) {
-  const std::vector<int>& corners = core.core().faces[static_cast<std::size_t>(face)];
+  const std::vector<int>& corners = core.faces()[static_cast<std::size_t>(face)];
   const IntegerVec& origin = core.exact(corners[0]);
   const IntegerVec first = core.exact(corners[1]) - origin;
   IntegerVec normal;
@@ -52,7 +52,7 @@ IntegerVec exact_normal(const PosedCore& core, int face) {
 }
 
 EnclosureVec enclosed_normal(const PosedCore& core, int face) {
-  const std::vector<int>& corners = core.core().faces[static_cast<std::size_t>(face)];
+  const std::vector<int>& corners = core.faces()[static_cast<std::size_t>(face)];
   const EnclosureVec& origin = core.enclosed(corners[0]);
   const EnclosureVec first = core.enclosed(corners[1]) - origin;
   for (std::size_t i = 2; i < corners.size(); ++i) {

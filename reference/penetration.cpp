@@ -24,7 +24,7 @@ void point_along(const IntegerVec& v, PenetrationTruth& truth) {
 /// Cores with a common point, and with common interior or a radius.
 void measure_depth(PosedPair& pair, DepthRoute route, PenetrationTruth& truth) {
   truth.cores_overlap = true;
-  if (pair.A.core().is_point() && pair.B.core().is_point()) {
+  if (pair.A.is_point() && pair.B.is_point()) {
     point_along({1, 0, 0}, truth);
   } else {
     const CoreDepth depth = route == DepthRoute::gauss_map ? depth_by_gauss_map(pair) : depth_by_minkowski_hull(pair);
@@ -38,16 +38,15 @@ PenetrationTruth truth_of(PosedPair& pair, DepthRoute route) {
   const DefaultFloatMode mode;
   const CoreNearest nearest = nearest_certified(pair);
   PenetrationTruth truth;
-  truth.radius_sum = Rational(pair.A.core().radius) + Rational(pair.B.core().radius);
-  if (is_zero(nearest.difference)) {
+  truth.radius_sum = Rational(pair.A.radius()) + Rational(pair.B.radius());
+  if (is_zero(nearest.normal)) {
     if (nearest.cores == Verdict::touching) point_along(nearest.direction, truth);
     truth.verdict = truth.radius_sum.sign() > 0 ? Verdict::overlapping : nearest.cores;
     if (truth.verdict == Verdict::overlapping) measure_depth(pair, route, truth);
     return truth;
   }
-  truth.core_squared =
-      pair.square(dot(nearest.difference, nearest.difference), Integer(nearest.denominator * nearest.denominator));
-  point_along(nearest.difference, truth);
+  truth.core_squared = squared_distance(pair, nearest);
+  point_along(nearest.normal, truth);
   const Rational excess = truth.core_squared - truth.radius_sum * truth.radius_sum;
   if (excess.sign() == 0) truth.verdict = Verdict::touching;
   if (excess.sign() < 0) {

@@ -18,10 +18,10 @@ Enclosure squared_length(const EnclosureVec& v) { return CGAL::square(v.x) + CGA
 
 /// A, or −B.
 struct Summand {
-  Summand(const PosedCore& posed, int times) : core(posed), sign(times), edges(edges_of(posed.core().faces)) {
+  Summand(const PosedCore& posed, int times) : core(posed), sign(times), edges(edges_of(posed.faces())) {
     const auto signed_vec = [&](const EnclosureVec& v) { return sign > 0 ? v : -v; };
     for (int i = 0; i < posed.size(); ++i) points.push_back(signed_vec(posed.enclosed(i)));
-    for (std::size_t f = 0; f < posed.core().faces.size(); ++f) {
+    for (std::size_t f = 0; f < posed.faces().size(); ++f) {
       const EnclosureVec n = signed_vec(enclosed_normal(posed, static_cast<int>(f)));
       normals.push_back(Enclosure(1 / CGAL::sqrt(squared_length(n))) * n);
     }
@@ -35,7 +35,7 @@ struct Summand {
 
   const EnclosureVec& point(int i) const { return points[static_cast<std::size_t>(i)]; }
   const EnclosureVec& normal(int f) const { return normals[static_cast<std::size_t>(f)]; }
-  int corner(int f) const { return core.core().faces[static_cast<std::size_t>(f)][0]; }
+  int corner(int f) const { return core.faces()[static_cast<std::size_t>(f)][0]; }
   EnclosureVec along(const Edge& e) const { return point(e.head) - point(e.tail); }
 
   IntegerVec exact(int i) const { return sign > 0 ? core.exact(i) : -core.exact(i); }

@@ -5,49 +5,62 @@
 #include <optional>
 #include <span>
 
-#include "reference/triple_impl.h"
+#include "reference/coordinates_impl.h"
 
 namespace touchstone::reference {
 
-/// numerator/total = Σ weight_i·w_i/total, all weights > 0, total = Σ weight_i; `members` are indices into the simplex.
-/// direction is a positive multiple of it, of least degree; 0 exactly when 0 is in the simplex.
+/// numerator/denominator = Σ weight_i·w_i/total, all weights > 0, total = Σ weight_i; `members` are indices into the
+/// simplex. direction is a positive multiple of it, with small numbers; 0 exactly when 0 is in the simplex.
 template <class T>
 struct NearestPoint {
   int count = 0;
   std::array<int, 4> members{};
   std::array<T, 4> weight{};
   T total{};
-  Triple<T> numerator{};
-  Triple<T> direction{};
+  Coordinates<T> direction{};
+  T height{};
+  T denominator{};
 };
 
 namespace simplex {
 
 template <class T>
-T determinant(const Triple<T>& a, const Triple<T>& b, const Triple<T>& c) {
+T determinant(const Coordinates<T>& a, const Coordinates<T>& b, const Coordinates<T>& c) {
   return dot(a, cross(b, c));
 }
 
-template <class T>
-void weigh_edge(const Triple<T>& w0, const Triple<T>& w1, NearestPoint<T>& y) {
-  const Triple<T> e = w1 - w0;
-  y.weight[0] = dot(w1, e);
-  y.weight[1] = -dot(w0, e);
-  y.total = dot(e, e);
+/// Divides by the greatest common divisor, which is large: an edge of one body carries the other's |q|², a face's
+/// normal more.
+void make_primitive(auto& v) {
+  if constexpr (requires { gcd(v.x, v.y); }) {
+    const auto common = decltype(v.x)(gcd(gcd(v.x, v.y), v.z));
+    if (common > 1) v = {v.x / common, v.y / common, v.z / common};
+  }
 }
 
 template <class T>
-void weigh_triangle(const Triple<T>& w0, const Triple<T>& w1, const Triple<T>& w2, NearestPoint<T>& y) {
-  const Triple<T> n = cross(Triple<T>(w1 - w0), Triple<T>(w2 - w0));
+void weigh_edge(const Coordinates<T>& w0, const Coordinates<T>& w1, NearestPoint<T>& y) {
+  Coordinates<T> e = w1 - w0;
+  make_primitive(e);
+  y.weight[0] = dot(w1, e);
+  y.weight[1] = -dot(w0, e);
+  y.total = y.weight[0] + y.weight[1];
+}
+
+template <class T>
+void weigh_triangle(const Coordinates<T>& w0, const Coordinates<T>& w1, const Coordinates<T>& w2, NearestPoint<T>& y) {
+  Coordinates<T> n = cross(Coordinates<T>(w1 - w0), Coordinates<T>(w2 - w0));
+  make_primitive(n);
   y.weight[0] = determinant(n, w1, w2);
   y.weight[1] = determinant(n, w2, w0);
   y.weight[2] = determinant(n, w0, w1);
-  y.total = dot(n, n);
+  y.total = y.weight[0] + y.weight[1] + y.weight[2];
+  y.denominator = dot(n, n);
   y.direction = n;
 }
 
 template <class T>
-void weigh_tetrahedron(const std::array<const Triple<T>*, 4>& w, NearestPoint<T>& y) {
+void weigh_tetrahedron(const std::array<const Coordinates<T>*, 4>& w, NearestPoint<T>& y) {
   y.weight[0] = determinant(*w[1], *w[2], *w[3]);
   y.weight[1] = -determinant(*w[0], *w[2], *w[3]);
   y.weight[2] = determinant(*w[0], *w[1], *w[3]);
@@ -61,9 +74,9 @@ void weigh_tetrahedron(const std::array<const Triple<T>*, 4>& w, NearestPoint<T>
 
 /// The projection of 0 on the affine hull of the members in `mask`, if it lies in the relative interior of their hull.
 template <class T>
-std::optional<NearestPoint<T>> interior_projection(std::span<const Triple<T>> w, unsigned mask) {
+std::optional<NearestPoint<T>> interior_projection(std::span<const Coordinates<T>> w, unsigned mask) {
   NearestPoint<T> y;
-  std::array<const Triple<T>*, 4> p{};
+  std::array<const Coordinates<T>*, 4> p{};
   for (int i = 0; i < static_cast<int>(w.size()); ++i) {
     if ((mask >> i & 1U) == 0) continue;
     p[static_cast<std::size_t>(y.count)] = &w[static_cast<std::size_t>(i)];
@@ -78,15 +91,16 @@ std::optional<NearestPoint<T>> interior_projection(std::span<const Triple<T>> w,
     if (!(y.weight[static_cast<std::size_t>(i)] > 0)) return std::nullopt;
   }
   if (y.count == 3) {
-    const T height = dot(y.direction, *p[0]);
-    y.numerator = height * y.direction;
-    if (height < 0) y.direction = -y.direction;
-    if (height == 0) y.direction = Triple<T>{};
-  } else if (y.count < 3) {
-    y.numerator = Triple<T>(y.weight[0] * *p[0]);
-    if (y.count == 2) y.numerator = y.numerator + Triple<T>(y.weight[1] * *p[1]);
-    y.direction = y.numerator;
+    y.height = dot(y.direction, *p[0]);
+    if (y.height < 0) y.direction = -y.direction;
+    if (y.height == 0) y.direction = Coordinates<T>{};
+    if (y.height < 0) y.height = -y.height;
+    return y;
   }
+  y.height = T(1);
+  y.denominator = y.total;
+  if (y.count == 1) y.direction = *p[0];
+  if (y.count == 2) y.direction = Coordinates<T>(y.weight[0] * *p[0]) + Coordinates<T>(y.weight[1] * *p[1]);
   return y;
 }
 

@@ -11,29 +11,28 @@ bool is_square(const mpq_class& x) {
 
 }  // namespace
 
-// √(n/d) = √(n·d)/d, in fixed point with `bits` bits.
-mpq_class root_below(const mpq_class& x, unsigned long bits) {
-  if (is_square(x)) return mpq_class(sqrt(x.get_num()), sqrt(x.get_den()));
-  mpz_class square = x.get_num() * x.get_den();
-  square <<= 2 * bits;
-  mpq_class root(sqrt(square), x.get_den());
-  root.get_den() <<= bits;
-  root.canonicalize();
-  return root;
+// √(n/d) = √(4^s n/d)/2^s, with s such that the integer root has the bits asked for.
+RootBounds root_bounds(const mpq_class& x, long bits) {
+  if (is_square(x)) {
+    const mpq_class root(Integer(sqrt(x.get_num())), Integer(sqrt(x.get_den())));
+    return {root, root};
+  }
+  const auto size = [](const Integer& v) { return static_cast<long>(mpz_sizeinbase(v.get_mpz_t(), 2)); };
+  const long shift = bits + (size(x.get_den()) - size(x.get_num())) / 2 + 1;
+  const Integer scaled = shift >= 0 ? Integer(x.get_num() << static_cast<mp_bitcnt_t>(2 * shift)) : x.get_num();
+  const Integer unit = shift >= 0 ? x.get_den() : Integer(x.get_den() << static_cast<mp_bitcnt_t>(-2 * shift));
+  const Integer root = sqrt(Integer(scaled / unit));
+  return {fraction(root, 1, -shift), fraction(root + 1, 1, -shift)};
 }
 
-// √x is irrational or exact, so √x − r is no double unless it is exact: more bits make both roundings certain.
+// An irrational √x is no double plus r: with enough bits both bounds round alike.
 Interval enclosure_of_root_minus(const Rational& x, const Rational& r) {
-  const mpq_class& square = x.impl().value;
-  if (is_square(square)) return (rational(root_below(square, 0)) - r).enclosure();
-  for (unsigned long bits = 128;; bits *= 2) {
-    const mpq_class below = root_below(square, bits);
-    mpq_class width(1, square.get_den());
-    width.get_den() <<= bits;
-    width.canonicalize();
-    const Interval lower = (rational(below) - r).enclosure();
-    const Interval upper = (rational(mpq_class(below + width)) - r).enclosure();
-    if (lower.lo == upper.lo && lower.hi == upper.hi) return lower;
+  for (long bits = 128;; bits *= 2) {
+    const RootBounds root = root_bounds(x.impl().value, bits);
+    const Interval lower = (rational(root.lo) - r).enclosure();
+    if (root.lo == root.hi) return lower;
+    const Interval upper = (rational(root.hi) - r).enclosure();
+    if (lower == upper) return lower;
   }
 }
 

@@ -7,8 +7,12 @@
 
 namespace touchstone::reference {
 
-/// √x rounded down to about `bits` bits (exact if x is the square of a rational).
-mpq_class root_below(const mpq_class& x, unsigned long bits);
+/// lo ≤ √x ≤ hi, relatively about 2^-bits apart; equal if √x is rational.
+struct RootBounds {
+  mpq_class lo;
+  mpq_class hi;
+};
+RootBounds root_bounds(const mpq_class& x, long bits);
 
 /// The tightest doubles around √x − r, or around r − √x.
 Interval enclosure_of_root_minus(const Rational& x, const Rational& r);

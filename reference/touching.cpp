@@ -20,7 +20,7 @@ struct Neighbourhood {
 /// x lies strictly between `around_x`, so a supporting plane holds x exactly when it holds them all.
 Neighbourhood neighbourhood(const PosedCore& core, const std::vector<int>& around_x) {
   Neighbourhood here;
-  const auto& faces = core.core().faces;
+  const auto& faces = core.faces();
   std::vector<bool> holds_x(faces.size());
   for (std::size_t f = 0; f < faces.size(); ++f) {
     const int face = static_cast<int>(f);
@@ -62,7 +62,7 @@ std::vector<int> ties(const PosedCore& core, const IntegerVec& n, int from) {
 
 std::optional<SupportingPlane> supporting_plane(const PosedPair& pair, const std::vector<std::pair<int, int>>& pairs) {
   const auto [a, b] = pairs[0];
-  if (pair.A.core().is_point() && pair.B.core().is_point()) return SupportingPlane{{1, 0, 0}, {0}, {0}};
+  if (pair.A.is_point() && pair.B.is_point()) return SupportingPlane{{1, 0, 0}, {0}, {0}};
   std::vector<int> around_x_A;
   std::vector<int> around_x_B;
   for (const auto& [i, j] : pairs) {

@@ -5,44 +5,44 @@ namespace touchstone::reference {
 
 // Results are named T, never auto: gmpxx's expression templates would dangle.
 template <class T>
-struct Triple {
+struct Coordinates {
   T x, y, z;
 
-  bool operator==(const Triple&) const = default;
+  bool operator==(const Coordinates&) const = default;
 };
 
 template <class T>
-Triple<T> operator+(const Triple<T>& a, const Triple<T>& b) {
+Coordinates<T> operator+(const Coordinates<T>& a, const Coordinates<T>& b) {
   return {T(a.x + b.x), T(a.y + b.y), T(a.z + b.z)};
 }
 
 template <class T>
-Triple<T> operator-(const Triple<T>& a, const Triple<T>& b) {
+Coordinates<T> operator-(const Coordinates<T>& a, const Coordinates<T>& b) {
   return {T(a.x - b.x), T(a.y - b.y), T(a.z - b.z)};
 }
 
 template <class T>
-Triple<T> operator-(const Triple<T>& a) {
+Coordinates<T> operator-(const Coordinates<T>& a) {
   return {T(-a.x), T(-a.y), T(-a.z)};
 }
 
 template <class T>
-Triple<T> operator*(const T& s, const Triple<T>& a) {
+Coordinates<T> operator*(const T& s, const Coordinates<T>& a) {
   return {T(s * a.x), T(s * a.y), T(s * a.z)};
 }
 
 template <class T>
-T dot(const Triple<T>& a, const Triple<T>& b) {
+T dot(const Coordinates<T>& a, const Coordinates<T>& b) {
   return T(a.x * b.x + a.y * b.y + a.z * b.z);
 }
 
 template <class T>
-Triple<T> cross(const Triple<T>& a, const Triple<T>& b) {
+Coordinates<T> cross(const Coordinates<T>& a, const Coordinates<T>& b) {
   return {T(a.y * b.z - a.z * b.y), T(a.z * b.x - a.x * b.z), T(a.x * b.y - a.y * b.x)};
 }
 
 template <class T>
-bool is_zero(const Triple<T>& a) {
+bool is_zero(const Coordinates<T>& a) {
   return a.x == 0 && a.y == 0 && a.z == 0;
 }
 
