@@ -76,7 +76,7 @@ std::vector<Drawn> drawn(const Scene& scene) {
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     const std::vector<ConvexShape> parts = parts_of(scene.bodies[b].shape);
     for (std::size_t p = 0; p < parts.size(); ++p) {
-      all.push_back({static_cast<int>(b), world_points(scene.bodies[b], static_cast<int>(p)),
+      all.push_back({static_cast<int>(b), oracle::world_points(scene.bodies[b], static_cast<int>(p)),
                      std::visit([](const auto& shape) { return edges_of(shape); }, parts[p]), radius_of(parts[p])});
     }
   }
