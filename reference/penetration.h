@@ -14,11 +14,11 @@ namespace touchstone::reference {
 
 struct PenetrationTruth {
   Verdict verdict = Verdict::separated;
-  Rational core_squared;     ///< squared depth of the cores (overlapping cores), or |d*|² (cores apart)
+  Rational core_squared;  ///< squared depth of the cores (overlapping cores), or |d*|² (cores apart)
   bool cores_overlap = false;
   Rational radius_sum;
-  RationalVec3 direction;  ///< not normalised; A moves along it. Where several tie, one of them
-  Interval depth;          ///< tightest doubles around the depth; [0, 0] unless overlapping
+  RationalVec3 direction;         ///< not normalised; A moves along it. Where several tie, one of them
+  Interval depth;                 ///< tightest doubles around the depth; [0, 0] unless overlapping
   Vec3 nhat_BA_W = Vec3::Zero();  ///< direction, normalised in doubles
 };
 
