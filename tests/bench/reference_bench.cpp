@@ -47,12 +47,14 @@ void ask_all(benchmark::State& state, const std::vector<Scene>& scenes, Ask ask)
 }
 
 void distance_generic(benchmark::State& state) {
-  ask_all(state, round_pairs(static_cast<int>(state.range(0)), 2.5), [](const Scene& s) { return reference::distance(s); });
+  ask_all(state, round_pairs(static_cast<int>(state.range(0)), 2.5),
+          [](const Scene& s) { return reference::distance(s); });
 }
 BENCHMARK(distance_generic)->Arg(4)->Arg(8)->Arg(20)->Arg(50)->Arg(200)->Unit(benchmark::kMicrosecond);
 
 void distance_overlapping(benchmark::State& state) {
-  ask_all(state, round_pairs(static_cast<int>(state.range(0)), 1.0), [](const Scene& s) { return reference::distance(s); });
+  ask_all(state, round_pairs(static_cast<int>(state.range(0)), 1.0),
+          [](const Scene& s) { return reference::distance(s); });
 }
 BENCHMARK(distance_overlapping)->Arg(20)->Arg(50)->Unit(benchmark::kMicrosecond);
 
@@ -74,7 +76,8 @@ void three_routes_agree(benchmark::State& state) {
 BENCHMARK(three_routes_agree)->DenseRange(0, hard_families - 1)->Iterations(100)->Unit(benchmark::kMicrosecond);
 
 void depth_by_gauss_map(benchmark::State& state) {
-  ask_all(state, round_pairs(static_cast<int>(state.range(0)), 1.0), [](const Scene& s) { return reference::penetration(s); });
+  ask_all(state, round_pairs(static_cast<int>(state.range(0)), 1.0),
+          [](const Scene& s) { return reference::penetration(s); });
 }
 BENCHMARK(depth_by_gauss_map)->Arg(8)->Arg(20)->Arg(50)->Arg(200)->Arg(600)->Unit(benchmark::kMicrosecond);
 

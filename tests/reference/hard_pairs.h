@@ -56,7 +56,8 @@ inline Scene pair(Body A, Body B) {
 inline Quaternion integer_quaternion(Dice& dice) {
   Quaternion q;
   do {
-    q = {double(dice.between(-3, 3)), double(dice.between(-3, 3)), double(dice.between(-3, 3)), double(dice.between(-3, 3))};
+    q = {double(dice.between(-3, 3)), double(dice.between(-3, 3)), double(dice.between(-3, 3)),
+         double(dice.between(-3, 3))};
   } while (q == Quaternion{0, 0, 0, 0});
   return q;
 }
@@ -144,7 +145,8 @@ inline Scene hard_pair(int family, Dice& dice) {
       return pair(body(lattice_hull(dice, 6, 2), dice.lattice(4), q),
                   body(lattice_hull(dice, 12, 3), dice.lattice(4), integer_quaternion(dice)));
     case 2:  // lattice hulls, turned alike
-      return pair(body(lattice_hull(dice, 10, 2), dice.lattice(3), q), body(lattice_hull(dice, 10, 2), dice.lattice(3), q));
+      return pair(body(lattice_hull(dice, 10, 2), dice.lattice(3), q),
+                  body(lattice_hull(dice, 10, 2), dice.lattice(3), q));
     case 3:  // boxes a tiny gap apart, face to face
       return pair(body(Box{Vec3(1, 2, 3)}),
                   body(Box{Vec3(1, 1, 1)}, Vec3(2 + tiny_gap(dice), dice.between(-3, 3), dice.between(-4, 4))));
@@ -160,11 +162,13 @@ inline Scene hard_pair(int family, Dice& dice) {
     case 6: {  // prisms with cocircular ends
       const Polytope& prism = prisms[static_cast<std::size_t>(dice.between(0, 2))];
       const double r = prism.vertices[0].norm();
-      return pair(body(prism, r * dice.in_cube(), q), body(prism, Vec3(0, 0, dice.between(-1, 1) * r), dice.between(0, 1) ? q : Quaternion{}));
+      return pair(body(prism, r * dice.in_cube(), q),
+                  body(prism, Vec3(0, 0, dice.between(-1, 1) * r), dice.between(0, 1) ? q : Quaternion{}));
     }
     case 7:  // cospherical hulls
       return pair(body(spheres[static_cast<std::size_t>(dice.between(0, 2))], dice.lattice(8)),
-                  body(spheres[static_cast<std::size_t>(dice.between(0, 2))], Vec3::Zero(), dice.between(0, 1) ? q : Quaternion{}));
+                  body(spheres[static_cast<std::size_t>(dice.between(0, 2))], Vec3::Zero(),
+                       dice.between(0, 1) ? q : Quaternion{}));
     case 8: {  // needles and plates
       const double thin = std::ldexp(1.0, -dice.between(10, 20));
       return pair(body(stretched(round_hull(dice, 12), Vec3(1, thin, thin)), 0.5 * dice.in_cube(), q),
@@ -201,7 +205,8 @@ inline Scene hard_pair(int family, Dice& dice) {
     default:  // quaternions far from unit length
       const Quaternion huge = {q.w * 1e150, q.x * 1e150, q.y * 1e150, q.z * 1e150};
       const Quaternion tiny = {q.w * 1e-160, q.x * 1e-160, q.y * 1e-160, q.z * 1e-160};
-      return pair(body(lattice_hull(dice, 8, 2), dice.lattice(3), huge), body(lattice_hull(dice, 8, 2), dice.lattice(3), tiny));
+      return pair(body(lattice_hull(dice, 8, 2), dice.lattice(3), huge),
+                  body(lattice_hull(dice, 8, 2), dice.lattice(3), tiny));
   }
 }
 

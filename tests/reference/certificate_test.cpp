@@ -1,0 +1,114 @@
+#include "reference/certificate.h"
+
+#include "reference/distance.h"
+#include "tests/catch.h"
+#include "tests/reference/hard_pairs.h"
+
+namespace touchstone::reference {
+namespace {
+
+using tests::body;
+using tests::pair;
+
+/// One scene for each kind of proof, boxes a quarter of a unit apart or in each other.
+Scene scene_of(Verdict verdict) {
+  const double gap = verdict == Verdict::separated ? 0.25 : verdict == Verdict::touching ? 0.0 : -0.25;
+  return pair(body(Box{Vec3(1, 1, 1)}, Vec3(0.5, 0.25, 2 + gap)), body(Box{Vec3(1, 1, 1)}));
+}
+
+TEST_CASE("certificate: every verdict on every near-degenerate family is proved") {
+  tests::Dice dice(5);
+  for (int i = 0; i < 40 * tests::hard_families; ++i) {
+    const Scene scene = tests::hard_pair(i % tests::hard_families, dice);
+    CAPTURE(i);
+    const Certificate c = distance(scene).certificate;
+    REQUIRE(check(c, scene) == "");
+    REQUIRE(c.pairs.size() <= 8);
+  }
+}
+
+TEST_CASE("certificate: a certificate that is tampered with is refused") {
+  const Verdict verdict = GENERATE(Verdict::separated, Verdict::touching, Verdict::overlapping);
+  CAPTURE(static_cast<int>(verdict));
+  const Scene scene = scene_of(verdict);
+  Certificate c = distance(scene).certificate;
+  REQUIRE(c.cores == verdict);
+  REQUIRE(check(c, scene) == "");
+
+  SECTION("another verdict") {
+    for (const Verdict other : {Verdict::separated, Verdict::touching, Verdict::overlapping}) {
+      c.cores = other;
+      if (other != verdict) CHECK(check(c, scene) != "");
+    }
+  }
+  SECTION("another part of A") {
+    c.part_A = 1;
+    CHECK(check(c, scene) != "");
+  }
+  SECTION("another part of B") {
+    c.part_B = -1;
+    CHECK(check(c, scene) != "");
+  }
+  SECTION("another direction") {
+    c.direction.x += Rational(0x1p-1000);
+    CHECK(check(c, scene) != "");
+  }
+  SECTION("the opposite direction") {
+    c.direction = {-c.direction.x, -c.direction.y, -c.direction.z};
+    if (verdict != Verdict::overlapping) CHECK(check(c, scene) != "");
+  }
+  SECTION("another vertex") {
+    c.pairs[0].first ^= 4;
+    CHECK(check(c, scene) != "");
+  }
+  SECTION("a vertex that is not there") {
+    c.pairs[0].second = GENERATE(-1, 8);
+    CHECK(check(c, scene) != "");
+  }
+  SECTION("another weight") {
+    c.weights[0] += Rational(0x1p-1000);
+    CHECK(check(c, scene) != "");
+  }
+  SECTION("a negative weight that cancels") {
+    c.pairs.push_back(c.pairs[0]);
+    c.weights.push_back(c.weights[0] + Rational(1));
+    c.weights[0] = Rational(-1);
+    CHECK(check(c, scene) != "");
+  }
+  SECTION("a pair less") {
+    c.pairs.pop_back();
+    CHECK(check(c, scene) != "");
+    c.weights.pop_back();
+    CHECK(check(c, scene) != "");
+  }
+  SECTION("nothing at all") {
+    c.pairs.clear();
+    c.weights.clear();
+    CHECK(check(c, scene) != "");
+  }
+  SECTION("of another scene") {
+    for (const Verdict other : {Verdict::separated, Verdict::touching, Verdict::overlapping}) {
+      if (other != verdict) CHECK(check(c, scene_of(other)) != "");
+    }
+  }
+}
+
+TEST_CASE("certificate: a common point on the boundary is no proof of an overlap") {
+  const Scene scene = scene_of(Verdict::touching);
+  Certificate c = distance(scene).certificate;
+  c.cores = Verdict::overlapping;
+  c.direction = {};
+  CHECK(check(c, scene) == "the pairs lie in a plane, so the common point may be on the boundary");
+}
+
+TEST_CASE("certificate: a direction that is not the least is no proof of a distance") {
+  const Scene scene = scene_of(Verdict::separated);
+  Certificate c = distance(scene).certificate;
+  c.pairs = {{4, 0}};
+  c.weights = {1.0};
+  c.direction = {0.5, 0.25, 4.25};
+  CHECK(check(c, scene) == "a vertex pair is nearer than the direction says");
+}
+
+}  // namespace
+}  // namespace touchstone::reference
