@@ -38,9 +38,9 @@ void require_size(const std::string& path) {
   if (!std::filesystem::is_regular_file(path, error)) throw InputError(path, "not a plain file");
   const std::uintmax_t bytes = std::filesystem::file_size(path, error);
   if (error) throw InputError(path, "cannot read: " + error.message());
-  if (bytes > mesh_bytes_at_most) {
+  if (bytes > largest_mesh_bytes) {
     throw InputError(path, "has " + std::to_string(bytes / 1'000'000) + " MB; a mesh may have " +
-                               std::to_string(mesh_bytes_at_most / 1'000'000));
+                               std::to_string(largest_mesh_bytes / 1'000'000));
   }
 }
 

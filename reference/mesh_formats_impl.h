@@ -1,8 +1,8 @@
 // The vertices of a mesh, one function a format. Each throws MeshError saying why the text is not such a mesh.
 //
-// OBJ and STL are read by CGAL. OFF and PLY are read here: CGAL's readers of these reserve whatever number of vertices
-// or corners the file declares, so that forty bytes can ask for all memory, and a PLY file whose x is an integer
-// crashes them.
+// Only vertices are needed, so they are read here and not by CGAL's readers of polygon soups (5.5), which believe what
+// a file declares (forty bytes of OFF or PLY can ask for all memory), crash on a PLY file whose x is an integer, and
+// take a NaN in an STL file for a vertex seen before.
 #pragma once
 
 #include <charconv>

@@ -129,6 +129,19 @@ class Scrutiny {
         throw InputError(at(place_, "faces", f), "no face on the other side of the edge " + words(edge));
       }
     }
+    require_covered_once(left.size());
+  }
+
+  /// Faces that pass the checks above cover the hull's boundary d ≥ 1 times over: V − E + F of the named vertices, the edges
+  /// and the faces tells how often. Let s_v be the sheets that meet at vertex v and t_f the turns of face f's outline; then
+  /// Σ s_v − E + F = 2d − Σ (t_f − 1) (Euler, face by face), so V − E + F = 2d − Σ (t_f − 1) − Σ (s_v − 1). Every extreme
+  /// vertex, and there are 4 or more, has s_v = d: the right-hand side is 2 when d = 1, and at most 4 − 2d ≤ 0 otherwise.
+  void require_covered_once(std::size_t directed_edges) const {
+    std::set<int> named;
+    for (const Face& face : polytope_.faces) named.insert(face.begin(), face.end());
+    if (named.size() + polytope_.faces.size() != directed_edges / 2 + 2) {
+      throw InputError(place_ + ".faces", "they cover the boundary more than once");
+    }
   }
 
   /// Faces of a hull cover its boundary, so a vertex that none names is inside unless it is in some face's plane.
