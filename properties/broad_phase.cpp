@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 #include <iterator>
+#include <utility>
 
 #include "oracle/tolerance.h"
 #include "oracle/truth.h"
@@ -32,7 +33,9 @@ Finding of_pairs(const Scene& scene, Subject& subject, JudgeIt&& judge_it) {
 // The same set, as a sorted list of i < j without the pairs that name no body: form is another property's business.
 PairSet as_set(PairSet pairs, const Scene& scene) {
   const int n = static_cast<int>(scene.bodies.size());
-  for (Pair& pair : pairs) pair = std::minmax(pair.first, pair.second);
+  for (auto& [i, j] : pairs) {
+    if (i > j) std::swap(i, j);
+  }
   std::erase_if(pairs, [n](const Pair& pair) { return pair.first < 0 || pair.second >= n; });
   std::ranges::sort(pairs);
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
