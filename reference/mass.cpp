@@ -73,28 +73,62 @@ SolidMoments moments(const Box& box) {
   return result;
 }
 
+using Integers = std::array<mpz_class, 3>;
+
+/// Every finite double is an integer over a power of two, so a common power makes all coordinates integers.
+struct Lattice {
+  std::vector<Integers> points;  ///< times 2^-bits
+  mp_bitcnt_t bits = 0;
+};
+
+Lattice lattice(const std::vector<Vec3>& vertices) {
+  Lattice result;
+  for (const Vec3& v : vertices) {
+    for (const mpq_class& x : triple(v)) {
+      result.bits = std::max(result.bits, static_cast<mp_bitcnt_t>(mpz_sizeinbase(x.get_den_mpz_t(), 2) - 1));
+    }
+  }
+  for (const Vec3& v : vertices) {
+    Integers& point = result.points.emplace_back();
+    const Triple p = triple(v);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const mpq_class shifted = p[i] << result.bits;
+      point[i] = shifted.get_num();
+    }
+  }
+  return result;
+}
+
 /// Signed tetrahedra (0, a, b, c) over the triangles of each face, with D = det(a, b, c) and s = a + b + c:
-/// V = D/6, ∫ x dV = D s/24, ∫ x xᵀ dV = D (s sᵀ + a aᵀ + b bᵀ + c cᵀ)/120.
+/// V = D/6, ∫ x dV = D s/24, ∫ x xᵀ dV = D (s sᵀ + a aᵀ + b bᵀ + c cᵀ)/120. Summed in integers, divided once.
 SolidMoments moments(const Polytope& polytope) {
-  std::vector<Triple> vertices;
-  for (const Vec3& v : polytope.vertices) vertices.push_back(triple(v));
+  const auto [vertices, bits] = lattice(polytope.vertices);
+  mpz_class volume;
+  Integers first;
+  std::array<Integers, 3> second;
+  for (const std::vector<int>& face : polytope.faces) {
+    const Integers& a = vertices[static_cast<std::size_t>(face[0])];
+    for (std::size_t k = 2; k < face.size(); ++k) {
+      const Integers& b = vertices[static_cast<std::size_t>(face[k - 1])];
+      const Integers& c = vertices[static_cast<std::size_t>(face[k])];
+      const mpz_class D =
+          a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
+      const Integers s = {mpz_class(a[0] + b[0] + c[0]), mpz_class(a[1] + b[1] + c[1]), mpz_class(a[2] + b[2] + c[2])};
+      volume += D;
+      for (std::size_t i = 0; i < 3; ++i) {
+        first[i] += D * s[i];
+        for (std::size_t j = i; j < 3; ++j) second[i][j] += D * (s[i] * s[j] + a[i] * a[j] + b[i] * b[j] + c[i] * c[j]);
+      }
+    }
+  }
   SolidMoments result;
   Moments& sum = result.rational;
-  for (const std::vector<int>& face : polytope.faces) {
-    const Triple& a = vertices[static_cast<std::size_t>(face[0])];
-    for (std::size_t k = 2; k < face.size(); ++k) {
-      const Triple& b = vertices[static_cast<std::size_t>(face[k - 1])];
-      const Triple& c = vertices[static_cast<std::size_t>(face[k])];
-      const mpq_class D =
-          a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
-      const Triple s = {mpq_class(a[0] + b[0] + c[0]), mpq_class(a[1] + b[1] + c[1]), mpq_class(a[2] + b[2] + c[2])};
-      sum.volume += D / 6;
-      for (std::size_t i = 0; i < 3; ++i) {
-        sum.first[i] += D * s[i] / 24;
-        for (std::size_t j = 0; j < 3; ++j) {
-          sum.second[i][j] += D * (s[i] * s[j] + a[i] * a[j] + b[i] * b[j] + c[i] * c[j]) / 120;
-        }
-      }
+  sum.volume = mpq_class(mpq_class(volume) >> 3 * bits) / 6;
+  for (std::size_t i = 0; i < 3; ++i) {
+    sum.first[i] = mpq_class(mpq_class(first[i]) >> 4 * bits) / 24;
+    for (std::size_t j = i; j < 3; ++j) {
+      sum.second[i][j] = mpq_class(mpq_class(second[i][j]) >> 5 * bits) / 120;
+      sum.second[j][i] = sum.second[i][j];
     }
   }
   return result;
