@@ -104,9 +104,13 @@ DistanceTruth truth_of(const PartPair& p) {
   truth.core_squared = p.squared;
   truth.radius_sum = p.radii;
   truth.difference = difference(p.posed, n);
-  truth.core_A = p.posed.point(n.point_A.num, n.point_A.den);
-  const RationalVec3& a = truth.core_A;
-  truth.core_B = {a.x - truth.difference.x, a.y - truth.difference.y, a.z - truth.difference.z};
+  const RationalVec3& d = truth.difference;
+  truth.core_A = truth.core_B = p.posed.point(n.point.num, n.point.den);
+  if (n.point_is_of_B) {
+    truth.core_A = {truth.core_B.x + d.x, truth.core_B.y + d.y, truth.core_B.z + d.z};
+  } else {
+    truth.core_B = {truth.core_A.x - d.x, truth.core_A.y - d.y, truth.core_A.z - d.z};
+  }
   truth.feature_A = {p.part_A, n.face_A};
   truth.feature_B = {p.part_B, n.face_B};
   truth.p_WCa = swollen(truth.core_A, truth, -p.posed.A.radius());

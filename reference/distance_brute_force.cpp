@@ -149,7 +149,7 @@ bool is_all(const Solid& solid, const std::vector<int>& face) {
 /// Sharing a point without common volume is touching; but a point core may also be strictly within the other.
 CoreNearest contact(const Solid& A, const Solid& B, const Intersection& common) {
   CoreNearest result;
-  result.point_A = common.points()[0];
+  result.point = common.points()[0];
   result.cores = Verdict::overlapping;
   if (common.has_volume()) return result;
   std::vector<int> face_A = least_face(A, common.points());
@@ -299,7 +299,7 @@ CoreNearest gap(const Solid& A, const Solid& B) {
   CoreNearest result;
   result.normal = least.best().num;
   result.denominator = least.best().den;
-  result.point_A = least.best().on_A;
+  result.point = least.best().on_A;
   return result;
 }
 

@@ -140,19 +140,21 @@ void prove_overlap(const PosedPair& pair, CoreNearest& result) {
   }
 }
 
-/// a*. Where b* is a vertex, a* is d* from it: smaller numbers.
-HomogeneousPoint nearest_of_A(const PosedPair& pair, const Minimum& m) {
+void locate(const PosedPair& pair, const Minimum& m, CoreNearest& result) {
   const auto [a, b] = m.pairs[0];
-  if (std::all_of(m.pairs.begin(), m.pairs.end(), [a = a](const VertexPair& p) { return p.first == a; })) {
-    return {pair.A.exact(a), 1};
+  const bool at_a = std::all_of(m.pairs.begin(), m.pairs.end(), [a = a](const VertexPair& p) { return p.first == a; });
+  const bool at_b = std::all_of(m.pairs.begin(), m.pairs.end(), [b = b](const VertexPair& p) { return p.second == b; });
+  result.point_is_of_B = at_b && !at_a;
+  if (at_a) {
+    result.point = {pair.A.exact(a), 1};
+  } else if (at_b) {
+    result.point = {pair.B.exact(b), 1};
+  } else {
+    result.point = {{}, m.total};
+    for (std::size_t i = 0; i < m.pairs.size(); ++i) {
+      result.point.num = result.point.num + m.weights[i] * pair.A.exact(m.pairs[i].first);
+    }
   }
-  if (std::all_of(m.pairs.begin(), m.pairs.end(), [b = b](const VertexPair& p) { return p.second == b; })) {
-    return {m.denominator * pair.B.exact(b) + m.height * m.direction, m.denominator};
-  }
-  HomogeneousPoint point = {{}, m.total};
-  for (std::size_t i = 0; i < m.pairs.size(); ++i)
-    point.num = point.num + m.weights[i] * pair.A.exact(m.pairs[i].first);
-  return point;
 }
 
 }  // namespace
@@ -165,7 +167,7 @@ CoreNearest nearest_certified(PosedPair& pair) {
   Minimum m = minimise(pair, std::move(guess), 1, {});
 
   CoreNearest result;
-  result.point_A = nearest_of_A(pair, m);
+  locate(pair, m, result);
   result.normal = std::move(m.direction);
   result.height = std::move(m.height);
   result.denominator = std::move(m.denominator);

@@ -23,7 +23,8 @@ struct CoreNearest {
   Integer denominator = 1;
   std::vector<int> face_A;  ///< F_A, ascending; empty if the cores overlap
   std::vector<int> face_B;
-  HomogeneousPoint point_A;  ///< a*
+  HomogeneousPoint point;  ///< a*, or b* (a vertex if either is one: small numbers); the other is d* from it
+  bool point_is_of_B = false;
 
   // The proof; left empty by the routes that are second opinions.
   std::vector<std::pair<int, int>> pairs;

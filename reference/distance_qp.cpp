@@ -139,10 +139,10 @@ CoreNearest nearest_by_qp(PosedPair& pair) {
   const Point b = program.realizing_point_q();
 
   CoreNearest result;
-  result.point_A = {{integer(a.hx()), integer(a.hy()), integer(a.hz())}, integer(a.hw())};
+  result.point = {{integer(a.hx()), integer(a.hy()), integer(a.hz())}, integer(a.hw())};
   const HomogeneousPoint point_B = {{integer(b.hx()), integer(b.hy()), integer(b.hz())}, integer(b.hw())};
-  result.normal = point_B.den * result.point_A.num - result.point_A.den * point_B.num;
-  result.denominator = result.point_A.den * point_B.den;
+  result.normal = point_B.den * result.point.num - result.point.den * point_B.num;
+  result.denominator = result.point.den * point_B.den;
   if (is_zero(result.normal)) {
     classify_contact(pair, result);
     return result;

@@ -1,6 +1,7 @@
 #include "reference/exact_pose.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -14,12 +15,25 @@ namespace {
 
 constexpr long no_exponent = std::numeric_limits<long>::max();
 
+/// |x| = mantissa · 2^exponent, as the double is stored.
+struct Binary {
+  std::uint64_t mantissa;
+  long exponent;
+};
+
+Binary binary(double x) {
+  const auto stored = std::bit_cast<std::uint64_t>(x);
+  const std::uint64_t fraction_bits = stored & ((std::uint64_t{1} << 52U) - 1);
+  const auto field = static_cast<long>(stored >> 52U & 0x7ffU);
+  if (field == 0) return {fraction_bits, -1074};
+  return {fraction_bits | std::uint64_t{1} << 52U, field - 1075};
+}
+
 /// The exponent of the lowest bit of x: x is an odd integer times 2^that.
 long lowest_bit(double x) {
   if (x == 0) return no_exponent;
-  int exponent = 0;
-  const auto mantissa = static_cast<std::int64_t>(std::ldexp(std::frexp(x, &exponent), 53));
-  return exponent - 53 + __builtin_ctzll(static_cast<std::uint64_t>(mantissa));
+  const Binary b = binary(x);
+  return b.exponent + std::countr_zero(b.mantissa);
 }
 
 long lowest_bit(const Vec3& v) { return std::min({lowest_bit(v.x()), lowest_bit(v.y()), lowest_bit(v.z())}); }
@@ -27,11 +41,15 @@ long lowest_bit(const Vec3& v) { return std::min({lowest_bit(v.x()), lowest_bit(
 /// x / 2^unit, for a unit not above x's lowest bit.
 Integer in_units(double x, long unit) {
   if (x == 0) return 0;
-  int exponent = 0;
-  Integer value = static_cast<long>(std::ldexp(std::frexp(x, &exponent), 53));
-  const long shift = exponent - 53 - unit;
-  if (shift >= 0) return value << static_cast<mp_bitcnt_t>(shift);
-  return value >> static_cast<mp_bitcnt_t>(-shift);  // drops zeros only
+  const Binary b = binary(x);
+  Integer value = b.mantissa;
+  const long shift = b.exponent - unit;
+  if (shift >= 0) {
+    value <<= static_cast<mp_bitcnt_t>(shift);
+  } else {
+    value >>= static_cast<mp_bitcnt_t>(-shift);  // drops zeros only
+  }
+  return x < 0 ? Integer(-value) : value;
 }
 
 IntegerVec in_units(const Vec3& v, long unit) {
@@ -256,7 +274,9 @@ PosedPair::PosedPair(const Body& body_A, int part_A, const Body& body_B, int par
     const PlainVec t = {plain_ratio(posed->offset_.x, denominator_, unit - scale),
                         plain_ratio(posed->offset_.y, denominator_, unit - scale),
                         plain_ratio(posed->offset_.z, denominator_, unit - scale)};
-    const auto shrink = [&](double x) { return std::ldexp(x, static_cast<int>(-scale)); };
+    const double half_scale = std::ldexp(1.0, static_cast<int>(-scale / 2));
+    const double other_half = std::ldexp(1.0, static_cast<int>(-scale - -scale / 2));
+    const auto shrink = [&](double x) { return x * half_scale * other_half; };
     posed->scaled_.reserve(posed->core_.vertices.size());
     posed->plain_.reserve(posed->core_.vertices.size());
     for (const Vec3& vertex : posed->core_.vertices) {
