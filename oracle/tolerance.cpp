@@ -59,40 +59,42 @@ double radius(const Compound& c) {
   return r;
 }
 
-// The size of the sum that a signed-tetrahedra volume is: V = Σ ±V_t, with A = Σ |V_t| over n triangles.
-struct SignedSum {
+// What a volume's sum of tetrahedra is made of: n triangles seen from a point of the solid, none further from it than
+// rho; the volume V; and E = V + n rho³/6, for what cancels inside the determinants.
+struct Solid {
   double n = 0;
+  double rho = 0;
   double V = 0;
-  double A = 0;
+  double E = 0;
 };
 
-// Closed forms: no cancellation, so V = A.
-SignedSum signed_sum(const Sphere& s) {
-  const double V = 4.18879020478639 * s.radius * s.radius * s.radius;
-  return {1, V, V};
-}
-SignedSum signed_sum(const Box& b) {
-  const double V = 8 * b.half_extents.x() * b.half_extents.y() * b.half_extents.z();
-  return {1, V, V};
-}
-SignedSum signed_sum(const Polytope& p) {
-  SignedSum sum;
-  const auto vertex = [&p](int i) { return p.vertices[static_cast<std::size_t>(i)]; };
+// Closed forms have fewer roundings than one tetrahedron.
+Solid solid(double rho, double V) { return {1, rho, V, V}; }
+Solid solid(const Sphere& s) { return solid(s.radius, 4.18879020478639 * s.radius * s.radius * s.radius); }
+Solid solid(const Box& b) { return solid(radius(b), 8 * b.half_extents.x() * b.half_extents.y() * b.half_extents.z()); }
+Solid solid(const Polytope& p) {
+  Solid sum;
+  const auto seen = [&p](int i) { return Vec3(p.vertices[static_cast<std::size_t>(i)] - p.vertices.front()); };
+  for (const Vec3& v : p.vertices) sum.rho = std::max(sum.rho, (v - p.vertices.front()).stableNorm());
   for (const std::vector<int>& face : p.faces) {
     for (std::size_t k = 2; k < face.size(); ++k) {
-      const double V_t = vertex(face[0]).dot(vertex(face[k - 1]).cross(vertex(face[k]))) / 6;
-      sum = {sum.n + 1, sum.V + V_t, sum.A + std::abs(V_t)};
+      ++sum.n;
+      sum.V += std::abs(seen(face[0]).dot(seen(face[k - 1]).cross(seen(face[k])))) / 6;
     }
+  }
+  sum.E = sum.V + sum.n * sum.rho * sum.rho * sum.rho / 6;
+  return sum;
+}
+Solid solid(const Compound& c) {
+  Solid sum;
+  for (const Part& part : c.parts) {
+    const Solid s = std::visit([](const auto& shape) { return solid(shape); }, part.shape);
+    sum = {sum.n + s.n, radius(c), sum.V + s.V, sum.E + s.E};
   }
   return sum;
 }
-SignedSum signed_sum(const Compound& c) {
-  SignedSum sum;
-  for (const Part& part : c.parts) {
-    const SignedSum s = std::visit([](const auto& shape) { return signed_sum(shape); }, part.shape);
-    sum = {sum.n + s.n, sum.V + s.V, sum.A + s.A};
-  }
-  return sum;
+Solid solid(const Body& body) {
+  return std::visit([](const auto& shape) { return solid(shape); }, body.shape);
 }
 
 }  // namespace
@@ -137,26 +139,29 @@ double bounds(const Scene& scene, Precision precision) {
   return times_ulp(rounding(2 * poses, precision), scene, precision);
 }
 
-// Signed tetrahedra (0, a, b, c) over n triangles, all points within ρ of the body's origin; V_t = a·(b × c)/6.
-//   V_t           two products and a difference a component of b × c, 3 products, 2 sums, /6: < 8u of |a||b||c|/6 ≤
-//   ρ³/6. V = Σ V_t     n u A more, A = Σ |V_t|. With E = A + nρ³/6 · 1 for what cancels inside a determinant: δV ≤ (n
-//   + 8) u E. M = Σ V_t·(a + b + c)/4   3 sums and a product more, terms ≤ |V_t| ρ: δM ≤ (n + 12) u E ρ. J, second
-//   moments about the origin, terms ≤ |V_t| ρ²: δJ ≤ (n + 16) u E ρ². centre c = M/V, |c| ≤ ρ: δc ≤ (δM + |c| δV)/V +
-//   u|c| ≤ (2n + 21) u Eρ/V. I = J − V(|c|²1 − ccᵀ): δI ≤ δJ + 2Vρ δc + ρ² δV + 6uVρ² ≤ (6n + 72) u E ρ². Parts of a
-//   compound: R̂ is 44u from a rotation, so V is off by 3·44u and moments by 52u a factor more: + 300. Times the
-//   density: u. A sphere's or a box's closed form has fewer roundings than one tetrahedron (E = A).
+double size(const Body& body) { return solid(body).rho; }
+
+// A polytope by tetrahedra from its first vertex o, a triangle each; a, b, c relative to o, none longer than rho (here
+// ρ); V_t = a·(b × c)/6. The differences' own rounding, u of each, is one of the roundings counted.
+//   V_t           u each of a, b, c; two products and a difference, 3 products, 2 sums, /6: < 8u of ρ³/6 beside uV_t.
+//   V = Σ V_t     n roundings more: δV ≤ (n + 8) u E.
+//   M = Σ V_t·(a + b + c)/4   3 sums and a product more, terms ≤ V_t ρ: δM ≤ (n + 12) u E ρ.
+//   J, second moments about o, terms ≤ V_t ρ²: δJ ≤ (n + 16) u E ρ².
+//   centre c = M/V, |c| ≤ ρ: δc ≤ (δM + |c| δV)/V + u|c| ≤ (2n + 21) u Eρ/V; and o + c: u of the body's radius.
+//   I = J − V(|c|²1 − ccᵀ): δI ≤ δJ + 2Vρ δc + ρ² δV + 6uVρ² ≤ (6n + 72) u E ρ².
+// Times the density: 2u. A compound's parts are turned (44u, derived above) and placed (52u) within the body's radius
+// ρ:
+//   M_i = V_i c_i: δM_i ≤ ρ δV_i + V_i (δc_i + 52uρ); so δc ≤ (δM + ρ δV)/V + uρ ≤ (4n + 90) u Eρ/V.
+//   J_i = R I_i Rᵀ + V_i(|c_i|²1 − c_i c_iᵀ): δJ_i ≤ (11n + 320) u Eρ²; less V(|c|²1 − ccᵀ): δI ≤ (20n + 508) u Eρ².
 MassBound mass(const Body& body, Precision precision) {
   const Density* density = std::get_if<Density>(&body.mass);
-  if (precision == Precision::exact || density == nullptr)
-    return {};  // truth is an enclosure; given values are repeated
-  const SignedSum s = std::visit([](const auto& shape) { return signed_sum(shape); }, body.shape);
-  const double rho = radius(body);
+  if (precision == Precision::exact || density == nullptr) return {};
+  const bool whole = !std::holds_alternative<Compound>(body.shape);
+  const Solid s = solid(body);
   const double u = unit_roundoff(precision);
-  const double posed = std::holds_alternative<Compound>(body.shape) ? 300 : 0;
-  const double E = s.A + s.n * rho * rho * rho / 6;
-  return {.mass = density->value * (s.n + 10 + posed) * u * E,
-          .centre = (2 * s.n + 22 + posed) * u * E * rho / s.V,
-          .inertia = density->value * (6 * s.n + 74 + posed) * u * E * rho * rho};
+  return {.mass = density->value * (s.n + 10) * u * s.E,
+          .centre = (whole ? 2 * s.n + 21 : 4 * s.n + 90) * u * s.E * s.rho / s.V + u * radius(body),
+          .inertia = density->value * (whole ? 6 * s.n + 74 : 20 * s.n + 510) * u * s.E * s.rho * s.rho};
 }
 
 }  // namespace touchstone::oracle::tolerance

@@ -13,6 +13,10 @@ namespace touchstone::oracle::tolerance {
 /// Greatest distance of a point of the body from the body's own origin, m.
 double radius(const Body& body);
 
+/// Greatest distance of a point of a convex body from its first vertex, of a sphere or box from its centre, m; of a
+/// compound its radius. What its inertia is measured by: it does not grow when a shape is off its origin.
+double size(const Body& body);
+
 /// S = max over bodies of (|p_WB|∞ + radius), m.
 double scale(const Scene& scene);
 

@@ -47,13 +47,13 @@ double bound(const Body& body, Part part, oracle::Precision precision) {
   return part == Part::mass ? all.mass : part == Part::centre ? all.centre : all.inertia;
 }
 
-// Errors are counted in ulps of the mass, the radius ρ, or mass times ρ².
+// Errors are counted in ulps of the mass, of the body's radius, or of mass times size squared.
 judge::Allowance allowance(const Body& body, const MassTruth& exact, Part part, double bound,
                            oracle::Precision precision) {
-  const double u = oracle::unit_roundoff(precision), rho = tolerance::radius(body), m = exact.mass.hi;
+  const double u = oracle::unit_roundoff(precision), m = exact.mass.hi, size = tolerance::size(body);
   if (part == Part::mass) return {bound, u * m, "ulps of the mass"};
-  if (part == Part::centre) return {bound, u * rho, "ulps of the body's radius"};
-  return {bound, u * m * rho * rho, "ulps of mass times radius squared"};
+  if (part == Part::centre) return {bound, u * tolerance::radius(body), "ulps of the body's radius"};
+  return {bound, u * m * size * size, "ulps of mass times size squared"};
 }
 
 // The finding that is worse for the subject.

@@ -85,20 +85,24 @@ TEST_CASE("a direction normalised in binary32 is within unit_length of 1, and no
   CHECK(worst > 0);
 }
 
-TEST_CASE("a tetrahedron's mass by its determinant in binary32 is within the bound") {
+TEST_CASE("a tetrahedron's mass and centre in binary32, seen from its first vertex, are within the bound") {
   Floats random;
   for (int i = 0; i < 1000; ++i) {
-    const std::vector<Vec3> v = {random.point(), random.point(), random.point(), random.point()};
+    const Vec3 far = 1024 * random.point().cast<float>().cast<double>();
+    std::vector<Vec3> v;
+    for (int k = 0; k < 4; ++k) v.emplace_back((far + random.point()).cast<float>().cast<double>());
     const double V = (v[1] - v[0]).dot((v[2] - v[0]).cross(v[3] - v[0])) / 6;
     if (V < 1e-3) continue;
     Body body;
     body.shape = Polytope{v, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}};
-    float sum = 0;
-    for (const std::vector<int>& f : std::get<Polytope>(body.shape).faces) {
-      const auto at = [&](std::size_t k) { return Eigen::Vector3f(v[static_cast<std::size_t>(f[k])].cast<float>()); };
-      sum += at(0).dot(at(1).cross(at(2))) / 6;
-    }
-    CHECK(std::abs(static_cast<double>(sum) - V) < oracle::tolerance::mass(body, Precision::binary32).mass);
+    const auto seen = [&](std::size_t k) { return Eigen::Vector3f(v[k].cast<float>() - v[0].cast<float>()); };
+    const float volume = seen(1).dot(seen(2).cross(seen(3))) / 6;
+    const Eigen::Vector3f centre = v[0].cast<float>() + (seen(1) + seen(2) + seen(3)) / 4;
+    const Vec3 exact = (v[0] + v[1] + v[2] + v[3]) / 4;
+    const oracle::tolerance::MassBound bound = oracle::tolerance::mass(body, Precision::binary32);
+    CHECK(std::abs(static_cast<double>(volume) - V) < bound.mass);
+    CHECK((centre.cast<double>() - exact).cwiseAbs().maxCoeff() < bound.centre);
+    CHECK(bound.mass < 1e-3);  // however far from its origin
   }
 }
 
