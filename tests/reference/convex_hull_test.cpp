@@ -97,7 +97,8 @@ TEST_CASE("convex_hull: the hull of a lattice of points is a cube") {
 TEST_CASE("convex_hull: hulls of lattice points keep the laws; flat ones are refused") {
   Dice dice(11);
   for (int i = 0; i < 3000; ++i) {
-    const std::vector<Vec3> points = lattice_points(dice, dice.between(4, 14), dice.between(1, 3));
+    const int n = dice.between(4, 14);
+    const std::vector<Vec3> points = lattice_points(dice, n, dice.between(1, 3));
     if (points.empty()) continue;
     require_hull_of(points, convex_hull(points));
   }

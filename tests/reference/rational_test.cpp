@@ -97,7 +97,8 @@ TEST_CASE("rational: nearest() at the ends of the range and at ties") {
 TEST_CASE("rational: enclosures are the tightest") {
   Dice dice(4);
   for (int i = 0; i < 20000; ++i) {
-    const Rational q = Rational(any_double(dice)) / (Rational(1) + Rational(std::abs(any_double(dice))));
+    const double numerator = any_double(dice);
+    const Rational q = Rational(numerator) / (Rational(1) + Rational(std::abs(any_double(dice))));
     const Interval e = q.enclosure();
     REQUIRE((e.lo == e.hi ? Rational(e.lo) == q : Rational(e.lo) < q && q < Rational(e.hi)));
     REQUIRE((e.lo == e.hi || std::nextafter(e.lo, infinity) == e.hi));
