@@ -22,6 +22,7 @@ struct PartPair {
   int part_B;
   PosedPair posed;
   CoreNearest nearest;
+  Rational factor;  ///< d* = factor · nearest.normal: reduced once for all that lies along it
   Rational squared;
   Rational radii;
   Verdict verdict = Verdict::separated;
@@ -33,10 +34,10 @@ CoreNearest nearest_by(Route route, PosedPair& pair) {
   return nearest_certified(pair);
 }
 
-/// Vectors in the direction of `normal` have one fraction in common: reducing that first is cheap.
-RationalVec3 difference(const PosedPair& pair, const CoreNearest& n) {
-  const Rational factor = pair.length(n.height, n.denominator);
-  return {factor * rational(n.normal.x), factor * rational(n.normal.y), factor * rational(n.normal.z)};
+/// normal·(a − b), the same for every closest pair.
+Rational along_normal(const PosedPair& pair, const CoreNearest& n) {
+  if (is_zero(n.normal)) return 0.0;
+  return pair.length(dot(n.normal, pair.difference(n.face_A[0], n.face_B[0])), 1);
 }
 
 Verdict verdict_of(const PartPair& p) {
@@ -49,7 +50,8 @@ std::unique_ptr<PartPair> part_pair(const Body& A, int part_A, const Body& B, in
   auto p = std::make_unique<PartPair>(A, part_A, B, part_B);
   p->nearest = nearest_by(route, p->posed);
   const CoreNearest& n = p->nearest;
-  p->squared = squared_distance(p->posed, n);
+  p->factor = p->posed.length(n.height, n.denominator);
+  p->squared = p->factor * along_normal(p->posed, n);
   p->radii = Rational(p->posed.A.radius()) + Rational(p->posed.B.radius());
   p->verdict = verdict_of(*p);
   return p;
@@ -103,7 +105,8 @@ DistanceTruth truth_of(const PartPair& p) {
   truth.part_B = p.part_B;
   truth.core_squared = p.squared;
   truth.radius_sum = p.radii;
-  truth.difference = difference(p.posed, n);
+  truth.difference = {p.factor * rational(n.normal.x), p.factor * rational(n.normal.y),
+                      p.factor * rational(n.normal.z)};
   const RationalVec3& d = truth.difference;
   truth.core_A = truth.core_B = p.posed.point(n.point.num, n.point.den);
   if (n.point_is_of_B) {
@@ -123,11 +126,8 @@ DistanceTruth truth_of(const PartPair& p) {
 
 }  // namespace
 
-// d*·d* = d*·(a − b) for every closest pair.
 Rational squared_distance(const PosedPair& pair, const CoreNearest& nearest) {
-  if (is_zero(nearest.normal)) return 0.0;
-  const Integer along = dot(nearest.normal, pair.difference(nearest.face_A[0], nearest.face_B[0]));
-  return pair.length(nearest.height, nearest.denominator) * pair.length(along, 1);
+  return pair.length(nearest.height, nearest.denominator) * along_normal(pair, nearest);
 }
 
 DistanceTruth distance(const Scene& scene, Route route) {

@@ -64,6 +64,14 @@ Below below(const PosedCore& core, const IntegerVec& n, int from) {
   return result;
 }
 
+/// The weights have a large divisor in common, made of |q|²s.
+void reduce_weights(Minimum& m) {
+  Integer common = m.total;
+  for (const Integer& weight : m.weights) common = gcd(common, weight);
+  for (Integer& weight : m.weights) weight /= common;
+  m.total /= common;
+}
+
 Minimum minimise(const PosedPair& pair, std::vector<VertexPair> pairs, const Integer& scale, const IntegerVec& shift) {
   while (true) {
     std::vector<IntegerVec> w;
@@ -78,12 +86,16 @@ Minimum minimise(const PosedPair& pair, std::vector<VertexPair> pairs, const Int
     m.direction = std::move(y.direction);
     m.height = std::move(y.height);
     m.denominator = std::move(y.denominator);
-    if (is_zero(m.direction)) return m;
+    if (is_zero(m.direction)) {
+      reduce_weights(m);
+      return m;
+    }
 
     const auto [a, b] = m.pairs[0];
     Below below_A = below(pair.A, m.direction, a);
     Below above_B = below(pair.B, -m.direction, b);
     if (below_A.vertex < 0 && above_B.vertex < 0) {
+      reduce_weights(m);
       m.lowest_A = std::move(below_A.ties);
       m.highest_B = std::move(above_B.ties);
       return m;
