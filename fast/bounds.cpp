@@ -61,9 +61,11 @@ Motion composed(const Motion& outer, const Motion& inner) {
 /// Grows while it sees points; in multiples of `unit`.
 class Grower {
  public:
-  void add(const Motion& X, const Vec3& p, const Vec3& reach) {
+  /// The points within `reach` (along W's axes) of R p + t; `length` is ‖·‖₁ in the shape's own frame, as derived
+  /// above.
+  void add(const Motion& X, const Vec3& p, const Vec3& reach, double length) {
     const Vec3 centre = X.R * p + X.t;
-    const double size = p.lpNorm<1>() + reach.lpNorm<1>() + X.offsets;
+    const double size = length + X.offsets;
     const Vec3 outward = reach + Vec3::Constant(X.poses * coordinate_error * size + underflow);
     lo_ = lo_.cwiseMin(centre - outward);
     hi_ = hi_.cwiseMax(centre + outward);
@@ -80,16 +82,21 @@ class Grower {
 };
 
 void grow(Grower& grower, const Sphere& sphere, const Motion& X) {
-  grower.add(X, Vec3::Zero(), Vec3::Constant(sphere.radius / unit));
+  const double radius = sphere.radius / unit;
+  grower.add(X, Vec3::Zero(), Vec3::Constant(radius), radius);
 }
 
 /// Each half extent reaches |R_ij| h_j along axis i.
 void grow(Grower& grower, const Box& box, const Motion& X) {
-  grower.add(X, Vec3::Zero(), X.R.cwiseAbs() * (box.half_extents / unit));
+  const Vec3 half = box.half_extents / unit;
+  grower.add(X, Vec3::Zero(), X.R.cwiseAbs() * half, half.lpNorm<1>());
 }
 
 void grow(Grower& grower, const Polytope& polytope, const Motion& X) {
-  for (const Vec3& vertex : polytope.vertices) grower.add(X, vertex / unit, Vec3::Zero());
+  for (const Vec3& vertex : polytope.vertices) {
+    const Vec3 p = vertex / unit;
+    grower.add(X, p, Vec3::Zero(), p.lpNorm<1>());
+  }
 }
 
 void grow(Grower& grower, const Compound& compound, const Motion& X_WB) {

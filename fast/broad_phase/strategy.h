@@ -1,0 +1,87 @@
+// What every strategy of the broad phase has in common: bodies with boxes come, move and go; pairs begin and end.
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <vector>
+
+#include "model/frame.h"
+
+namespace touchstone::fast {
+
+/// The caller's name of a body: a small number, since memory goes with the greatest one. Less than 2^24.
+using BodyId = std::uint32_t;
+
+/// a < b.
+struct BodyPair {
+  BodyId a = 0;
+  BodyId b = 0;
+
+  auto operator<=>(const BodyPair&) const = default;
+};
+
+/// Closed boxes: a shared boundary point is an overlap.
+inline bool overlap(const Aabb& a, const Aabb& b) {
+  return a.lo.x() <= b.hi.x() && b.lo.x() <= a.hi.x() && a.lo.y() <= b.hi.y() && b.lo.y() <= a.hi.y() &&
+         a.lo.z() <= b.hi.z() && b.lo.z() <= a.hi.z();
+}
+
+/// Which boxes overlap, kept from frame to frame. Changes are gathered by insert, move and remove; update() ends the
+/// frame.
+///
+/// Laws: after update(), pairs() are exactly the pairs of present boxes that overlap, each once; begun() and ended()
+/// are what pairs() gained and lost since the update before. None is sorted, but the same calls give the same order.
+///
+/// Errors: insert, move and remove throw InputError and change nothing when a number is NaN, infinite or beyond 2^1000,
+/// lo > hi, an id is too large, inserted twice, or not there.
+class BroadPhase {
+ public:
+  virtual ~BroadPhase() = default;
+
+  void insert(BodyId id, const Aabb& box);
+  void move(BodyId id, const Aabb& box);
+  void remove(BodyId id);
+  void update();
+
+  const std::vector<BodyPair>& pairs() const { return pairs_; }
+  const std::vector<BodyPair>& begun() const { return begun_; }
+  const std::vector<BodyPair>& ended() const { return ended_; }
+
+ protected:
+  /// Makes pairs_, begun_ and ended_ true of box_. Called only if something moved; begun_ and ended_ come empty.
+  virtual void refresh() = 0;
+
+  bool present(BodyId id) const { return id < box_.size() && box_[id].lo.x() <= box_[id].hi.x(); }
+  bool moved(BodyId id) const { return has_moved_[id] != 0; }
+  std::size_t count() const { return count_; }
+
+  /// The present ids, ascending.
+  void list_present(std::vector<BodyId>& ids) const;
+
+  /// For strategies that search: takes the pairs that ended out of pairs_.
+  void drop_ended();
+
+  /// For strategies that search: a and b overlap now; they begin unless they overlapped before. Once a pair and frame.
+  void offer(BodyId a, BodyId b) {
+    if (!overlap(was_[a], was_[b])) begin(a, b);
+  }
+  void begin(BodyId a, BodyId b);
+
+  /// By id. An absent body's box is empty (lo = +∞, hi = −∞) and so overlaps nothing: insertion and removal are moves.
+  std::vector<Aabb> box_;
+  std::vector<BodyId> moved_;  ///< ids whose box may differ from the one at the last update, each once
+
+  std::vector<BodyPair> pairs_;
+  std::vector<BodyPair> begun_;
+  std::vector<BodyPair> ended_;
+
+ private:
+  void make_room(std::size_t ids);
+  void put(BodyId id, const Aabb& box);
+
+  std::vector<Aabb> was_;  ///< box_ at the last update
+  std::vector<std::uint8_t> has_moved_;
+  std::size_t count_ = 0;
+};
+
+}  // namespace touchstone::fast
