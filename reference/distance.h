@@ -44,7 +44,7 @@ struct DistanceTruth {
 enum class Route {
   certified,    ///< a floating-point guess, proved or improved exactly: the route for daily use
   brute_force,  ///< every vertex, edge and face pair in exact arithmetic: the definition
-  qp            ///< CGAL's Polytope_distance_d
+  qp            ///< CGAL's exact quadratic programming
 };
 
 /// Requires a completed scene (reference/validity.h) of at least two bodies.

@@ -1,12 +1,11 @@
 // A second opinion that shares nothing but the exact pose: CGAL's quadratic programs in exact integers.
-//   d*             Polytope_distance_d
+//   d*             the least |v|² with v = Σ λ a − Σ μ b, Σ λ = Σ μ = 1, all λ, μ ≥ 0
 //   d* = 0         linear programs over all common points x = Σ λ a = Σ μ b of A and B
+// This is the program of CGAL's Polytope_distance_d (v is the difference of two non-negative vectors), which itself
+// takes no options: its pricing cycles for ever on some tied pairs (CGAL issue 1552). Bland's rule is slower and ends.
 #include <CGAL/Gmpz.h>
-#include <CGAL/Polytope_distance_d.h>
-#include <CGAL/Polytope_distance_d_traits_3.h>
 #include <CGAL/QP_functions.h>
 #include <CGAL/QP_models.h>
-#include <CGAL/Simple_homogeneous.h>
 
 #include <algorithm>
 #include <array>
@@ -17,19 +16,31 @@ namespace touchstone::reference {
 namespace {
 
 using Number = CGAL::Gmpz;
-using Kernel = CGAL::Simple_homogeneous<Number>;
-using Point = Kernel::Point_3;
+using Program = CGAL::Quadratic_program<Number>;
 
 Number number(const Integer& v) { return Number(v.get_mpz_t()); }
 Integer integer(const Number& v) { return Integer(v.mpz()); }
 
-std::vector<Point> points_of(const PosedCore& core) {
-  std::vector<Point> points;
-  for (int i = 0; i < core.size(); ++i) {
-    const IntegerVec& v = core.exact(i);
-    points.emplace_back(number(v.x), number(v.y), number(v.z), Number(1));
-  }
-  return points;
+CGAL::Quadratic_program_options without_cycles() {
+  CGAL::Quadratic_program_options options;
+  options.set_pricing_strategy(CGAL::QP_BLAND);
+  return options;
+}
+
+/// One column of three rows, and a 1 in the row that adds up its kind.
+void add_vertex(Program& program, int column, const IntegerVec& v, int sum_row) {
+  program.set_a(column, 0, number(v.x));
+  program.set_a(column, 1, number(v.y));
+  program.set_a(column, 2, number(v.z));
+  program.set_a(column, sum_row, Number(1));
+}
+
+/// Rows 0 to 2: Σ λ a − Σ μ b, from `column` on; row 3: Σ λ = 1; row 4: Σ μ = 1.
+void add_weights(Program& program, int column, const PosedCore& A, const PosedCore& B) {
+  for (int i = 0; i < A.size(); ++i) add_vertex(program, column++, A.exact(i), 3);
+  for (int j = 0; j < B.size(); ++j) add_vertex(program, column++, -B.exact(j), 4);
+  program.set_b(3, Number(1));
+  program.set_b(4, Number(1));
 }
 
 /// Which vertices can take part (λ > 0) in some combination that is a common point. Those of A span the least face of A
@@ -76,18 +87,12 @@ class Participants {
 
   /// Maximises the weight of those that have not taken part so far; false if it is 0.
   bool find_more() {
-    CGAL::Quadratic_program<Number> program(CGAL::EQUAL);
-    const auto add = [&](int column, const IntegerVec& v, int sum_row) {
-      const std::array<Integer, 3> entries = {v.x, v.y, v.z};
-      for (int row = 0; row < 3; ++row) program.set_a(column, row, number(entries[static_cast<std::size_t>(row)]));
-      program.set_a(column, sum_row, Number(1));
-      if (!takes_part_[static_cast<std::size_t>(column)]) program.set_c(column, Number(-1));
-    };
-    for (int i = 0; i < A_.size(); ++i) add(i, A_.exact(i), 3);
-    for (int j = 0; j < B_.size(); ++j) add(A_.size() + j, -B_.exact(j), 4);
-    program.set_b(3, Number(1));
-    program.set_b(4, Number(1));
-    const auto solution = CGAL::solve_linear_program(program, Number());
+    Program program(CGAL::EQUAL);
+    add_weights(program, 0, A_, B_);
+    for (std::size_t i = 0; i < takes_part_.size(); ++i) {
+      if (!takes_part_[i]) program.set_c(static_cast<int>(i), Number(-1));
+    }
+    const auto solution = CGAL::solve_nonnegative_linear_program(program, Number(), without_cycles());
     bool more = false;
     auto value = solution.variable_numerators_begin();
     for (std::size_t i = 0; i < takes_part_.size(); ++i, ++value) {
@@ -128,28 +133,41 @@ void classify_contact(const PosedPair& pair, CoreNearest& result) {
   result.face_B = common.of_B();
 }
 
+/// v = plus − minus, which stand in columns 0 to 2 and 3 to 5; the λ and μ follow.
+CGAL::Quadratic_program_solution<Number> least_square(const PosedPair& pair) {
+  Program program(CGAL::EQUAL);
+  for (int k = 0; k < 3; ++k) {
+    program.set_a(k, k, Number(-1));
+    program.set_a(k + 3, k, Number(1));
+    program.set_d(k, k, Number(2));
+    program.set_d(k + 3, k, Number(-2));
+    program.set_d(k + 3, k + 3, Number(2));
+  }
+  add_weights(program, 6, pair.A, pair.B);
+  return CGAL::solve_nonnegative_quadratic_program(program, Number(), without_cycles());
+}
+
 }  // namespace
 
 CoreNearest nearest_by_qp(PosedPair& pair) {
-  const std::vector<Point> A = points_of(pair.A);
-  const std::vector<Point> B = points_of(pair.B);
-  const CGAL::Polytope_distance_d<CGAL::Polytope_distance_d_traits_3<Kernel>> program(A.begin(), A.end(), B.begin(),
-                                                                                      B.end());
-  const Point a = program.realizing_point_p();
-  const Point b = program.realizing_point_q();
+  const auto solution = least_square(pair);
+  std::vector<Integer> values;
+  for (auto v = solution.variable_numerators_begin(); v != solution.variable_numerators_end(); ++v)
+    values.push_back(integer(*v));
 
   CoreNearest result;
-  result.point = {{integer(a.hx()), integer(a.hy()), integer(a.hz())}, integer(a.hw())};
-  const HomogeneousPoint point_B = {{integer(b.hx()), integer(b.hy()), integer(b.hz())}, integer(b.hw())};
-  result.normal = point_B.den * result.point.num - result.point.den * point_B.num;
-  result.denominator = result.point.den * point_B.den;
+  result.normal = {values[0] - values[3], values[1] - values[4], values[2] - values[5]};
+  result.denominator = integer(solution.variables_common_denominator());
+  result.point.den = result.denominator;
+  for (int i = 0; i < pair.A.size(); ++i) {
+    result.point.num = result.point.num + values[static_cast<std::size_t>(6 + i)] * pair.A.exact(i);
+  }
   if (is_zero(result.normal)) {
     classify_contact(pair, result);
     return result;
   }
-  const IntegerVec n = result.denominator > 0 ? result.normal : -result.normal;
-  result.face_A = where_extreme(pair.A, n);
-  result.face_B = where_extreme(pair.B, -n);
+  result.face_A = where_extreme(pair.A, result.normal);
+  result.face_B = where_extreme(pair.B, -result.normal);
   return result;
 }
 
