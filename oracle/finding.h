@@ -59,6 +59,9 @@ struct Finding {
   bool operator==(const Finding&) const = default;
 };
 
+/// The unit of a failure that has no size: two answers that should be one, a pair (2, 1), a body without an entry.
+inline constexpr const char* without_size = "broken laws";
+
 std::string name_of(Outcome outcome);
 std::string name_of(Defect defect);
 

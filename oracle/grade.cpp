@@ -12,6 +12,7 @@ bool is_wrong_verdict(Defect defect) { return defect == Defect::phantom || defec
 Grade grade(const Finding& finding) {
   if (finding.outcome == Outcome::holds) return Grade::A;
   if (finding.outcome == Outcome::breaks || finding.defect == Defect::not_finite) return Grade::F;
+  if (finding.unit == without_size) return Grade::D;
   const double e = finding.error / std::max(finding.allowed, 1.0);
   if (e <= 0x1p10) return Grade::B;
   if (e <= 0x1p20) return Grade::C;

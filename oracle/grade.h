@@ -11,7 +11,7 @@ namespace touchstone::oracle {
 ///   A  holds
 ///   B  e ≤ 2¹⁰: up to three decimal digits lost beyond what rounding explains
 ///   C  e ≤ 2²⁰: up to six
-///   D  beyond: an absolute epsilon, a wrong formula or a broken law; no rounding
+///   D  beyond: an absolute epsilon, a wrong formula or a broken law; no rounding; and whatever has no size
 ///   F  no answer (threw, crashed, hung, garbage, NaN), or a verdict or pair wrong by more than C's margin
 enum class Grade { A, B, C, D, F };
 

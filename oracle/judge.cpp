@@ -118,7 +118,15 @@ Finding wrong(Defect defect, std::string observed, std::string expected) {
   finding.observed = std::move(observed);
   finding.expected = std::move(expected);
   finding.error = 1;
-  finding.unit = "broken laws";
+  finding.unit = without_size;
+  return finding;
+}
+
+Finding wrong_by(double error, const Allowance& allowance, Defect defect, std::string observed, std::string expected) {
+  Finding finding = wrong(defect, std::move(observed), std::move(expected));
+  finding.error = error / allowance.unit;
+  finding.allowed = allowance.bound / allowance.unit;
+  finding.unit = allowance.unit_name;
   return finding;
 }
 
@@ -133,6 +141,12 @@ Finding near(double claimed, const Interval& truth, const Allowance& allowance, 
       [&] { return words::text(truth); });
 }
 
+bool is_held_to_touching(const Card& card) { return card.knows_touching || card.precision == Precision::exact; }
+
+double verdict_allowance(const Scene& scene, const Card& card) {
+  return is_held_to_touching(card) ? 0 : tolerance::distance(scene, card.precision);
+}
+
 Interval margin(const Scene& scene) {
   const reference::DistanceTruth& truth = truth::distance(scene);
   if (truth.verdict != Verdict::overlapping) return truth.distance;
@@ -143,15 +157,12 @@ Interval margin(const Scene& scene) {
 Finding verdict(const Scene& scene, const Card& card, Verdict said) {
   const Verdict truth = truth::distance(scene).verdict;
   if (said == truth) return holds();
-  const bool exactly = card.knows_touching || card.precision == Precision::exact;
-  const Allowance allowance = in_ulps(scene, card, exactly ? 0 : tolerance::distance(scene, card.precision));
+  const double misjudged = margin(scene).lo;
+  const double allowed = verdict_allowance(scene, card);
+  if (misjudged <= allowed && !is_held_to_touching(card)) return holds();
   const Defect defect = said == Verdict::separated || truth == Verdict::overlapping ? Defect::missed : Defect::phantom;
-  Finding finding = at_most(
-      margin(scene).lo, allowance, defect, [&] { return words::text(said); }, [&] { return words::text(truth); });
-  if (exactly && finding.outcome == Outcome::holds) {  // at touching the margin is 0, yet the claim is wrong
-    finding = wrong(defect, words::text(said), words::text(truth));
-  }
-  return explained(std::move(finding), scene);
+  const Allowance allowance = in_ulps(scene, card, allowed);
+  return explained(wrong_by(misjudged, allowance, defect, words::text(said), words::text(truth)), scene);
 }
 
 Finding explained(Finding finding, const Scene& scene) {

@@ -18,15 +18,6 @@ bool finite(const PairSet& answer);
 bool finite(const Distance& answer);
 bool finite(const Penetration& answer);
 
-Finding holds();
-Finding outside(std::string why);
-Finding silent(const std::string& about_what);  ///< abstains: an answer without the part that is judged
-Finding broken(const Breaks& breaks);
-Finding not_a_number();
-
-/// Wrong in a way that has no size: a broken law of the answer's form, two answers that should be one.
-Finding wrong(Defect defect, std::string observed, std::string expected);
-
 /// A bound and the unit that errors against it are counted in.
 struct Allowance {
   double bound = 0;  ///< SI
@@ -36,6 +27,18 @@ struct Allowance {
 
 /// `allowed` in metres, counted in ulps of the scene's scale in the subject's precision.
 Allowance in_ulps(const Scene& scene, const Card& card, double allowed);
+
+Finding holds();
+Finding outside(std::string why);
+Finding silent(const std::string& about_what);  ///< abstains: an answer without the part that is judged
+Finding broken(const Breaks& breaks);
+Finding not_a_number();
+
+/// Wrong in a way that has no size: a broken law of the answer's form, two answers that should be one.
+Finding wrong(Defect defect, std::string observed, std::string expected);
+
+/// Wrong whatever the size of the error, which is told all the same.
+Finding wrong_by(double error, const Allowance& allowance, Defect defect, std::string observed, std::string expected);
 
 /// Holds if claimed is within the bound of the interval that holds the truth.
 Finding near(double claimed, const Interval& truth, const Allowance& allowance, Defect below, Defect above);
@@ -72,6 +75,12 @@ Finding given(const Answer<T>& answer, JudgeIt&& judge_it) {
 /// How far the two bodies of a scene are from another verdict, m: the distance, 0, or the depth. Of overlapping
 /// compounds, whose depth is unknown, a certified lower bound; infinity above.
 Interval margin(const Scene& scene);
+
+/// A subject that is exact, or says that it knows touching, is held to three verdicts without any allowance.
+bool is_held_to_touching(const Card& card);
+
+/// The margin up to which a verdict may be wrong, m.
+double verdict_allowance(const Scene& scene, const Card& card);
 
 /// Judges a claimed verdict. A two-valued subject may be wrong where the margin is at most `tolerance::distance`, and
 /// so may say either where the bodies touch; a subject that knows touching claims the exact verdict and is held to it.

@@ -1,6 +1,7 @@
 // docs/spec/broad_phase.md, as sentences that run.
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <iterator>
 #include <utility>
@@ -69,11 +70,8 @@ Finding misses_none(const Scene& scene, Subject& subject) {
     if (missed.empty()) return judge::holds();
     double deepest = 0;  // boxes that only touch overlap by 0, and are missed all the same
     for (const Pair& pair : missed) deepest = std::max(deepest, -gap(scene, pair).nearest());
-    Finding finding =
-        judge::wrong(Defect::missed, "without " + words::text(missed), "every pair whose closed boxes meet");
-    const judge::Allowance none = judge::in_ulps(scene, subject.card(), 0);
-    finding.error = deepest / none.unit;
-    finding.unit = none.unit_name;
+    Finding finding = judge::wrong_by(deepest, judge::in_ulps(scene, subject.card(), 0), Defect::missed,
+                                      "without " + words::text(missed), "every pair whose closed boxes meet");
     finding.margin = Interval{deepest, deepest};
     return finding;
   });
@@ -105,26 +103,37 @@ Finding well_formed(const Scene& scene, Subject& subject) {
 // laws
 // -----------------------------------------------------------------------------------------------------------------
 
-// Two answers about one set of pairs may differ by pairs within reach of each other, which are free; by no others.
-Finding pairs_kept(
-    const Scene& before, const std::optional<Scene>& moved, Subject& subject, Defect defect,
-    const std::function<Pair(const Pair&)>& renamed = [](const Pair& pair) { return pair; }) {
+Pair same(const Pair& pair) { return pair; }
+
+// What a motion does to lengths, and to the names of a pair's bodies.
+struct Change {
+  double times = 1;
+  std::function<Pair(const Pair&)> renamed = same;
+};
+
+// Two answers about one set of pairs may differ by pairs that one of the two scenes leaves free; by no others.
+Finding pairs_kept(const Scene& before, const std::optional<Scene>& moved, Subject& subject, Defect defect,
+                   const Change& change = {}) {
   return of_moved(moved, subject, [&](const Scene& after) {
     return of_pairs(before, subject, [&](const PairSet& first) {
       return judge::given(subject.broad_phase(after), [&](const PairSet& second) {
         PairSet expected = as_set(first, before);
-        for (Pair& pair : expected) pair = renamed(pair);
+        for (Pair& pair : expected) pair = change.renamed(pair);
         expected = as_set(expected, after);
         const PairSet got = as_set(second, after);
         PairSet differ = without(expected, got);
         std::ranges::copy(without(got, expected), std::back_inserter(differ));
-        const double free = reach(after, subject.card());
+        const double free = std::max(change.times * reach(before, subject.card()), reach(after, subject.card()));
+        double furthest = 0;
         std::erase_if(differ, [&](const Pair& pair) {
-          const reference::Rational g = gap(after, pair);
-          return g.sign() > 0 && g <= reference::Rational(free);
+          const double g = gap(after, pair).nearest();
+          const bool is_free = g > 0 && g <= free;
+          if (!is_free) furthest = std::max(furthest, std::abs(g));
+          return is_free;
         });
         if (differ.empty()) return judge::holds();
-        return judge::wrong(defect, "differs by " + words::text(differ), "the same pairs as before");
+        return judge::wrong_by(furthest, judge::in_ulps(after, subject.card(), free), defect,
+                               "differs by " + words::text(differ), "the same pairs as before");
       });
     });
   });
@@ -141,15 +150,15 @@ Finding turns(const Scene& scene, Subject& subject) {
 Finding scales(const Scene& scene, Subject& subject) {
   const oracle::Card& card = subject.card();
   if (card.broad_phase_margin > 0) return judge::outside("a margin in metres does not scale");
-  const Finding larger = pairs_kept(scene, scaled(scene, 20), subject, Defect::scaled);
-  return larger.outcome == oracle::Outcome::holds ? pairs_kept(scene, scaled(scene, -20), subject, Defect::scaled)
-                                                  : larger;
+  const Finding larger = pairs_kept(scene, scaled(scene, 20), subject, Defect::scaled, {0x1p20, same});
+  if (larger.outcome != oracle::Outcome::holds) return larger;
+  return pairs_kept(scene, scaled(scene, -20), subject, Defect::scaled, {0x1p-20, same});
 }
 
 Finding relabels(const Scene& scene, Subject& subject) {
   const int last = static_cast<int>(scene.bodies.size()) - 1;
-  return pairs_kept(scene, swapped(scene), subject, Defect::relabelled,
-                    [last](const Pair& pair) { return Pair(last - pair.first, last - pair.second); });
+  const auto renamed = [last](const Pair& pair) { return Pair(last - pair.first, last - pair.second); };
+  return pairs_kept(scene, swapped(scene), subject, Defect::relabelled, {1, renamed});
 }
 
 // survives, repeats

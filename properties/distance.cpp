@@ -151,15 +151,17 @@ Finding scales(const Scene& scene, Subject& subject) {
   });
 }
 
-// Needs no truth: what is apart is apart by something, what is not is apart by nothing.
+// Needs no truth: what is apart is apart by something, what is not is apart by nothing. (Two verdicts have no word for
+// touching, so that "separated by 0" is what such a subject can say of it.)
 Finding consistent(const Scene& scene, Subject& subject) {
   return of_answer(scene, subject, [&](const Distance& said) {
     if (!said.verdict || !said.distance) return judge::silent("both verdict and distance");
-    const bool apart = *said.verdict == Verdict::separated;
-    if (apart == (*said.distance > 0)) return judge::holds();
-    return judge::explained(judge::wrong(apart ? Defect::too_near : Defect::too_far,
-                                         words::text(*said.verdict) + " at distance " + words::text(*said.distance),
-                                         "a distance > 0 exactly when separated"),
+    const bool apart = *said.verdict == Verdict::separated, may_touch = !judge::is_held_to_touching(subject.card());
+    if (apart == (*said.distance > 0) || (apart && may_touch && *said.distance == 0)) return judge::holds();
+    return judge::explained(judge::wrong_by(std::abs(*said.distance), judge::in_ulps(scene, subject.card(), 0),
+                                            apart ? Defect::too_near : Defect::too_far,
+                                            words::text(*said.verdict) + " at distance " + words::text(*said.distance),
+                                            "a distance > 0 exactly when separated"),
                             scene);
   });
 }

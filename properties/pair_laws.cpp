@@ -17,10 +17,10 @@ namespace words = oracle::words;
 Finding same_verdict(const Scene& scene, Verdict first, Verdict second, const oracle::Card& card,
                      oracle::Defect defect) {
   if (first == second) return judge::holds();
-  const bool exactly = card.knows_touching || card.precision == oracle::Precision::exact;
-  const double allowed = oracle::tolerance::distance(scene, card.precision);
-  if (!exactly && judge::margin(scene).lo <= allowed) return judge::holds();
-  return judge::explained(judge::wrong(defect, words::text(first) + ", then " + words::text(second), "one verdict"),
+  const double misjudged = judge::margin(scene).lo, allowed = judge::verdict_allowance(scene, card);
+  if (misjudged <= allowed && !judge::is_held_to_touching(card)) return judge::holds();
+  return judge::explained(judge::wrong_by(misjudged, judge::in_ulps(scene, card, allowed), defect,
+                                          words::text(first) + ", then " + words::text(second), "one verdict"),
                           scene);
 }
 

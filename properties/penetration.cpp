@@ -134,8 +134,9 @@ Finding consistent(const Scene& scene, Subject& subject) {
     if (!said.verdict || !said.depth) return judge::silent("both verdict and depth");
     if (*said.verdict == Verdict::overlapping || *said.depth == 0) return judge::holds();
     return judge::explained(
-        judge::wrong(Defect::overdeep, words::text(*said.verdict) + " with depth " + words::text(*said.depth),
-                     "depth 0 unless overlapping"),
+        judge::wrong_by(std::abs(*said.depth), judge::in_ulps(scene, subject.card(), 0), Defect::overdeep,
+                        words::text(*said.verdict) + " with depth " + words::text(*said.depth),
+                        "depth 0 unless overlapping"),
         scene);
   });
 }

@@ -29,6 +29,9 @@ TEST_CASE("grades: by how many times the allowance, F for no answer and for wron
   CHECK(grade(failing(250 * 0x1p21, 250, Defect::missed)) == Grade::F);
   CHECK(grade(failing(250 * 0x1p21, 250, Defect::phantom)) == Grade::F);
   CHECK(grade(failing(0, 0, Defect::not_finite)) == Grade::F);
+  Finding unsized = failing(1, 0, Defect::nondeterministic);
+  unsized.unit = without_size;
+  CHECK(grade(unsized) == Grade::D);
   Finding broken;
   broken.outcome = Outcome::breaks;
   CHECK(grade(broken) == Grade::F);

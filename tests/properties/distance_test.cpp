@@ -171,3 +171,13 @@ TEST_CASE("laws hold for an answer that is the same constant, except where the l
   CHECK(judged("distance.relabelled", apart, constant).outcome == Outcome::outside);  // boxes have no vertex list
   CHECK(judged("distance.survives", apart, value(-1)).outcome == Outcome::fails);
 }
+
+TEST_CASE("distance.consistent: two verdicts have no word for touching but separated at 0") {
+  Distance said = value(0);
+  said.verdict = Verdict::separated;
+  CHECK(judged("distance.consistent", touching, said).outcome == Outcome::holds);
+  CHECK(judged("distance.consistent", touching, said, knowing_touching()).defect == Defect::too_near);
+  said.verdict = Verdict::overlapping;
+  said.distance = 1e-9;
+  CHECK(judged("distance.consistent", touching, said).defect == Defect::too_far);
+}
