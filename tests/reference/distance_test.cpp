@@ -271,6 +271,14 @@ TEST_CASE("distance: the three routes agree on every near-degenerate family") {
   }
 }
 
+TEST_CASE("distance: a tied pair on which the pricing of CGAL's Polytope_distance_d cycles for ever") {
+  const Polytope A =
+      convex_hull({Vec3(0, -2, 2), Vec3(2, 0, -2), Vec3(1, 0, -2), Vec3(-1, -2, -1), Vec3(-1, 1, 1), Vec3(1, 2, 0)});
+  const Polytope B = convex_hull({Vec3(1, 0, 1), Vec3(3, 3, -2), Vec3(-3, 1, -3), Vec3(-1, 0, 3), Vec3(-3, -2, -2),
+                                  Vec3(2, 2, 1), Vec3(-3, 1, 2), Vec3(-3, -2, 3), Vec3(2, -3, -2)});
+  agreed(pair(body(A, Vec3(-1, -1, -1), {-1, -3, 3, -3}), body(B, Vec3(-2, 2, 4), {0, -2, -3, 1})));
+}
+
 TEST_CASE("distance: a point's distance to a body") {
   const Body box = body(Box{Vec3(1, 1, 1)}, Vec3(1, 0, 0), {1, 0, 0, 1});
   CHECK(distance_to_body(box, Vec3(1, 0, 0)) == Interval{0, 0});
