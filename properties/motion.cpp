@@ -9,11 +9,6 @@
 namespace touchstone::properties {
 namespace {
 
-template <class... Fs>
-struct Overloaded : Fs... {
-  using Fs::operator()...;
-};
-
 bool translate(Scene& scene, const Vec3& t) {
   for (Body& body : scene.bodies) {
     const std::optional<Vec3> p = exact_sum(body.X_WB.p_WB, t);
@@ -30,13 +25,22 @@ std::optional<Quaternion> turned(const Quaternion& q) {
   return Quaternion{*w, *x, *y, *z};
 }
 
-void relabel(Polytope& polytope) {
+// Whether there is anything to relabel.
+bool relabel(Sphere&) { return false; }
+bool relabel(Box&) { return false; }
+bool relabel(Polytope& polytope) {
   std::ranges::reverse(polytope.vertices);
   const int last = static_cast<int>(polytope.vertices.size()) - 1;
   for (std::vector<int>& face : polytope.faces) {
     for (int& i : face) i = last - i;
   }
   std::ranges::reverse(polytope.faces);
+  return true;
+}
+bool relabel(Compound& compound) {
+  bool any = false;
+  for (Part& part : compound.parts) any |= std::visit([](auto& shape) { return relabel(shape); }, part.shape);
+  return any;
 }
 
 // One length: times 2^k, and whether that can be undone.
@@ -68,17 +72,7 @@ Scene swapped(Scene scene) {
 
 std::optional<Scene> relabelled(Scene scene) {
   bool any = false;
-  const auto visit_polytope = Overloaded{[&any](Polytope& polytope) {
-                                           relabel(polytope);
-                                           any = true;
-                                         },
-                                         [](auto&) {}};
-  for (Body& body : scene.bodies) {
-    std::visit(visit_polytope, body.shape);
-    if (Compound* compound = std::get_if<Compound>(&body.shape)) {
-      for (Part& part : compound->parts) std::visit(visit_polytope, part.shape);
-    }
-  }
+  for (Body& body : scene.bodies) any |= std::visit([](auto& shape) { return relabel(shape); }, body.shape);
   return any ? std::optional(scene) : std::nullopt;
 }
 
