@@ -32,6 +32,14 @@ void check(BodyId id, const Aabb& box) {
 
 }  // namespace
 
+inline void BroadPhase::put(BodyId id, const Aabb& box) {
+  if (has_moved_[id] == 0) {
+    moved_.push_back(id);
+    has_moved_[id] = 1;
+  }
+  box_[id] = box;
+}
+
 void BroadPhase::insert(BodyId id, const Aabb& box) {
   if (id >= id_limit) throw InputError(place(id), "ids must be less than 2^24");
   if (present(id)) throw InputError(place(id), "is already there");
@@ -67,14 +75,6 @@ void BroadPhase::make_room(std::size_t ids) {
   box_.resize(ids, nothing());
   was_.resize(ids, nothing());
   has_moved_.resize(ids, 0);
-}
-
-void BroadPhase::put(BodyId id, const Aabb& box) {
-  if (has_moved_[id] == 0) {
-    moved_.push_back(id);
-    has_moved_[id] = 1;
-  }
-  box_[id] = box;
 }
 
 void BroadPhase::update() {

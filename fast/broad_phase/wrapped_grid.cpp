@@ -19,12 +19,54 @@ constexpr double greatest_units = 0x1p20;
 constexpr int rebuilds_per_layout =
     64;  // after so many the cell size is chosen anew: bodies may have gathered or grown
 
-std::int32_t whole(float x) { return static_cast<std::int32_t>(std::floor(x)); }
+/// The floor of x ≥ 0.
+std::int32_t whole(float x) { return static_cast<std::int32_t>(x); }
 
-/// a − b. If a float x ≤ a − b exactly, then x ≤ the result: both roundings are monotone and keep x.
-float below(float a, float b) { return static_cast<float>(static_cast<double>(a) - static_cast<double>(b)); }
+/// max(0, a − b). If a float x ≥ 0 is ≤ a − b exactly, then x ≤ the result: rounding is monotone and keeps x.
+float below(float a, float b) { return std::max(0.0F, a - b); }
 
 }  // namespace
+
+// ---- where a body stands (inline: on every body's path)
+
+inline WrappedGrid::Entry WrappedGrid::entry_of(BodyId id) const {
+  Entry e;
+  const Aabb& box = box_[id];
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::size_t k = static_cast<std::size_t>(axis);
+    e.lo[k] = static_cast<float>((box.lo[axis] - domain_.lo[axis]) * units_per_metre_);
+    e.hi[k] = static_cast<float>((box.hi[axis] - domain_.lo[axis]) * units_per_metre_);
+  }
+  e.body = id;
+  return e;
+}
+
+inline std::size_t WrappedGrid::level_of(const Entry& e) const {
+  const float extent = std::max({e.hi[0] - e.lo[0], e.hi[1] - e.lo[1], e.hi[2] - e.lo[2]});
+  std::size_t l = 0;
+  while (l + 1 < levels_.size() && extent * levels_[l].cells_per_unit > 1) ++l;
+  return l;
+}
+
+inline std::uint32_t WrappedGrid::place_of(const Entry& e, const Level& level) const {
+  const std::int32_t x = whole(e.lo[0] * level.cells_per_unit) & level.mask[0];
+  const std::int32_t y = whole(e.lo[1] * level.cells_per_unit) & level.mask[1];
+  const std::int32_t z = whole(e.lo[2] * level.cells_per_unit) & level.mask[2];
+  return level.first_place + static_cast<std::uint32_t>(x + (y << level.shift[0]) + (z << level.shift[1]));
+}
+
+/// The factor makes up for the rounding of the difference and its own (2 · 2^-24), so reach is no less than hi − lo
+/// exactly.
+inline void WrappedGrid::widen(Level& level, const Entry& e) {
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    level.reach[axis] = std::max(level.reach[axis], (e.hi[axis] - e.lo[axis]) * (1 + 0x1p-22F));
+}
+
+inline bool WrappedGrid::fits(const Aabb& box) const {
+  return (domain_.lo.array() <= box.lo.array()).all() && (box.hi.array() <= domain_.hi.array()).all();
+}
+
+// ---- a frame
 
 void WrappedGrid::refresh() {
   drop_ended();
@@ -44,10 +86,6 @@ void WrappedGrid::refresh() {
 bool WrappedGrid::must_rebuild() const {
   if (levels_.empty() || 4 * moved_.size() > count() || 16 * chained_ > count()) return true;
   return !std::all_of(moved_.begin(), moved_.end(), [this](BodyId id) { return !present(id) || fits(box_[id]); });
-}
-
-bool WrappedGrid::fits(const Aabb& box) const {
-  return (domain_.lo.array() <= box.lo.array()).all() && (box.hi.array() <= domain_.hi.array()).all();
 }
 
 // ---- how space is divided
@@ -133,41 +171,6 @@ void WrappedGrid::lay_out_levels() {
   chain_.assign(first, none);
 }
 
-// ---- where a body stands
-
-WrappedGrid::Entry WrappedGrid::entry_of(BodyId id) const {
-  Entry e;
-  const Aabb& box = box_[id];
-  for (int axis = 0; axis < 3; ++axis) {
-    const std::size_t k = static_cast<std::size_t>(axis);
-    e.lo[k] = static_cast<float>((box.lo[axis] - domain_.lo[axis]) * units_per_metre_);
-    e.hi[k] = static_cast<float>((box.hi[axis] - domain_.lo[axis]) * units_per_metre_);
-  }
-  e.body = id;
-  return e;
-}
-
-std::size_t WrappedGrid::level_of(const Entry& e) const {
-  const float extent = std::max({e.hi[0] - e.lo[0], e.hi[1] - e.lo[1], e.hi[2] - e.lo[2]});
-  std::size_t l = 0;
-  while (l + 1 < levels_.size() && extent * levels_[l].cells_per_unit > 1) ++l;
-  return l;
-}
-
-std::uint32_t WrappedGrid::place_of(const Entry& e, const Level& level) const {
-  const std::int32_t x = whole(e.lo[0] * level.cells_per_unit) & level.mask[0];
-  const std::int32_t y = whole(e.lo[1] * level.cells_per_unit) & level.mask[1];
-  const std::int32_t z = whole(e.lo[2] * level.cells_per_unit) & level.mask[2];
-  return level.first_place + static_cast<std::uint32_t>(x + (y << level.shift[0]) + (z << level.shift[1]));
-}
-
-/// The factor makes up for the rounding of the difference and its own (2 · 2^-24), so reach is no less than hi − lo
-/// exactly.
-void WrappedGrid::widen(Level& level, const Entry& e) {
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    level.reach[axis] = std::max(level.reach[axis], (e.hi[axis] - e.lo[axis]) * (1 + 0x1p-22F));
-}
-
 // ---- all bodies
 
 void WrappedGrid::rebuild() {
@@ -223,7 +226,7 @@ void WrappedGrid::find_all() {
 }
 
 template <bool with_chains, class Meet>
-void WrappedGrid::for_each_near(const Entry& e, float least_x, const Level& level, const Meet& meet) const {
+inline void WrappedGrid::for_each_near(const Entry& e, float least_x, const Level& level, const Meet& meet) const {
   const float scale = level.cells_per_unit;
   const std::int32_t x0 = whole(least_x * scale);
   const std::int32_t x1 = std::min(whole(e.hi[0] * scale), x0 + level.mask[0]);

@@ -1,0 +1,41 @@
+// Who runs in the comparison of broad phases: takes the frame's changed boxes, gives the number of overlapping pairs.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "model/frame.h"
+
+namespace touchstone::bench {
+
+struct Change {
+  std::size_t body = 0;
+  Aabb box;
+};
+using Frame = std::vector<Change>;
+
+class Contestant {
+ public:
+  virtual ~Contestant() = default;
+
+  /// What a user does in a frame: tell the boxes that changed, have the pairs brought up to date, look at each once.
+  virtual std::size_t pairs_after(const Frame& frame) = 0;
+};
+
+struct Entrant {
+  std::string name;
+  bool peer = false;
+  bool quadratic = false;  ///< known to be hopeless at 100,000 bodies unless nearly all are still
+  std::function<std::unique_ptr<Contestant>(const std::vector<Aabb>& boxes, const Aabb& world)> enter;
+};
+
+std::vector<Entrant> our_strategies();
+std::vector<Entrant> bullet();
+std::vector<Entrant> fcl_managers();
+std::vector<Entrant> ode_spaces();
+std::vector<Entrant> cgal();
+
+}  // namespace touchstone::bench

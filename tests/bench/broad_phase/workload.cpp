@@ -1,0 +1,126 @@
+#include "tests/bench/broad_phase/workload.h"
+
+#include <cmath>
+
+#include "tests/reference/hard_pairs.h"
+
+namespace touchstone::bench {
+namespace {
+
+using tests::Dice;
+
+constexpr double ten_degrees = 0.17453292519943295;
+
+struct Mover {
+  Vec3 centre;
+  Vec3 half;
+  Vec3 velocity;  // a frame
+  Vec3 phase;     // of the turning body's box
+};
+
+Vec3 direction(Dice& dice) { return dice.in_cube().normalized(); }
+
+/// A tumbling round body's box varies by some 15 %.
+Vec3 half_at(const Mover& mover, double frame) {
+  return mover.half.array() * (0.925 + 0.075 * (mover.phase.array() + frame * ten_degrees).sin());
+}
+
+/// The side of the cube of n bodies of radius 1 whose hulls of 20 points (36 faces, 2.5 m³) fill 1 % of it.
+double side_of_one_percent(std::size_t bodies) { return std::cbrt(250 * static_cast<double>(bodies)); }
+
+Mover tumbling(Dice& dice, const Vec3& centre, double radius) {
+  return {centre, Vec3::Constant(radius), 0.1 * radius * direction(dice), 3 * dice.in_cube()};
+}
+
+std::vector<Mover> movers(const std::string& workload, std::size_t bodies, Dice& dice) {
+  std::vector<Mover> all;
+  const double n = static_cast<double>(bodies);
+  for (std::size_t i = 0; i < bodies; ++i) {
+    if (workload == "ratio") {
+      // Sizes from 1/1000 to 1, as many in each octave; the boxes fill 5 % of the cube.
+      const double radius = 0.5 * std::pow(1000, -dice.unit());
+      const double side = std::cbrt(n / (0.05 * 3 * std::log(1000)));
+      all.push_back(tumbling(dice, side / 2 * dice.in_cube(), radius));
+    } else if (workload == "clustered") {
+      // Clusters of 250, each as dense as 5 %, in a cube 1000 times as large as they are together.
+      Dice of_cluster(1000 + i / 250);
+      const Vec3 cluster = side_of_one_percent(bodies) / std::cbrt(5) * 5 * of_cluster.in_cube();
+      all.push_back(tumbling(dice, cluster + side_of_one_percent(250) / std::cbrt(5) / 2 * dice.in_cube(), 1));
+    } else {
+      all.push_back(tumbling(dice, side_of_one_percent(bodies) / 2 * dice.in_cube(), 1));
+    }
+  }
+  return all;
+}
+
+std::vector<Aabb> settled_picture(std::size_t bodies, Dice& jitter) {
+  const auto row = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(bodies))));
+  std::vector<Aabb> boxes;
+  Dice sizes(7);
+  for (std::size_t i = 0; i < bodies; ++i) {
+    const Vec3 half = 0.5 * Vec3(1 + 0.2 * sizes.around_zero(), 1 + 0.2 * sizes.around_zero(), 1);
+    const Vec3 centre = Vec3(double(i % row), double(i / row), 0.5) + 1e-3 * jitter.in_cube();
+    boxes.push_back({centre - half, centre + half});
+  }
+  return boxes;
+}
+
+std::vector<std::vector<Aabb>> pictures(const std::string& workload, std::size_t bodies, std::size_t frames) {
+  Dice dice(5);
+  std::vector<Mover> all = movers(workload, bodies, dice);
+  std::vector<std::vector<Aabb>> film;
+  for (std::size_t f = 0; f <= frames; ++f) {
+    if (workload == "settled") {
+      film.push_back(settled_picture(bodies, dice));
+      continue;
+    }
+    if (workload == "teleport") all = movers(workload, bodies, dice);
+    std::vector<Aabb> boxes;
+    for (std::size_t i = 0; i < bodies; ++i) {
+      const bool moves = f > 0 && (workload != "still" || dice.between(1, 100) == 1);
+      if (moves) all[i].centre += all[i].velocity;
+      if (f > 0 && !moves) {
+        boxes.push_back(film.back()[i]);
+        continue;
+      }
+      const Vec3 half = half_at(all[i], static_cast<double>(f));
+      boxes.push_back({all[i].centre - half, all[i].centre + half});
+    }
+    film.push_back(std::move(boxes));
+  }
+  return film;
+}
+
+Frame changes(const std::vector<Aabb>& from, const std::vector<Aabb>& to) {
+  Frame frame;
+  for (std::size_t i = 0; i < from.size(); ++i)
+    if (!(from[i] == to[i])) frame.push_back({i, to[i]});
+  return frame;
+}
+
+}  // namespace
+
+const std::vector<std::string>& workloads() {
+  static const std::vector<std::string> names{"coherent", "settled", "ratio", "clustered", "teleport", "still"};
+  return names;
+}
+
+Film shoot(const std::string& workload, std::size_t bodies, std::size_t frames) {
+  const auto film = pictures(workload, bodies, frames);
+  Film shot;
+  shot.start = film.front();
+  shot.world = film.front().front();
+  for (const auto& picture : film) {
+    for (const Aabb& box : picture) {
+      shot.world.lo = shot.world.lo.cwiseMin(box.lo);
+      shot.world.hi = shot.world.hi.cwiseMax(box.hi);
+    }
+  }
+  for (std::size_t f = 0; f + 1 < film.size(); ++f) {
+    shot.forward.push_back(changes(film[f], film[f + 1]));
+    shot.backward.push_back(changes(film[f + 1], film[f]));
+  }
+  return shot;
+}
+
+}  // namespace touchstone::bench
