@@ -24,10 +24,10 @@ BEHIND = [
     (r"rapidcheck", r"properties/(domain|rapidcheck)\w*\.(h|cpp)|tests/.*"),
     (r"catch2/", r"tests/.*"),
     (r"benchmark/", r"tests/bench/.*"),
-    (r"bt[A-Z]\w*\.h|Bullet\w*/|LinearMath/", r"oracle/subjects/bullet\w*\.(h|cpp)"),
-    (r"fcl/", r"oracle/subjects/fcl\w*\.(h|cpp)"),
+    (r"bt[A-Z]\w*\.h|Bullet\w*/|LinearMath/", r"oracle/subjects/bullet\w*\.(h|cpp)|tests/bench/broad_phase/bullet\.cpp"),
+    (r"fcl/", r"oracle/subjects/fcl\w*\.(h|cpp)|tests/bench/broad_phase/fcl\.cpp"),
     (r"ccd/", r"oracle/subjects/(libccd|ccd)\w*\.(h|cpp)"),
-    (r"ode/", r"oracle/subjects/ode\w*\.(h|cpp)"),
+    (r"ode/", r"oracle/subjects/ode\w*\.(h|cpp)|tests/bench/broad_phase/ode\.cpp"),
     (r"Simbody\.h|simbody/|SimTK", r"oracle/subjects/simbody\w*\.(h|cpp)"),
     (r"CLI/", r"app/.*|oracle/subjects/\w*main\.cpp"),
     (r"iostream", r".*\.cpp"),  # every file that includes it pays for its static initialisers
