@@ -49,7 +49,7 @@ std::string kill_table() {
       "caught. Made by\n"
       "`tests/properties/canary_test.cpp` from runs, on a few scenes by hand, over a truthful subject that tells one "
       "lie. To make it\n"
-      "anew: `TOUCHSTONE_UPDATE=1 ctest -R \"properties: the canaries' page\"`.\n\n"
+      "anew: `TOUCHSTONE_UPDATE=1 ./touchstone test -R \"canaries' page\"`.\n\n"
       "| property | catches |\n|---|---|\n";
   for (const properties::Property& property : properties::all()) {
     page += "| `" + property.id + "` | " + list(kills().at(property.id)) + " |\n";
@@ -64,8 +64,8 @@ std::string clause_index() {
       "# Clauses\n\n"
       "Every numbered sentence of the specification, with the properties that check it and the canaries that prove "
       "them sharp.\n"
-      "Made by `tests/properties/trace_test.cpp`. To make it anew: `TOUCHSTONE_UPDATE=1 ctest -R \"properties: the "
-      "clauses' page\"`.\n\n"
+      "Made by `tests/properties/trace_test.cpp`. To make it anew: `TOUCHSTONE_UPDATE=1 ./touchstone test -R "
+      "\"clauses' page\"`.\n\n"
       "| clause | title | checked by | proved sharp by |\n|---|---|---|---|\n";
   for (const properties::Clause& clause : properties::clauses()) {
     page += "| [" + clause.id + "](" + clause.stem + ".md) | " + clause.title + " | " + list(clause.checked_by) +

@@ -33,7 +33,7 @@ TEST_CASE("below and between reach every value about equally often") {
   CHECK(random.below(1) == 0);
 }
 
-TEST_CASE("unit stays in [0, 1) and fills it") {
+TEST_CASE("unit stays below 1, at or above 0, and fills the range") {
   Random random(8);
   double least = 1, greatest = 0;
   for (int i = 0; i < 10000; ++i) {
