@@ -61,7 +61,8 @@ std::vector<int> ties(const PosedCore& core, const IntegerVec& n, int from) {
 }  // namespace
 
 std::optional<SupportingPlane> supporting_plane(const PosedPair& pair, const std::vector<std::pair<int, int>>& pairs) {
-  const auto [a, b] = pairs[0];
+  const int a = pairs[0].first;
+  const int b = pairs[0].second;
   if (pair.A.is_point() && pair.B.is_point()) return SupportingPlane{{1, 0, 0}, {0}, {0}};
   std::vector<int> around_x_A;
   std::vector<int> around_x_B;
