@@ -31,7 +31,7 @@ const std::vector<Strategy>& strategies() {
       {"octree", "each box in the smallest cube that holds it", make<Octree>},
       {"uniform_grid", "equal cells, each box in all that it meets", make<UniformGrid>},
       {"hierarchical_hash", "cells on every scale, each box on its own and all coarser ones", make<HierarchicalHash>},
-      {"wrapped_grid", "each box in one cell, cells as wide as bodies are apart, wrapped onto a small table",
+      {"wrapped_grid", "each box in one cell, cells twice as wide as bodies are apart, wrapped onto a small table",
        make<WrappedGrid>},
   };
   return all;

@@ -1,5 +1,9 @@
 #include "fast/broad_phase/wrapped_grid.h"
 
+#ifdef __SSE2__
+#include <emmintrin.h>
+#endif
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -14,10 +18,16 @@ constexpr std::uint32_t none = 0xffffffff;
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
 constexpr std::size_t most_levels = 12;
-constexpr double crowd_allowed = 4;  // mean number of bodies in a body's cell
+// Measured best on the coherent and the ratio world at 1,000 to 100,000 bodies (1.6 to 3 tried): wider cells mean more
+// box tests, narrower ones more rows, and a row costs more than a test.
+constexpr double cells_per_distance = 2.25;
+
+// The mean number of bodies in a body's cell. Evenly spread bodies have 1 + cells_per_distance³ ≈ 12.4; some are borne.
+constexpr double crowd_allowed = 32;
 constexpr double greatest_units = 0x1p20;
-constexpr int rebuilds_per_layout =
-    64;  // after so many the cell size is chosen anew: bodies may have gathered or grown
+
+// After so many the cell size is chosen anew: bodies may have gathered or grown.
+constexpr int rebuilds_per_layout = 64;
 
 /// The floor of x ≥ 0.
 std::int32_t whole(float x) { return static_cast<std::int32_t>(x); }
@@ -26,6 +36,21 @@ std::int32_t whole(float x) { return static_cast<std::int32_t>(x); }
 float below(float a, float b) { return std::max(0.0F, a - b); }
 
 }  // namespace
+
+// ---- whether two entries overlap: the two ways give the same answers
+
+#ifdef __SSE2__
+inline bool WrappedGrid::Entry::near(const Entry& e) const {
+  const __m128 above = _mm_cmpgt_ps(_mm_load_ps(lo.data()), _mm_load_ps(e.hi.data()));
+  const __m128 below = _mm_cmpgt_ps(_mm_load_ps(e.lo.data()), _mm_load_ps(hi.data()));
+  return _mm_movemask_ps(_mm_or_ps(above, below)) == 0;
+}
+#else
+inline bool WrappedGrid::Entry::near(const Entry& e) const {
+  return lo[0] <= e.hi[0] && e.lo[0] <= hi[0] && lo[1] <= e.hi[1] && e.lo[1] <= hi[1] && lo[2] <= e.hi[2] &&
+         e.lo[2] <= hi[2];
+}
+#endif
 
 // ---- where a body stands (inline: on every body's path)
 
@@ -37,7 +62,7 @@ inline WrappedGrid::Entry WrappedGrid::entry_of(BodyId id) const {
     e.lo[k] = static_cast<float>((box.lo[axis] - domain_.lo[axis]) * units_per_metre_);
     e.hi[k] = static_cast<float>((box.hi[axis] - domain_.lo[axis]) * units_per_metre_);
   }
-  e.body = id;
+  e.hi[3] = static_cast<float>(id);
   return e;
 }
 
@@ -101,9 +126,9 @@ void WrappedGrid::configure() {
   }
   const Vec3 room = domain_.hi - domain_.lo;
   const double widest = std::max(room.maxCoeff(), 0x1p-900);
-  // As wide as bodies are apart; a flat world is as thick as a body.
+  // By how far bodies are apart; a flat world is as thick as a body.
   const Vec3 share = (room / widest).cwiseMax(mean / widest).cwiseMax(0x1p-20);
-  double cell = widest * std::cbrt(share.prod() / n);
+  double cell = cells_per_distance * widest * std::cbrt(share.prod() / n);
   const double least_cell = std::max(mean.maxCoeff(), widest / greatest_units * 2);
   cell = std::max(cell, least_cell / 2);
   // Room for what moves about, so that f need not change every frame.
@@ -151,7 +176,7 @@ void WrappedGrid::lay_out_levels() {
     Level& level = levels_[l];
     level.first_place = first;
     // The places are handed out to the axes a doubling at a time, to the one with most cells left to tell apart.
-    int bits = static_cast<int>(std::bit_width(bodies[l] | 1U));
+    int bits = static_cast<int>(std::bit_width((bodies[l] / 2) | 1U));
     std::array<int, 3> log{};
     std::array<double, 3> cells{};
     for (int axis = 0; axis < 3; ++axis)
@@ -213,11 +238,11 @@ void WrappedGrid::find_all() {
     for (std::uint32_t i = start_[own.first_place]; i < last; ++i) {
       const Entry& a = entries_[i];
       const auto meet = [&](const Entry& b) {
-        if (overlap(box_[a.body], box_[b.body])) offer(a.body, b.body);
+        if (overlap(box_[a.body()], box_[b.body()])) offer(a.body(), b.body());
       };
       // On its own level a body asks only for those that begin after it along x; ties go by the order of entries.
       for_each_near<false>(a, a.lo[0], own, [&](const Entry& b) {
-        if (b.lo[0] > a.lo[0] || &b > &a) meet(b);
+        if (b.lo[0] > a.lo[0] || (b.lo[0] == a.lo[0] && &b > &a)) meet(b);
       });
       for (std::size_t m = l + 1; m < levels_.size(); ++m)
         for_each_near<false>(a, below(a.lo[0], levels_[m].reach[0]), levels_[m], meet);
@@ -227,6 +252,8 @@ void WrappedGrid::find_all() {
 
 template <bool with_chains, class Meet>
 inline void WrappedGrid::for_each_near(const Entry& e, float least_x, const Level& level, const Meet& meet) const {
+  const Entry* entries = entries_.data();
+  const std::uint32_t* start = start_.data();
   const float scale = level.cells_per_unit;
   const std::int32_t x0 = whole(least_x * scale);
   const std::int32_t x1 = std::min(whole(e.hi[0] * scale), x0 + level.mask[0]);
@@ -243,13 +270,11 @@ inline void WrappedGrid::for_each_near(const Entry& e, float least_x, const Leve
       const std::uint32_t row = level.first_place + static_cast<std::uint32_t>(((y & level.mask[1]) << level.shift[0]) +
                                                                                ((z & level.mask[2]) << level.shift[1]));
       const auto look_at = [&](const Entry& b) {
-        const bool near = (e.lo[0] <= b.hi[0]) & (b.lo[0] <= e.hi[0]) & (b.lo[0] >= least_x) & (e.lo[1] <= b.hi[1]) &
-                          (b.lo[1] <= e.hi[1]) & (e.lo[2] <= b.hi[2]) & (b.lo[2] <= e.hi[2]);
         // Rows that wrap onto one another share their places; only the row that b stands in counts.
-        if (near && whole(b.lo[1] * scale) == y && whole(b.lo[2] * scale) == z) meet(b);
+        if (b.near(e) && whole(b.lo[1] * scale) == y && whole(b.lo[2] * scale) == z) meet(b);
       };
       const auto look_through = [&](std::uint32_t from, std::uint32_t to) {
-        for (std::uint32_t i = start_[from]; i < start_[to]; ++i) look_at(entries_[i]);
+        for (const Entry* b = entries + start[from]; b != entries + start[to]; ++b) look_at(*b);
         if constexpr (with_chains) {
           for (std::uint32_t place = from; place < to; ++place)
             for (BodyId b = chain_[place]; b != none; b = next_[b]) look_at(entry_of(b));
@@ -284,7 +309,7 @@ void WrappedGrid::treat_moved(BodyId id) {
 /// Its entry stays, but overlaps nothing.
 void WrappedGrid::leave(BodyId id) {
   if (slot_[id] != none) {
-    entries_[slot_[id]].lo.fill(infinity);
+    entries_[slot_[id]].lo = {infinity, infinity, infinity, 0};
     slot_[id] = none;
   } else if (place_[id] != none) {
     BodyId* link = &chain_[place_[id]];
@@ -307,7 +332,7 @@ template <class Meet>
 void WrappedGrid::for_each_in(const Level& level, const Meet& meet) const {
   const std::uint32_t past = level.first_place + level.places;
   for (std::uint32_t i = start_[level.first_place]; i < start_[past]; ++i)
-    if (slot_[entries_[i].body] == i) meet(entries_[i]);
+    if (slot_[entries_[i].body()] == i) meet(entries_[i]);
   for (std::uint32_t place = level.first_place; place < past; ++place)
     for (BodyId b = chain_[place]; b != none; b = next_[b]) meet(entry_of(b));
 }
@@ -315,8 +340,8 @@ void WrappedGrid::for_each_in(const Level& level, const Meet& meet) const {
 void WrappedGrid::find_moved(BodyId a) {
   const Entry e = entry_of(a);
   const auto meet = [&](const Entry& b) {
-    const bool other_finds_it = b.body == a || (moved(b.body) && b.body < a);
-    if (!other_finds_it && overlap(box_[a], box_[b.body])) offer(a, b.body);
+    const bool other_finds_it = b.body() == a || (moved(b.body()) && b.body() < a);
+    if (!other_finds_it && overlap(box_[a], box_[b.body()])) offer(a, b.body());
   };
   for (const Level& level : levels_) {
     if (rows(e, level) < level.places)

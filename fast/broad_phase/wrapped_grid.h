@@ -14,7 +14,7 @@ namespace touchstone::fast {
 /// reach the greatest extent of any body on that axis: 2 to 4 rows of neighbouring cells. The cell is as wide as bodies
 /// are apart on average (not as they are long), halved while cells are crowded; bodies longer than a cell go to a
 /// coarser level, cells 4 times as long, and each body asks its own level and the coarser ones. Cells are wrapped like
-/// a torus onto a table of about n places, so that empty space costs nothing; neighbours in space stay neighbours in
+/// a torus onto a table of about n/2 places, so that empty space costs nothing; neighbours in space stay neighbours in
 /// memory, and a row of cells is one run of entries.
 ///
 /// Coordinates are kept as floats in cells: f(x) = float((x − origin)/cell). f is monotone, so closed boxes that
@@ -28,10 +28,14 @@ namespace touchstone::fast {
 /// O(n²).
 class WrappedGrid final : public BroadPhase {
  private:
-  struct Entry {
-    std::array<float, 3> lo{};
-    std::array<float, 3> hi{};
-    BodyId body = 0;
+  /// Four lanes are compared at once, so the fourth must always overlap: 0 below, and above the id, which is less than
+  /// 2^24 and so a float.
+  struct alignas(16) Entry {
+    std::array<float, 4> lo{};
+    std::array<float, 4> hi{};
+
+    BodyId body() const { return static_cast<BodyId>(hi[3]); }
+    bool near(const Entry& e) const;
   };
 
   struct Level {
