@@ -1,7 +1,9 @@
 // docs/spec/bounds.md, as sentences that run.
 #include <algorithm>
 #include <cmath>
+#include <concepts>
 #include <functional>
+#include <limits>
 
 #include "oracle/tolerance.h"
 #include "oracle/truth.h"
@@ -22,6 +24,23 @@ namespace judge = oracle::judge;
 namespace tolerance = oracle::tolerance;
 namespace truth = oracle::truth;
 namespace words = oracle::words;
+
+// Asks only about scenes whose exact boxes end within the range of the subject's precision: beyond it the most careful
+// arithmetic has no finite box that holds the body.
+template <std::invocable Ask>
+Finding of_sayable(const Scene& scene, Subject& subject, Ask&& ask) {
+  return of_scene(scene, subject, [&] {
+    const bool single = subject.card().precision == oracle::Precision::binary32;
+    const double most = single ? std::numeric_limits<float>::max() : std::numeric_limits<double>::max();
+    const auto in_range = [most](const ExactBox& box) {
+      return std::ranges::all_of(box.lo, [most](const Rational& x) { return x.enclosure().lo >= -most; }) &&
+             std::ranges::all_of(box.hi, [most](const Rational& x) { return x.enclosure().hi <= most; });
+    };
+    return std::ranges::all_of(truth::bounds(scene), in_range)
+               ? ask()
+               : judge::outside("an exact box ends beyond the range of the subject's precision");
+  });
+}
 
 // One box a body, or there is nothing to judge.
 template <class JudgeIt>
@@ -188,11 +207,11 @@ std::string senseless(const Bounds& said) {
 }
 
 Finding lives(const Scene& scene, Subject& subject) {
-  return of_scene(scene, subject, [&] { return survives(&Subject::bounds, scene, subject, senseless); });
+  return of_sayable(scene, subject, [&] { return survives(&Subject::bounds, scene, subject, senseless); });
 }
 
 Finding again(const Scene& scene, Subject& subject) {
-  return of_scene(scene, subject, [&] { return repeats(&Subject::bounds, scene, swapped(scene), subject); });
+  return of_sayable(scene, subject, [&] { return repeats(&Subject::bounds, scene, swapped(scene), subject); });
 }
 
 }  // namespace

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <concepts>
 #include <functional>
+#include <limits>
 
 #include "oracle/tolerance.h"
 #include "oracle/truth.h"
@@ -64,6 +66,30 @@ const Finding& worse(const Finding& a, const Finding& b) {
   return badness(a) < badness(b) ? b : a;
 }
 
+// Whether a subject's precision has numbers for the exact mass properties: normal ones, for a rounded subnormal is off
+// by more than any bound of tolerance.h, and an overflow is infinite in the most careful arithmetic.
+bool sayable(const MassTruth& exact, oracle::Precision precision) {
+  const bool single = precision == oracle::Precision::binary32;
+  const double least = single ? std::numeric_limits<float>::min() : std::numeric_limits<double>::min();
+  const double most = single ? std::numeric_limits<float>::max() : std::numeric_limits<double>::max();
+  const auto normal = [&](const Interval& i) { return i.lo >= least && i.hi <= most; };
+  const auto no_overflow = [&](const Interval& i) { return i.lo >= -most && i.hi <= most; };
+  return normal(exact.mass) && std::ranges::all_of(exact.p_BBcm, no_overflow) &&
+         std::all_of(exact.I_BBcm_B.begin(), exact.I_BBcm_B.begin() + 3, normal);
+}
+
+// Asks only about scenes whose every exact answer the subject's precision can say.
+template <std::invocable Ask>
+Finding of_sayable(const Scene& scene, Subject& subject, Ask&& ask) {
+  return of_scene(scene, subject, [&] {
+    const auto precision = subject.card().precision;
+    const bool all = std::ranges::all_of(truth::mass(scene), [&](const std::optional<MassTruth>& exact) {
+      return !exact || sayable(*exact, precision);
+    });
+    return all ? ask() : judge::outside("the exact mass or inertia is beyond the range of the subject's precision");
+  });
+}
+
 // One entry a body, and none exactly for the fixed ones, or there is nothing to judge.
 template <class JudgeIt>
 Finding given_masses(const Scene& scene, Subject& subject, JudgeIt&& judge_it) {
@@ -80,7 +106,7 @@ Finding given_masses(const Scene& scene, Subject& subject, JudgeIt&& judge_it) {
 
 template <class JudgeIt>
 Finding of_masses(const Scene& scene, Subject& subject, JudgeIt&& judge_it) {
-  return of_scene(scene, subject, [&] { return given_masses(scene, subject, judge_it); });
+  return of_sayable(scene, subject, [&] { return given_masses(scene, subject, judge_it); });
 }
 
 // agrees
@@ -163,7 +189,7 @@ Finding obeys(const Scene& before, const std::optional<Scene>& moved, const Law&
   if (!uniform || before.bodies.empty()) return judge::outside("mass properties that do not follow from the shape");
   return of_moved(moved, subject, [&](const Scene& after) {
     return of_masses(before, subject, [&](const Masses& first) {
-      return given_masses(after, subject, [&](const Masses& second) {
+      return of_masses(after, subject, [&](const Masses& second) {
         const auto precision = subject.card().precision;
         const auto& truth_before = truth::mass(before);
         const auto& truth_after = truth::mass(after);
@@ -242,11 +268,11 @@ std::string senseless(const Masses& said) {
 }
 
 Finding lives(const Scene& scene, Subject& subject) {
-  return of_scene(scene, subject, [&] { return survives(&Subject::mass, scene, subject, senseless); });
+  return of_sayable(scene, subject, [&] { return survives(&Subject::mass, scene, subject, senseless); });
 }
 
 Finding again(const Scene& scene, Subject& subject) {
-  return of_scene(scene, subject, [&] { return repeats(&Subject::mass, scene, swapped(scene), subject); });
+  return of_sayable(scene, subject, [&] { return repeats(&Subject::mass, scene, swapped(scene), subject); });
 }
 
 auto judging(Part part) {

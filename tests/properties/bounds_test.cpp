@@ -1,5 +1,6 @@
 // What each outcome of the bounds properties is, on answers by hand.
 #include <cmath>
+#include <limits>
 
 #include "properties/property.h"
 #include "tests/catch.h"
@@ -12,11 +13,12 @@ using oracle::Outcome;
 
 namespace {
 
-oracle::Finding judged(const std::string& property, Answer<Bounds> said, double margin = 0) {
+oracle::Finding judged(const std::string& property, Answer<Bounds> said, double margin = 0,
+                       const Scene& scene = tests::scene("cubes that share a face")) {  // B at (0, 2, 0.5)
   tests::FixedSubject subject;
   subject.introduced.broad_phase_margin = margin;
   subject.said_bounds = std::move(said);
-  return properties::find(property).check(tests::scene("cubes that share a face"), subject);  // B at (0, 2, 0.5)
+  return properties::find(property).check(scene, subject);
 }
 
 Bounds grown(double by) {
@@ -49,4 +51,15 @@ TEST_CASE("bounds: one box a body") {
   CHECK(judged("bounds.tight", Bounds{grown(0)[0]}).defect == Defect::wrong_box);
   CHECK(judged("bounds.survives", Bounds{grown(-5)}).outcome == Outcome::fails);
   CHECK(judged("bounds.alone", grown(0)).defect == Defect::relabelled);  // a constant cannot follow the bodies' order
+}
+
+TEST_CASE("bounds.survives: infinity is no fault where the exact box ends beyond the subject's numbers") {
+  const double far = std::numeric_limits<double>::max(), infinity = std::numeric_limits<double>::infinity();
+  const Bounds everything = {{Vec3::Constant(-infinity), Vec3::Constant(infinity)}};
+  Scene scene;
+  scene.bodies.resize(1);
+  scene.bodies[0].shape = Sphere{far};
+  CHECK(judged("bounds.survives", everything, 0, scene).outcome == Outcome::fails);
+  scene.bodies[0].X_WB.p_WB = Vec3(far, 0, 0);
+  CHECK(judged("bounds.survives", everything, 0, scene).outcome == Outcome::outside);
 }

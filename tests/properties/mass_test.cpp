@@ -1,4 +1,6 @@
 // What each outcome of the mass properties is, on answers by hand.
+#include <limits>
+
 #include "properties/property.h"
 #include "tests/catch.h"
 #include "tests/properties/fixed_subject.h"
@@ -66,4 +68,19 @@ TEST_CASE("mass: an entry for each movable body, none for a fixed one") {
   subject.said_mass = Masses{cube(), std::nullopt};
   CHECK(properties::find("mass.mass").check(tests::scene("cubes that share a face"), subject).defect ==
         Defect::wrong_mass);
+}
+
+TEST_CASE("mass: infinity is no fault where the exact mass is beyond the subject's numbers, and is one below") {
+  Scene scene = tests::scene("cubes that share a face");
+  for (Body& body : scene.bodies) body.shape = Box{Vec3::Constant(0x1p100)}, body.mass = Density{1};
+  tests::FixedSubject subject;
+  MassProperties infinite = cube();
+  infinite.mass = std::numeric_limits<double>::infinity();
+  subject.said_mass = Masses{infinite, infinite};
+  for (const char* property : {"mass.survives", "mass.mass", "mass.repeats"}) {
+    subject.introduced.precision = oracle::Precision::binary32;
+    CHECK(properties::find(property).check(scene, subject).outcome == Outcome::outside);
+    subject.introduced.precision = oracle::Precision::binary64;
+    CHECK(properties::find(property).check(scene, subject).outcome == Outcome::fails);
+  }
 }
