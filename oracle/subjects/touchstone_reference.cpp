@@ -1,5 +1,7 @@
 #include "oracle/subjects/touchstone_reference.h"
 
+#include <cmath>
+
 #include "oracle/subjects/engine.h"
 #include "reference/bounds.h"
 #include "reference/broad_phase.h"
@@ -25,6 +27,17 @@ MassProperties properties_of(const reference::MassTruth& truth) {
   return said;
 }
 
+/// What no double can hold is not said: a finite number in its place would be another value.
+const Abstains beyond_doubles{"the exact value is beyond the range of doubles"};
+
+/// A mass or inertia that underflows to 0 is as far beyond the range as one that overflows.
+bool in_range(const MassProperties& m) {
+  return m.mass > 0 && std::isfinite(m.mass) && m.p_BBcm.allFinite() && m.I_BBcm_B.allFinite() &&
+         (m.I_BBcm_B.diagonal().array() > 0).all();
+}
+
+bool in_range(const Aabb& box) { return box.lo.allFinite() && box.hi.allFinite(); }
+
 /// Rounded outward.
 Aabb box_of(const reference::ExactBox& exact) {
   Aabb box;
@@ -44,13 +57,17 @@ class Reference : public Subject {
     Masses said;
     for (const auto& truth : reference::mass(scene)) {
       said.push_back(truth ? std::optional(properties_of(*truth)) : std::nullopt);
+      if (said.back() && !in_range(*said.back())) return beyond_doubles;
     }
     return said;
   }
 
   Answer<Bounds> bounds(const Scene& scene) override {
     Bounds said;
-    for (const reference::ExactBox& exact : reference::bounds(scene)) said.push_back(box_of(exact));
+    for (const reference::ExactBox& exact : reference::bounds(scene)) {
+      said.push_back(box_of(exact));
+      if (!in_range(said.back())) return beyond_doubles;
+    }
     return said;
   }
 
@@ -60,6 +77,7 @@ class Reference : public Subject {
     const reference::DistanceTruth truth = reference::distance(scene);
     Distance said;
     said.verdict = truth.verdict;
+    if (!std::isfinite(truth.distance.hi)) return beyond_doubles;
     said.distance = middle(truth.distance);
     said.enclosure = truth.distance;
     if (truth.verdict == Verdict::overlapping) return said;
@@ -75,6 +93,7 @@ class Reference : public Subject {
     const reference::PenetrationTruth truth = reference::penetration(scene);
     Penetration said;
     said.verdict = truth.verdict;
+    if (!std::isfinite(truth.depth.hi)) return beyond_doubles;
     said.depth = middle(truth.depth);
     if (truth.verdict == Verdict::overlapping) said.nhat_BA_W = truth.nhat_BA_W;
     return said;

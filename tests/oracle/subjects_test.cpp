@@ -1,6 +1,7 @@
 // Each adapter on scenes whose truth is plain: units, frames, half extents, which way a normal points. A mistake here
 // would slander an engine. (Engines' errors are found by the properties, not here: the bound is a loose 1e-5.)
 #include <algorithm>
+#include <limits>
 
 #include "oracle/pipe.h"
 #include "tests/catch.h"
@@ -199,6 +200,17 @@ TEST_CASE("mass of a hull") {
     CHECK(near(said(answer)[0]->mass, 4));
     CHECK(near(said(answer)[0]->p_BBcm, {1, 0.5, 0.25}));
   }
+}
+
+TEST_CASE("the reference abstains where no double holds the exact value") {
+  const double far = std::numeric_limits<double>::max();
+  const auto reference = connect("reference", TOUCHSTONE_SUBJECTS);
+  const Scene far_out = pair(body(Sphere{far}, {far, 0, 0}), body(Box{Vec3::Constant(1e-150)}, {0, 0, 0}));
+  CHECK(std::holds_alternative<Abstains>(reference->bounds(far_out)));
+  CHECK(std::holds_alternative<Abstains>(reference->mass(far_out)));
+  const Scene speck = pair(body(Box{Vec3::Constant(1e-150)}, {0, 0, 0}), body(Box{{1, 1, 1}}, {9, 0, 0}));
+  CHECK(std::holds_alternative<Abstains>(reference->mass(speck)));  // it would be 0
+  CHECK(std::holds_alternative<Bounds>(reference->bounds(speck)));
 }
 
 TEST_CASE("a subject in Python") {
