@@ -1,0 +1,70 @@
+"""A subject that dies, hangs, prints garbage or answers NaN spoils its own rows, and nothing else."""
+
+import json
+import unittest
+import xml.etree.ElementTree
+
+from program import *
+
+TWO_BALLS = scene(body(ball(1)), body(ball(1), (3, 0, 0)))
+
+
+class AtItsStart(Test):
+    def test_a_program_that_never_introduces_itself(self):
+        for trick, says in [("start_exit", ["did not introduce itself", "no licence found"]),
+                            ("start_words", "did not introduce itself"), ("start_deaf", "did not introduce itself")]:
+            for command in ("report", "check"):
+                self.refused(command, "--cases", 1, "--time-limit", 0.2, "--json", "r.json", "--out", "R",
+                             "--subjects", f"exec:{MISBEHAVING} {trick}", says=["touchstone: subject", *([says] if isinstance(says, str) else says)])
+
+
+class OnAQuestion(Test):
+    def replayed(self, trick):
+        case = {"touchstone": "case/1", "property": "distance.survives", "subject": f"exec:{MISBEHAVING} {trick}", "seed": 1,
+                "index": 0, "finding": {"outcome": "holds", "defect": "none", "error": 0, "allowed": 0},
+                "scene": {**TWO_BALLS, "name": "trap"}}
+        self.file("case.json", case)
+        code = 0 if trick in ("none", "print", "flood", "nap", "fast_math") else 1
+        return json.loads(self.succeeds("replay", "case.json", "--json", "--time-limit", 0.2, code=code))
+
+    def test_each_trick_has_its_name(self):
+        for trick, defect in {"none": "none", "print": "none", "flood": "none", "abort": "crashed", "exit": "crashed",
+                              "orphan": "crashed", "spin": "hung", "sleep": "hung", "throw": "threw", "throw_int": "threw",
+                              "wire_words": "garbage", "wire_empty": "garbage", "wire_bytes": "garbage",
+                              "wire_truncated": "crashed", "wire_huge": "garbage", "wire_wrong_seq": "garbage",
+                              "wire_null": "garbage", "wire_unknown_key": "garbage"}.items():
+            with self.subTest(trick):
+                self.assertEqual(self.replayed(trick)["defect"], defect)
+        for trick in ("nan", "inf"):
+            self.assertIn(self.replayed(trick)["defect"], ("garbage", "not_finite"))
+
+    def test_a_whole_run_goes_on(self):
+        for trick, defect in {"dies": "crashed", "hangs": "hung", "garbles": "garbage", "nan": "garbage"}.items():
+            with self.subTest(trick):
+                self.succeeds("check", "--subjects", f"{ENGINE} {trick}", "--subjects", "inproc:reference", "--json", "r.json",
+                              "--junit", "r.xml", "--cases", 2, "--time-limit", 0.2, "--properties", "distance.repeats", code=1)
+                rows = {row["subject"]: row for row in self.json("r.json")["rows"]}
+                self.assertEqual((rows["reference"]["fails"], rows["reference"]["breaks"]), (0, 0))
+                self.assertGreater(rows["reference"]["holds"], 0)
+                self.assertGreater(rows["trickster"]["breaks"], 0)
+                self.assertEqual(set(rows["trickster"]["defects"]), {defect})
+                suites = xml.etree.ElementTree.parse(self.folder / "r.xml").getroot()
+                self.assertEqual([suite.get("failures") for suite in suites], ["1", "0"])
+
+    def test_a_name_is_no_path_and_no_markup(self):
+        name = "../../a<b>&'x y\u00e9"
+        self.succeeds("report", "--subjects", f"{ENGINE} none \"{name}\"", "--properties", "distance.value", "--cases", 3,
+                      "--out", "R")
+        cases = [p.name for p in (self.folder / "R/cases").iterdir()]
+        self.assertEqual(len(cases), 1)
+        self.assertRegex(cases[0], r"^distance\.value\.[A-Za-z0-9._-]+\.json$")
+        self.assertEqual(self.json("R/report.json")["rows"][0]["subject"], name)
+        self.assertEqual(xml.etree.ElementTree.parse(self.folder / "R/junit.xml").getroot()[0].get("name"), name)
+        page = (self.folder / "R/index.html").read_text()
+        self.assertNotIn("<b>&'", page)
+        self.assertIn("a&lt;b&gt;&amp;", page)
+        self.succeeds("replay", f"R/cases/{cases[0]}", code=1)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,53 @@
+"""replay and minimise: a failing case comes back, and comes out smaller."""
+
+import json
+import unittest
+
+from program import *
+
+# A hull of eight odd corners, far from a box: much more than a wrong distance needs.
+ODD = [[a * 1.125 + 0.0625, b * 0.875 - 0.03125, c * 1.375] for a in (-1, 1) for b in (-1, 1) for c in (-1, 1)]
+SCENE = scene(body(hull(ODD), (0.1875, -0.3125, 0.40625), {"w": 3, "x": 1, "y": -2, "z": 1}), body(box(1.5, 0.75, 1.25), (7, 5, 3)))
+LIAR = f"exec:{CANARY} canary.nan"
+
+
+def extent_of(a_scene):
+    """Digits that a person reads: of all coordinates, half extents and quaternions."""
+    bare = [[b["X_WB"], b["shape"].get("vertices"), b["shape"].get("half_extents")] for b in a_scene["bodies"]]
+    return sum(c.isdigit() and c != "0" for c in json.dumps(bare))
+
+
+class Case(Test):
+    def setUp(self):
+        super().setUp()
+        self.file("case.json", {"touchstone": "case/1", "property": "distance.survives", "subject": LIAR, "seed": 1, "index": 0,
+                                "finding": {"outcome": "holds", "defect": "none", "error": 0, "allowed": 0}, "scene": SCENE})
+
+    def test_replay_prints_clause_truth_and_answer(self):
+        said = self.succeeds("replay", "case.json", code=1)
+        self.assertIn("TS-DISTANCE-11", said)
+        self.assertRegex(said, r"(?m)^truth +separated; distance ")
+        self.assertRegex(said, r"(?m)^proof +\S")
+        self.assertIn("nan", said.lower())
+
+    def test_replay_asks_whom_we_name(self):
+        self.assertRegex(self.succeeds("replay", "case.json", "--subject", "inproc:reference"), r"(?m)^subject +reference")
+        self.assertEqual(json.loads(self.succeeds("replay", "case.json", "--subject", "reference", "--json"))["outcome"],
+                         "holds")
+
+    def test_minimise_writes_a_smaller_case_that_fails(self):
+        self.succeeds("minimise", "case.json", "--out", "small.json")
+        self.succeeds("minimise", "case.json")
+        self.assertEqual((self.folder / "small.json").read_bytes(), (self.folder / "case.smaller.json").read_bytes())
+        small = self.json("small.json")
+        self.assertLess(extent_of(small["scene"]), extent_of(SCENE) / 2)
+        self.assertEqual(small["subject"], LIAR)
+        self.succeeds("replay", "small.json", code=1)
+
+    def test_minimise_has_nothing_to_do(self):
+        self.assertIn("nothing to cut down", self.succeeds("minimise", "case.json", "--subject", "inproc:reference", code=1))
+        self.assertEqual([p.name for p in self.folder.iterdir()], ["case.json"])
+
+
+if __name__ == "__main__":
+    unittest.main()

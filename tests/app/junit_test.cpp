@@ -1,0 +1,38 @@
+// Words of engines inside XML: nothing that they say is markup.
+#include "app/report_junit.h"
+#include "app/xml.h"
+#include "tests/catch.h"
+
+namespace touchstone::app {
+namespace {
+
+TEST_CASE("Markup and characters that XML does not know") {
+  CHECK(escaped("a<b>&\"c\"") == "a&lt;b&gt;&amp;&quot;c&quot;");
+  CHECK(escaped(std::string("\x1b[31m\0\n\t", 8)) == "?[31m?\n\t");
+  CHECK(escaped("d ≤ ½") == "d ≤ ½");
+}
+
+TEST_CASE("Abstaining is skipped, failing fails, holding is neither") {
+  Ledger ledger;
+  ledger.subjects.emplace_back();
+  ledger.subjects[0].name = "<engine>";
+  Row holding;
+  holding.property = "mass.mass";
+  holding.subject = "<engine>";
+  Row abstaining = holding;
+  Row failing = holding;
+  holding.holds = 1;
+  abstaining.abstains = 1;
+  abstaining.why_abstains = "a & b";
+  failing.fails = 1;
+  failing.worst.emplace();
+  failing.worst->finding = {oracle::Outcome::fails, oracle::Defect::wrong_mass, "<1>", "2", 1, 0.5, "kg", {}, "", ""};
+  ledger.rows = {holding, abstaining, failing};
+  const std::string xml = report_junit(ledger);
+  CHECK_THAT(xml, Catch::Contains("name=\"&lt;engine&gt;\" tests=\"3\" failures=\"1\" errors=\"0\" skipped=\"1\""));
+  CHECK_THAT(xml, Catch::Contains("<skipped message=\"a &amp; b\"/>"));
+  CHECK_THAT(xml, Catch::Contains("&lt;1&gt;"));
+}
+
+}  // namespace
+}  // namespace touchstone::app

@@ -1,0 +1,83 @@
+// The books of a run: what counts, what is kept, and that the order of merging is the order of asking.
+#include "app/ledger.h"
+
+#include "tests/catch.h"
+
+namespace touchstone::app {
+namespace {
+
+using oracle::Defect;
+using oracle::Finding;
+using oracle::Grade;
+using oracle::Outcome;
+
+Example example(Outcome outcome, Defect defect = Defect::none, double error = 0, std::uint64_t index = 0) {
+  Example made;
+  made.family = "family";
+  made.index = index;
+  made.finding.outcome = outcome;
+  made.finding.defect = defect;
+  made.finding.error = error;
+  made.finding.allowed = 1;
+  made.finding.unit = "ulps";
+  made.scene.bodies.assign(2, Body{"", Sphere{1}, {}, {}, {}, {}});
+  return made;
+}
+
+TEST_CASE("Each outcome has its own count, and only answers have a grade") {
+  Row row;
+  row.count(example(Outcome::outside));
+  row.count(example(Outcome::abstains));
+  CHECK_FALSE(row.grade());
+  CHECK(row.answered() == 0);
+  row.count(example(Outcome::holds));
+  CHECK(row.grade() == Grade::A);
+  CHECK_FALSE(row.failing());
+  row.count(example(Outcome::fails, Defect::missed, 1e300));
+  row.count(example(Outcome::breaks, Defect::crashed));
+  CHECK(row.failing());
+  CHECK(row.holds == 1);
+  CHECK(row.fails == 1);
+  CHECK(row.breaks == 1);
+  CHECK(row.abstains == 1);
+  CHECK(row.outside == 1);
+  CHECK(row.answered() == 3);
+  CHECK(row.defects == std::map<Defect, long>{{Defect::missed, 1}, {Defect::crashed, 1}});
+  CHECK(row.grade() == Grade::F);
+}
+
+TEST_CASE("The largest error is kept, and of equal ones the first") {
+  Row row;
+  row.count(example(Outcome::fails, Defect::too_far, 5, 1));
+  row.count(example(Outcome::fails, Defect::too_far, 9, 2));
+  row.count(example(Outcome::fails, Defect::too_far, 9, 3));
+  CHECK(row.worst->index == 2);
+  CHECK(row.largest_error == 9);
+}
+
+TEST_CASE("Counting in two halves and merging is counting at once") {
+  std::vector<Example> asked;
+  for (std::uint64_t i = 0; i < 40; ++i) {
+    const auto outcome = static_cast<Outcome>(i % 5);
+    asked.push_back(example(outcome, outcome == Outcome::fails ? Defect::shallow : Defect::none,
+                            static_cast<double>(i * i % 11), i));
+  }
+  Row at_once;
+  for (const Example& one : asked) at_once.count(one);
+  for (std::size_t cut = 0; cut <= asked.size(); ++cut) {
+    Row first;
+    Row second;
+    for (std::size_t i = 0; i < asked.size(); ++i) (i < cut ? first : second).count(asked[i]);
+    first.merge(second);
+    CHECK(first.holds == at_once.holds);
+    CHECK(first.answered() == at_once.answered());
+    CHECK(first.grades == at_once.grades);
+    CHECK(first.defects == at_once.defects);
+    CHECK(first.largest_error == at_once.largest_error);
+    CHECK(first.worst->index == at_once.worst->index);
+    CHECK(first.smallest->index == at_once.smallest->index);
+  }
+}
+
+}  // namespace
+}  // namespace touchstone::app

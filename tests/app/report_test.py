@@ -1,0 +1,117 @@
+"""A small whole run: what is written is complete, repeats itself byte for byte, and every case replays."""
+
+import pathlib
+import re
+import shutil
+import tempfile
+import unittest
+import xml.etree.ElementTree
+
+from program import *
+
+
+def files(folder):
+    return {str(p.relative_to(folder)): p.read_bytes() for p in sorted(folder.rglob("*")) if p.is_file()}
+
+
+class Report(Test):
+    @classmethod
+    def setUpClass(cls):
+        cls.runs = pathlib.Path(tempfile.mkdtemp(prefix="touchstone_"))
+        cls.addClassCleanup(shutil.rmtree, cls.runs)
+        cls.told = {}
+        for name, jobs, seed in [("once", 1, 7), ("again", 2, 7), ("other", 2, 8)]:
+            words = ["report", "--stems", "bounds,distance,penetration", "--cases", 12, "--seed", seed, "--jobs", jobs]
+            cls.told[name] = subprocess.run([PROGRAM, *map(str, words), "--out", name], cwd=cls.runs, capture_output=True,
+                                            text=True, timeout=120)
+
+    def setUp(self):
+        self.folder = self.runs
+        self.report = self.json("once/report.json")
+
+    def test_exit_code_and_streams(self):
+        for name, done in self.told.items():
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertTrue(done.stdout.endswith(f"{name}/index.html\n"), done.stdout)
+            self.assertTrue(all("no real meshes" in line for line in done.stderr.splitlines()), done.stderr)
+
+    def test_the_same_seed_gives_the_same_bytes(self):
+        once, again, other = (files(self.runs / name) for name in ("once", "again", "other"))
+        self.assertEqual(sorted(once), sorted(again))
+        for name in once:
+            self.assertEqual(once[name], again[name], name)
+        self.assertNotEqual(once["report.json"], other["report.json"])
+
+    def test_one_row_a_property_and_subject(self):
+        pairs = [(row["property"], row["subject"]) for row in self.report["rows"]]
+        self.assertEqual(len(pairs), len(set(pairs)))
+        self.assertEqual(len(pairs), len({p for p, _ in pairs}) * len({s for _, s in pairs}))
+        self.assertFalse(self.report["interrupted"])
+        for row in self.report["rows"]:
+            for count in ("holds", "fails", "abstains", "breaks"):
+                self.assertIsInstance(row[count], int)
+            failing = row["fails"] + row["breaks"] > 0
+            self.assertEqual("case" in row and bool(row["case"]), failing, row)
+            if failing:
+                self.assertTrue((self.runs / "once" / row["case"]).is_file(), row)
+            if row["subject"] in ("reference", "fast"):
+                self.assertFalse(failing, row)
+        named = {row["case"] for row in self.report["rows"] if row.get("case")}
+        self.assertEqual(named, {"cases/" + p.name for p in (self.runs / "once/cases").iterdir()})
+        self.assertGreater(len(named), 5)
+
+    def test_junit_says_what_the_rows_say(self):
+        suites = xml.etree.ElementTree.parse(self.runs / "once/junit.xml").getroot()
+        rows = {(row["subject"], row["property"]): row for row in self.report["rows"]}
+        for suite in suites:
+            cases = suite.findall("testcase")
+            self.assertEqual(int(suite.get("tests")), len(cases))
+            self.assertEqual(int(suite.get("failures")), len(suite.findall("testcase/failure")))
+            self.assertEqual(int(suite.get("skipped")), len(suite.findall("testcase/skipped")))
+            for case in cases:
+                row = rows.pop((case.get("classname"), case.get("name")))
+                self.assertEqual(case.find("failure") is not None, row["fails"] + row["breaks"] > 0, row)
+                self.assertEqual(case.find("skipped") is not None, row["holds"] + row["fails"] + row["breaks"] == 0, row)
+        self.assertFalse(rows)
+
+    def test_every_case_replays(self):
+        for row in filter(lambda row: row.get("case"), self.report["rows"]):
+            said = self.succeeds("replay", "once/" + row["case"], code=1)
+            for label in ("property", "clause", "subject"):
+                self.assertRegex(said, rf"(?m)^{label} +\S")
+            self.assertRegex(said, rf"TS-[A-Z-]+-\d+ ")
+            self.assertIn(row["property"], said)
+            case = self.json("once/" + row["case"])
+            if row["property"].startswith(("distance.", "penetration.")):
+                self.assertRegex(said, r"(?m)^truth +(separated|touching|overlapping); distance .*\|d\*\|² = \d")
+            for label in ("observed", "expected"):
+                if case["finding"].get(label):
+                    self.assertRegex(said, rf"(?m)^{label} +\S")
+            self.assertTrue(re.search(r"(?m)^(observed|because) +\S", said), said)
+
+    def test_a_second_report_leaves_nothing_of_the_first(self):
+        shutil.copytree(self.runs / "once", self.runs / "twice")
+        (self.runs / "twice/cases/mine.txt").write_text("mine")
+        self.succeeds("report", "--subjects", "inproc:reference", "--stems", "bounds", "--cases", 1, "--out", "twice")
+        self.assertEqual([p.name for p in (self.runs / "twice/cases").iterdir()], ["mine.txt"])
+
+
+class Check(Test):
+    def test_exit_codes_and_files(self):
+        words = ("check", "--stems", "distance", "--cases", 4, "--json", "r.json", "--junit", "r.xml", "--subjects")
+        self.succeeds(*words, "inproc:reference")
+        self.assertEqual({row["subject"] for row in self.json("r.json")["rows"]}, {"reference"})
+        self.assertEqual(sorted(p.name for p in self.folder.iterdir()), ["r.json", "r.xml"])
+        said = self.succeeds(*words, f"exec:{CANARY} canary.nan", code=1)
+        self.assertRegex(said, r"(?m)^\S+ distance\.value: \d+ of \d+ fail, grade F$")
+        self.assertIn("not_finite", said)
+        xml.etree.ElementTree.parse(self.folder / "r.xml")
+
+    def test_properties_and_stems_choose(self):
+        self.succeeds("check", "--subjects", "inproc:reference", "--properties", "distance.value,mass.mass", "--cases", 2,
+                      "--json", "r.json")
+        self.assertEqual({row["property"] for row in self.json("r.json")["rows"]}, {"distance.value", "mass.mass"})
+
+
+if __name__ == "__main__":
+    unittest.main()
