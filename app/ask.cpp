@@ -150,6 +150,13 @@ void print(const Json& json, const std::string& indent) {
   }
 }
 
+/// What only geometry shows to be wrong with a scene has its file's name before it too.
+Json answered(const std::string& query, const Scene& scene, const std::string& path) try {
+  return shows().at(query)(reference::completed(scene));
+} catch (const InputError& error) {
+  throw InputError(path, error.what());
+}
+
 }  // namespace
 
 const std::vector<std::string>& queries() {
@@ -158,8 +165,8 @@ const std::vector<std::string>& queries() {
 }
 
 void ask(const std::string& query, const std::string& scene_path, bool as_json) {
-  const Scene scene = reference::completed(read_scene(scene_path));
-  const Json answer = shows().at(query)(scene);
+  const Scene scene = read_scene(scene_path);
+  const Json answer = answered(query, scene, scene_path);
   if (as_json) {
     fmt::print("{}", text_of(answer));
   } else {
