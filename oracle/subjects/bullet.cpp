@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <numbers>
+#include <limits>
 #include <stdexcept>
 
 #include "oracle/subjects/bullet_input.h"
@@ -27,6 +28,7 @@ btPointCollector closest_points(const Scene& scene) {
   btGjkPairDetector::ClosestPointInput input;
   input.m_transformA = transform(A.X_WB);
   input.m_transformB = transform(B.X_WB);
+  input.m_maximumDistanceSquared = std::numeric_limits<btScalar>::max();  // by default it sees no farther than 1e9 m
   btPointCollector result;
   detector.getClosestPoints(input, result, nullptr);
   if (!result.m_hasResult) throw std::runtime_error("btGjkPairDetector reported no closest points");
