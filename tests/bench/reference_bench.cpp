@@ -21,8 +21,8 @@ std::vector<Scene> round_pairs(int vertices, double reach) {
   std::vector<Scene> scenes;
   for (int i = 0; i < 64; ++i) {
     const Vec3 away = reach * dice.in_cube().normalized();
-    scenes.push_back(pair(body(round_hull(dice, vertices), away, random_quaternion(dice)),
-                          body(round_hull(dice, vertices), Vec3::Zero(), random_quaternion(dice))));
+    scenes.push_back(pair_of({{round_hull(dice, vertices), away, random_quaternion(dice)},
+                              {round_hull(dice, vertices), Vec3::Zero(), random_quaternion(dice)}}));
   }
   return scenes;
 }

@@ -25,10 +25,11 @@ class Dice {
   int between(int low, int high) { return low + static_cast<int>(bits() % static_cast<std::uint64_t>(high - low + 1)); }
   double unit() { return static_cast<double>(bits() >> 11U) * 0x1p-53; }
   double around_zero() { return 2 * unit() - 1; }
-  Vec3 lattice(int reach) {
-    const int x = between(-reach, reach);
-    const int y = between(-reach, reach);
-    return Vec3(x, y, between(-reach, reach));
+  Vec3 lattice(int reach) { return cell(-reach, reach); }
+  Vec3 cell(int low, int high) {
+    const int x = between(low, high);
+    const int y = between(low, high);
+    return Vec3(x, y, between(low, high));
   }
   Vec3 in_cube() {
     const double x = around_zero();
@@ -51,6 +52,18 @@ inline Scene pair(Body A, Body B) {
   Scene scene;
   scene.bodies = {std::move(A), std::move(B)};
   return scene;
+}
+
+/// Between braces C++ evaluates from left to right, between parentheses in any order: draws that share an expression
+/// stand in braces, so that every compiler makes the same scenes.
+struct Placed {
+  Shape shape;
+  Vec3 p_WB = Vec3::Zero();
+  Quaternion q_WB = {};
+};
+
+inline Scene pair_of(const std::vector<Placed>& both) {
+  return pair(body(both[0].shape, both[0].p_WB, both[0].q_WB), body(both[1].shape, both[1].p_WB, both[1].q_WB));
 }
 
 inline Quaternion integer_quaternion(Dice& dice) {
@@ -79,7 +92,7 @@ inline Shape lattice_hull(Dice& dice, int points, int reach) {
   try {
     return reference::convex_hull(drawn);
   } catch (const std::exception&) {
-    return Box{Vec3(dice.between(1, reach), dice.between(1, reach), dice.between(1, reach))};
+    return Box{dice.cell(1, reach)};
   }
 }
 
@@ -140,39 +153,43 @@ inline Scene hard_pair(int family, Dice& dice) {
   const Quaternion q = integer_quaternion(dice);
   switch (family) {
     case 0:  // lattice hulls, upright
-      return pair(body(lattice_hull(dice, 8, 3), dice.lattice(4)), body(lattice_hull(dice, 8, 3), dice.lattice(4)));
+      return pair_of({{lattice_hull(dice, 8, 3), dice.lattice(4)}, {lattice_hull(dice, 8, 3), dice.lattice(4)}});
     case 1:  // lattice hulls, turned
-      return pair(body(lattice_hull(dice, 6, 2), dice.lattice(4), q),
-                  body(lattice_hull(dice, 12, 3), dice.lattice(4), integer_quaternion(dice)));
+      return pair_of({{lattice_hull(dice, 6, 2), dice.lattice(4), q},
+                      {lattice_hull(dice, 12, 3), dice.lattice(4), integer_quaternion(dice)}});
     case 2:  // lattice hulls, turned alike
-      return pair(body(lattice_hull(dice, 10, 2), dice.lattice(3), q),
-                  body(lattice_hull(dice, 10, 2), dice.lattice(3), q));
-    case 3:  // boxes a tiny gap apart, face to face
-      return pair(body(Box{Vec3(1, 2, 3)}),
-                  body(Box{Vec3(1, 1, 1)}, Vec3(2 + tiny_gap(dice), dice.between(-3, 3), dice.between(-4, 4))));
+      return pair_of(
+          {{lattice_hull(dice, 10, 2), dice.lattice(3), q}, {lattice_hull(dice, 10, 2), dice.lattice(3), q}});
+    case 3: {  // boxes a tiny gap apart, face to face
+      const double gap = tiny_gap(dice);
+      const int y = dice.between(-3, 3);
+      return pair_of({{Box{Vec3(1, 2, 3)}}, {Box{Vec3(1, 1, 1)}, Vec3(2 + gap, y, dice.between(-4, 4))}});
+    }
     case 4: {  // a vertex above a face
       Polytope needle = reference::convex_hull({Vec3(0, 0, 0), Vec3(1, 0, 4), Vec3(-1, 1, 4), Vec3(-1, -1, 4)});
-      return pair(body(needle, Vec3(dice.around_zero(), 0, 1 + tiny_gap(dice))), body(Box{Vec3(2, 2, 1)}));
+      const double x = dice.around_zero();
+      return pair_of({{needle, Vec3(x, 0, 1 + tiny_gap(dice))}, {Box{Vec3(2, 2, 1)}}});
     }
     case 5: {  // edges crossed
       Polytope roof = reference::convex_hull({Vec3(-2, 0, 0), Vec3(2, 0, 0), Vec3(0, 1, 3), Vec3(0, -1, 3)});
       Polytope keel = reference::convex_hull({Vec3(0, -2, 0), Vec3(0, 2, 0), Vec3(1, 0, -3), Vec3(-1, 0, -3)});
-      return pair(body(roof, Vec3(dice.between(-1, 1), dice.between(-1, 1), tiny_gap(dice))), body(keel));
+      const Vec3 above = dice.lattice(1);
+      return pair_of({{roof, Vec3(above.x(), above.y(), tiny_gap(dice))}, {keel}});
     }
     case 6: {  // prisms with cocircular ends
       const Polytope& prism = prisms[static_cast<std::size_t>(dice.between(0, 2))];
       const double r = prism.vertices[0].norm();
-      return pair(body(prism, r * dice.in_cube(), q),
-                  body(prism, Vec3(0, 0, dice.between(-1, 1) * r), dice.between(0, 1) ? q : Quaternion{}));
+      const double z = dice.between(-1, 1) * r;
+      return pair_of({{prism, r * dice.in_cube(), q}, {prism, Vec3(0, 0, z), dice.between(0, 1) ? q : Quaternion{}}});
     }
     case 7:  // cospherical hulls
-      return pair(body(spheres[static_cast<std::size_t>(dice.between(0, 2))], dice.lattice(8)),
-                  body(spheres[static_cast<std::size_t>(dice.between(0, 2))], Vec3::Zero(),
-                       dice.between(0, 1) ? q : Quaternion{}));
+      return pair_of({{spheres[static_cast<std::size_t>(dice.between(0, 2))], dice.lattice(8)},
+                      {spheres[static_cast<std::size_t>(dice.between(0, 2))], Vec3::Zero(),
+                       dice.between(0, 1) ? q : Quaternion{}}});
     case 8: {  // needles and plates
       const double thin = std::ldexp(1.0, -dice.between(10, 20));
-      return pair(body(stretched(round_hull(dice, 12), Vec3(1, thin, thin)), 0.5 * dice.in_cube(), q),
-                  body(stretched(round_hull(dice, 12), Vec3(1, 1, thin)), 0.5 * dice.in_cube()));
+      return pair_of({{stretched(round_hull(dice, 12), Vec3(1, thin, thin)), 0.5 * dice.in_cube(), q},
+                      {stretched(round_hull(dice, 12), Vec3(1, 1, thin)), 0.5 * dice.in_cube()}});
     }
     case 9: {  // coincident, nested, concentric
       const Shape shape = lattice_hull(dice, 12, 3);
@@ -189,7 +206,8 @@ inline Scene hard_pair(int family, Dice& dice) {
     }
     case 11: {  // far from the origin, and of very different sizes
       Scene scene = hard_pair(dice.between(0, 5), dice);
-      const Vec3 far = std::ldexp(1.0, dice.between(20, 45)) * dice.lattice(3);
+      const int exponent = dice.between(20, 45);
+      const Vec3 far = std::ldexp(1.0, exponent) * dice.lattice(3);
       for (Body& b : scene.bodies) b.X_WB.p_WB += far;
       return scene;
     }
@@ -197,16 +215,16 @@ inline Scene hard_pair(int family, Dice& dice) {
       Compound compound;
       for (int i = 0; i < 3; ++i) {
         ConvexShape part = Sphere{double(dice.between(1, 2))};
-        if (i > 0) part = Box{Vec3(dice.between(1, 2), dice.between(1, 2), dice.between(1, 2))};
+        if (i > 0) part = Box{dice.cell(1, 2)};
         compound.parts.push_back({Pose{dice.lattice(3), integer_quaternion(dice)}, part});
       }
-      return pair(body(compound, dice.lattice(4), q), body(Sphere{double(dice.between(1, 3))}, dice.lattice(5)));
+      return pair_of({{compound, dice.lattice(4), q}, {Sphere{double(dice.between(1, 3))}, dice.lattice(5)}});
     }
     default:  // quaternions far from unit length
       const Quaternion huge = {q.w * 1e150, q.x * 1e150, q.y * 1e150, q.z * 1e150};
       const Quaternion tiny = {q.w * 1e-160, q.x * 1e-160, q.y * 1e-160, q.z * 1e-160};
-      return pair(body(lattice_hull(dice, 8, 2), dice.lattice(3), huge),
-                  body(lattice_hull(dice, 8, 2), dice.lattice(3), tiny));
+      return pair_of(
+          {{lattice_hull(dice, 8, 2), dice.lattice(3), huge}, {lattice_hull(dice, 8, 2), dice.lattice(3), tiny}});
   }
 }
 

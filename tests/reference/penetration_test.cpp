@@ -163,8 +163,9 @@ TEST_CASE("depth: identical bodies in one place: every way ties, both routes fin
 TEST_CASE("depth: moving A out along the direction by the depth leaves nothing; by half of it, half") {
   Dice dice(9);
   for (int i = 0; i < 30; ++i) {
-    const Scene scene = pair(body(tests::round_hull(dice, 20), 0.5 * dice.in_cube(), tests::integer_quaternion(dice)),
-                             body(tests::round_hull(dice, 20)));
+    const Scene scene =
+        tests::pair_of({{tests::round_hull(dice, 20), 0.5 * dice.in_cube(), tests::integer_quaternion(dice)},
+                        {tests::round_hull(dice, 20)}});
     const PenetrationTruth t = penetration(scene);
     REQUIRE(t.verdict == Verdict::overlapping);
     CHECK(depth_after(scene, Vec3::Zero()) == t.depth);
