@@ -3,8 +3,6 @@
 
 #include <string>
 
-#include "oracle/pipe.h"
-
 namespace touchstone::app {
 
 struct CaseCommand {
@@ -13,7 +11,7 @@ struct CaseCommand {
   std::string out;      ///< of minimise: where the smaller case goes; beside the old one if empty
   int budget = 1500;
   bool json = false;
-  oracle::PipeLimits limits;
+  double time_limit = 2;  ///< as in RunOptions
 };
 
 /// Prints the property, its clauses in words, the exact truth, the subject's answer and the finding. 1 if it fails, 0

@@ -11,7 +11,7 @@ struct Effort {
   int cases = 0;            ///< drawn scenes a stem
   int extreme_cases = 0;    ///< of them, for the properties that ask only for an end and sense, besides
   int minimise_budget = 0;  ///< questions a failing row
-  int mesh_share = 1;       ///< each pair of meshes is asked under every so-many-th property of the stem
+  int mesh_share = 1;       ///< a pair of meshes is asked under every so-many-th of the stem's laws
   int deep_mesh_pairs = 0;  ///< overlapping pairs of meshes that are asked for their depth
 };
 

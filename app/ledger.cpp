@@ -1,7 +1,11 @@
 #include "app/ledger.h"
 
+#include <fmt/format.h>
+
 #include <tuple>
 #include <utility>
+
+#include "oracle/tolerance.h"
 
 namespace touchstone::app {
 namespace {
@@ -16,15 +20,28 @@ bool worse(const Example& a, const Example& b) {
          std::pair(oracle::grade(b.finding), excess(b.finding));
 }
 
-/// A better start for the minimiser: as bad, and smaller.
+/// Bodies of a size that people work with: a counterexample of 1e-18 m only shows that an engine has an absolute
+/// epsilon.
+bool in_usual_units(const Scene& scene) {
+  const double scale = oracle::tolerance::scale(scene);
+  return 1e-3 <= scale && scale <= 1e3;
+}
+
+/// A better start for the minimiser: in usual units, then as bad, then smaller.
 bool handier(const Example& a, const Example& b) {
-  const auto cost = [](const Example& example) {
+  const auto rank = [](const Example& example) {
     const oracle::Size size = oracle::size_of(example.scene);
-    return std::tuple(size.bodies, size.vertices_per_body_max, size.significant_bits_max);
+    return std::tuple(!in_usual_units(example.scene), -static_cast<int>(oracle::grade(example.finding)), size.bodies,
+                      size.vertices_per_body_max, size.significant_bits_max);
   };
-  const Grade grade_a = oracle::grade(a.finding);
-  const Grade grade_b = oracle::grade(b.finding);
-  return grade_a != grade_b ? grade_a > grade_b : cost(a) < cost(b);
+  return rank(a) < rank(b);
+}
+
+void widen(double& largest_error, std::string& unit, double error, const std::string& error_unit) {
+  if (error_unit.empty() || (error_unit == unit && error <= largest_error)) return;
+  if (!unit.empty() && error_unit != unit) return;
+  largest_error = error;
+  unit = error_unit;
 }
 
 void keep(std::optional<Example>& kept, const Example& candidate, bool (*better)(const Example&, const Example&)) {
@@ -44,6 +61,7 @@ void Row::count(Example example) {
     if (why_abstains.empty()) why_abstains = example.finding.why;
     return;
   }
+  widen(largest_error, unit, example.finding.error, example.finding.unit);
   ++grades[static_cast<std::size_t>(oracle::grade(example.finding))];
   if (outcome == Outcome::holds) {
     ++holds;
@@ -65,6 +83,7 @@ void Row::merge(Row later) {
   for (std::size_t g = 0; g < grades.size(); ++g) grades[g] += later.grades[g];
   for (const auto& [defect, count] : later.defects) defects[defect] += count;
   if (why_abstains.empty()) why_abstains = later.why_abstains;
+  widen(largest_error, unit, later.largest_error, later.unit);
   if (later.worst) keep(worst, *later.worst, worse);
   if (later.smallest) keep(smallest, *later.smallest, handier);
 }
@@ -74,6 +93,19 @@ std::optional<Grade> Row::grade() const {
     if (grades[g] > 0) return static_cast<Grade>(g);
   }
   return std::nullopt;
+}
+
+const oracle::Finding& shown_finding(const Row& row) {
+  return row.smallest_case ? row.smallest_case->finding : row.worst->finding;
+}
+
+std::string text_of(const oracle::Size& size) {
+  const auto counted = [](int n, const char* one, const char* many) {
+    return fmt::format("{} {}", n, n == 1 ? one : many);
+  };
+  return fmt::format("{}, at most {} a body and {}", counted(size.bodies, "body", "bodies"),
+                     counted(size.vertices_per_body_max, "vertex", "vertices"),
+                     counted(size.significant_bits_max, "significant bit", "significant bits"));
 }
 
 }  // namespace touchstone::app

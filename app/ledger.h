@@ -38,15 +38,19 @@ struct Row {
   std::array<long, 5> grades{};            ///< of the answered: A, B, C, D, F
   std::map<oracle::Defect, long> defects;  ///< of fails and breaks
   std::string why_abstains;                ///< the first reason
+  double largest_error = 0;                ///< of all that was answered with a number, right or wrong
+  std::string unit;                        ///< of it; empty if nothing was
   std::optional<Example> worst;            ///< the worst grade, then the largest error, then the first
-  std::optional<Example> smallest;  ///< of the worst grade, the fewest vertices, then the first: what is cut down
+  std::optional<Example> smallest;  ///< in usual units, the worst grade, the smallest: what is cut down
   std::optional<oracle::Case> smallest_case;  ///< after cutting down
   oracle::Size size_found;                    ///< of `smallest` before
   std::string case_file;                      ///< relative to the report's folder
 
+  /// A finding of the next question.
   void count(Example example);
   void merge(Row later);
   bool failing() const { return fails + breaks > 0; }
+  long answered() const { return holds + fails + breaks; }
   std::optional<oracle::Grade> grade() const;  ///< the worst; none if nothing was answered
 };
 
@@ -55,6 +59,7 @@ struct Ledger {
   std::string effort;
   int cases = 0;  ///< drawn scenes a stem
   bool interrupted = false;
+  std::vector<std::string> connectables;  ///< how to reach the subjects, in their order
   std::vector<oracle::Card> subjects;
   std::vector<Row> rows;                                       ///< property by property; in each, the subjects in order
   std::map<std::string, std::map<std::string, long>> classes;  ///< stem -> class -> scenes
@@ -65,5 +70,11 @@ struct Ledger {
   std::size_t mesh_count = 0;
   std::map<std::string, long> mesh_scenes;  ///< family -> scenes
 };
+
+/// The finding that is shown of a failing row: the cut-down scene's, else the worst.
+const oracle::Finding& shown_finding(const Row& row);
+
+/// "2 bodies, at most 4 vertices a body and 3 significant bits"
+std::string text_of(const oracle::Size& size);
 
 }  // namespace touchstone::app

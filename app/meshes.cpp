@@ -64,10 +64,17 @@ Quaternion drawn_rotation(properties::Random& random) {
   return q;
 }
 
+/// In sizes of the smaller body.
+double drawn_gap(const std::string& family, properties::Random& random) {
+  if (family == "mesh.separated") return 0.1;
+  if (family == "mesh.overlapping") return -0.05;
+  return random.pick({1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9});
+}
+
 /// Along the line of the closest points, B comes to the gap that its family names.
-void close_in(Scene& scene, const std::string& family) {
+void close_in(Scene& scene, double gap_in_sizes) {
   const double size = std::min(oracle::tolerance::radius(scene.bodies[0]), oracle::tolerance::radius(scene.bodies[1]));
-  const double gap = family == "mesh.near" ? 1e-6 * size : family == "mesh.separated" ? 0.1 * size : -0.05 * size;
+  const double gap = gap_in_sizes * size;
   const reference::DistanceTruth& truth = oracle::truth::distance(scene);
   const Vec3 toward_A(truth.difference.x.nearest(), truth.difference.y.nearest(), truth.difference.z.nearest());
   scene.bodies[1].X_WB.p_WB += toward_A.stableNormalized() * (truth.distance.lo - gap);
@@ -150,7 +157,7 @@ Scene mesh_scene(const MeshSet& set, const MeshQuestion& question, std::uint64_t
   if (question.meshes.size() == 2) {
     const Vec3 direction(random.whole(1, 4), random.whole(-4, 4), random.whole(-4, 4));
     scene.bodies[1].X_WB.p_WB = direction.normalized() * (1.5 * reach);
-    close_in(scene, question.family);
+    close_in(scene, drawn_gap(question.family, random));
     scene.name = scene.bodies[0].name + " and " + scene.bodies[1].name;
   } else {
     scene.name = question.family;

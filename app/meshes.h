@@ -39,8 +39,8 @@ struct MeshQuestion {
 std::vector<MeshQuestion> mesh_questions(const std::string& stem, const Effort& effort, const MeshSet& set);
 
 /// Rotations of small integers and the direction are drawn from the seed; the exact distance then says how far to move
-/// B so that the gap is about a tenth (separated) or a millionth (near) of the bodies' size, or −5 % of it
-/// (overlapping).
+/// B so that the gap is about a tenth (separated), or 1e-3 to 1e-9 (near), of the smaller body's size, or −5 % of
+/// it (overlapping).
 Scene mesh_scene(const MeshSet& set, const MeshQuestion& question, std::uint64_t seed);
 
 }  // namespace touchstone::app

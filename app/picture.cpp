@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <set>
+#include <string>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -22,7 +23,7 @@ using Real = oracle::Real;
 using Edges = std::set<std::pair<int, int>>;
 
 constexpr double side = 180;  // of a view, in SVG units
-constexpr double margin = 14;
+constexpr double margin = 20;
 
 /// One convex part, in W: points and the edges between them, or a ball.
 struct Drawn {
@@ -108,9 +109,75 @@ std::string dot(const View& view, const oracle::Point& p, const std::string& sty
                      radius);
 }
 
+struct Dot {
+  double x;
+  double y;
+};
+
+/// > 0: a, b, c turn to the left.
+double turn(const Dot& a, const Dot& b, const Dot& c) {
+  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+void add_chain(const std::vector<Dot>& dots, std::vector<Dot>& hull) {
+  const std::size_t start = hull.size();
+  for (const Dot& dot : dots) {
+    while (hull.size() >= start + 2 && turn(hull[hull.size() - 2], hull.back(), dot) <= 0) hull.pop_back();
+    hull.push_back(dot);
+  }
+  hull.pop_back();
+}
+
+/// The outline of a part: the hull of its points on the page, by Andrew's two chains.
+std::vector<Dot> outline(const Drawn& part, const View& view) {
+  std::vector<Dot> dots;
+  for (const oracle::Point& p : part.points) dots.push_back({view.x(p), view.y(p)});
+  std::ranges::sort(dots, {}, [](const Dot& dot) { return std::pair(dot.x, dot.y); });
+  std::vector<Dot> hull;
+  add_chain(dots, hull);
+  std::ranges::reverse(dots);
+  add_chain(dots, hull);
+  return hull;
+}
+
+std::string style_of(const Drawn& part) { return fmt::format("body-{}", std::min(part.body, 2)); }
+
+std::string filled(const Drawn& part, const View& view) {
+  if (part.radius > 0) return "";
+  std::string corners;
+  for (const Dot& dot : outline(part, view)) corners += fmt::format("{:.2f},{:.2f} ", dot.x, dot.y);
+  return fmt::format("<polygon class=\"{}\" points=\"{}\"/>", style_of(part), corners);
+}
+
+/// A body that is a speck on this page gets a ring around it.
+std::string ring_around_speck(const Drawn& part, const View& view) {
+  constexpr double speck = 3;
+  Dot lo{side * 2, side};
+  Dot hi{0, 0};
+  for (const oracle::Point& p : part.points) {
+    lo = {std::min(lo.x, view.x(p)), std::min(lo.y, view.y(p))};
+    hi = {std::max(hi.x, view.x(p)), std::max(hi.y, view.y(p))};
+  }
+  const double extent = std::max(hi.x - lo.x, hi.y - lo.y) + 2 * static_cast<double>(part.radius * view.scale);
+  return extent < speck ? dot(view, part.points[0], style_of(part) + " ring", 6) : "";
+}
+
+/// "A" or "B" beside the corner that is farthest from the page's middle, above it or below it.
+std::string name_tag(const Drawn& part, const View& view) {
+  const double x_middle = view.left + side / 2;
+  const auto farthest = std::ranges::max_element(part.points, {}, [&](const oracle::Point& p) {
+    return std::hypot(view.x(p) - x_middle, view.y(p) - side / 2);
+  });
+  const double reach = static_cast<double>(part.radius * view.scale);
+  const double x = view.x(*farthest);
+  const double y = view.y(*farthest) + (view.y(*farthest) < side / 2 ? -reach - 4 : reach + 11);
+  return fmt::format("<text class=\"{}\" x=\"{:.2f}\" y=\"{:.2f}\">{}</text>", style_of(part), x, y,
+                     static_cast<char>('A' + part.body));
+}
+
 std::string wire_frame(const Drawn& part, const View& view) {
-  const std::string style = fmt::format("body-{}", std::min(part.body, 2));
-  std::string svg;
+  const std::string style = style_of(part);
+  std::string svg = filled(part, view) + ring_around_speck(part, view);
   for (const auto& [i, j] : part.edges) {
     svg += line(view, part.points[static_cast<std::size_t>(i)], part.points[static_cast<std::size_t>(j)], style);
   }
@@ -144,13 +211,18 @@ std::string picture(const Scene& scene) {
   if (!(extent > 0) || !std::isfinite(extent)) return "";
   const Real scale = static_cast<Real>(side - 2 * margin) / extent;
   const oracle::Point centre = lo + (hi - lo) / 2;
-  std::string svg = fmt::format("<svg viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{}\">", 2 * side, side + 16,
+  std::string svg = fmt::format("<svg viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{}\">", 2 * side, side + 18,
                                 "the scene from above and from the front");
   for (const View& view :
        {View{0, 1, "x right, y up", 0, scale, centre}, View{0, 2, "x right, z up", side, scale, centre}}) {
-    for (const Drawn& part : parts) svg += wire_frame(part, view);
+    int tagged = -1;
+    for (const Drawn& part : parts) {
+      svg += wire_frame(part, view);
+      if (scene.bodies.size() == 2 && part.body != tagged) svg += name_tag(part, view);
+      tagged = part.body;
+    }
     svg += witnesses(scene, view);
-    svg += fmt::format("<text x=\"{}\" y=\"{}\">{}</text>", view.left + side / 2, side + 10, view.title);
+    svg += fmt::format("<text x=\"{}\" y=\"{}\">{}</text>", view.left + side / 2, side + 13, view.title);
   }
   return svg + "</svg>";
 }

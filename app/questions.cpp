@@ -1,6 +1,7 @@
 #include "app/questions.h"
 
 #include <algorithm>
+#include <map>
 
 #include "properties/domain.h"
 #include "properties/extreme.h"
@@ -38,23 +39,27 @@ void add_drawn(std::vector<Question>& questions, const std::vector<const Family*
   }
 }
 
+/// The plain agreements with the truth: every pair of meshes is asked under these.
+bool compares_with_truth(const Property& property) {
+  return property.id.ends_with(".verdict") || property.id.ends_with(".value") || property.id.ends_with(".depth");
+}
+
 void add_meshes(std::vector<Question>& questions, const std::string& stem, const Effort& effort, std::uint64_t seed,
                 const MeshSet& set) {
   const std::vector<MeshQuestion> asked = mesh_questions(stem, effort, set);
-  std::vector<std::string> ids;
+  std::map<std::string, std::size_t> place;  // of a law among the stem's
   for (const Property& property : properties::all()) {
-    if (property.stem == stem) ids.push_back(property.id);
+    if (property.stem == stem && !compares_with_truth(property)) place.emplace(property.id, place.size());
   }
   const auto share = static_cast<std::size_t>(effort.mesh_share);
   for (std::size_t k = 0; k < asked.size(); ++k) {
     const MeshQuestion& question = asked[k];
-    questions.push_back(
-        {question.family, question.index, [&set, question, seed] { return mesh_scene(set, question, seed); },
-         [ids, k, share](const Property& property) {
-           const auto place = static_cast<std::size_t>(std::ranges::find(ids, property.id) - ids.begin());
-           return place % share == k % share;
-         },
-         false});
+    questions.push_back({question.family, question.index,
+                         [&set, question, seed] { return mesh_scene(set, question, seed); },
+                         [place, k, share](const Property& property) {
+                           return compares_with_truth(property) || place.at(property.id) % share == k % share;
+                         },
+                         false});
   }
 }
 

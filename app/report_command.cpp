@@ -2,12 +2,14 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <set>
 #include <thread>
 
+#include "app/finding_words.h"
 #include "app/interruption.h"
 #include "app/report_html.h"
 #include "app/report_json.h"
@@ -62,28 +64,54 @@ TrialPlan plan_of(const RunOptions& options) {
   plan.subjects = roster(options.subjects);
   plan.seed = options.seed;
   plan.jobs = options.jobs > 0 ? options.jobs : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  plan.limits.cpu_seconds = options.time_limit;
-  plan.limits.wall_seconds = 10 * options.time_limit;
+  plan.limits = limits_of(options.time_limit);
   return plan;
 }
 
 MeshSet meshes_of(const RunOptions& options) { return read_meshes(options.meshes, options.effort == "quick"); }
 
-/// A new report takes the place of the old one only when it is whole; index.html, written last, says that it is.
-void write_report(const std::string& folder, const Ledger& ledger) {
-  std::error_code error;
-  fs::create_directories(fs::path(folder) / "cases", error);
-  if (error) throw InputError(folder, error.message());
-  fs::remove(fs::path(folder) / "index.html");
-  for (const auto& old : fs::directory_iterator(fs::path(folder) / "cases")) {
-    if (old.path().extension() == ".json") fs::remove(old.path());
+void refuse_unless_writable(const fs::path& folder, const std::string& place) {
+  if (!fs::is_directory(folder)) throw InputError(place, "its folder does not exist");
+  if (access(folder.c_str(), W_OK) != 0) throw InputError(place, "its folder is not ours to write in");
+}
+
+/// Before a run of minutes, not after it.
+void prepare_places(const RunOptions& options) {
+  if (!options.out.empty()) {
+    const fs::path cases = fs::path(options.out) / "cases";
+    std::error_code error;
+    fs::create_directories(cases, error);
+    if (error) throw InputError(options.out, error.message());
+    refuse_unless_writable(cases, options.out);
+    refuse_unless_writable(options.out, options.out);
+  }
+  for (const std::string& file : {options.json, options.junit}) {
+    if (file.empty()) continue;
+    if (fs::is_directory(file)) throw InputError(file, "is a folder; expected a file's name");
+    refuse_unless_writable(fs::absolute(file).parent_path(), file);
+  }
+}
+
+/// Only what a report writes: a folder named cases may hold more than ours.
+bool is_case_of_a_report(const fs::path& file) {
+  const std::string name = file.filename().string();
+  return file.extension() == ".json" && std::ranges::any_of(properties::all(), [&](const properties::Property& property) {
+           return name.starts_with(property.id + ".");
+         });
+}
+
+/// The old report goes first and index.html comes last: whoever sees it sees a whole report.
+void write_report(const fs::path& folder, const Ledger& ledger) {
+  for (const char* file : {"index.html", "report.json", "junit.xml"}) fs::remove(folder / file);
+  for (const fs::directory_entry& old : fs::directory_iterator(folder / "cases")) {
+    if (is_case_of_a_report(old.path())) fs::remove(old.path());
   }
   for (const Row& row : ledger.rows) {
-    if (row.smallest_case) oracle::write_case(*row.smallest_case, (fs::path(folder) / row.case_file).string());
+    if (row.smallest_case) oracle::write_case(*row.smallest_case, (folder / row.case_file).string());
   }
-  write_text((fs::path(folder) / "report.json").string(), text_of(report_json(ledger)));
-  write_text((fs::path(folder) / "junit.xml").string(), report_junit(ledger));
-  write_text((fs::path(folder) / "index.html").string(), report_html(ledger));
+  write_text((folder / "report.json").string(), text_of(report_json(ledger)));
+  write_text((folder / "junit.xml").string(), report_junit(ledger));
+  write_text((folder / "index.html").string(), report_html(ledger));
 }
 
 void write_extras(const RunOptions& options, const Ledger& ledger) {
@@ -96,12 +124,10 @@ long failing_rows(const Ledger& ledger) { return std::ranges::count_if(ledger.ro
 void print_failing(const Ledger& ledger, const std::string& out) {
   for (const Row& row : ledger.rows) {
     if (!row.failing()) continue;
-    const oracle::Finding& finding = row.smallest_case ? row.smallest_case->finding : row.worst->finding;
-    fmt::print("{} {}: {} of {} fail ({}, grade {}); observed {}; expected {}\n", row.subject, row.property,
-               row.fails + row.breaks, row.holds + row.fails + row.breaks, oracle::name_of(finding.defect),
-               oracle::name_of(*row.grade()), finding.observed.empty() ? finding.why : finding.observed,
-               finding.expected);
-    if (!out.empty() && !row.case_file.empty()) fmt::print("    touchstone replay {}/{}\n", out, row.case_file);
+    fmt::print("{} {}: {} of {} fail, grade {}\n", row.subject, row.property, row.fails + row.breaks, row.answered(),
+               oracle::name_of(*row.grade()));
+    for (const auto& [label, words] : lines_of(shown_finding(row))) fmt::print("    {:<9} {}\n", label, words);
+    if (!out.empty() && row.smallest_case) fmt::print("    touchstone replay {}/{}\n", out, row.case_file);
   }
 }
 
@@ -116,15 +142,18 @@ void print_summary(const Ledger& ledger) {
     }
     fmt::print("{:<16} {:>3} properties hold, {:>3} fail, {:>3} not answered\n", card.name, holds, fails, silent);
   }
-  if (!ledger.empty_classes.empty())
+  if (ledger.interrupted) {
+    fmt::print("interrupted: only what was asked until then counts\n");
+  } else if (!ledger.empty_classes.empty()) {
     fmt::print("no scene of these kinds was met: {}\n", fmt::join(ledger.empty_classes, "; "));
-  if (ledger.interrupted) fmt::print("interrupted: what was asked until then is all that counts\n");
+  }
 }
 
 }  // namespace
 
 int report(const RunOptions& options) {
   const TrialPlan plan = plan_of(options);
+  prepare_places(options);
   const MeshSet meshes = meshes_of(options);
   if (!meshes.absent.empty()) fmt::print(stderr, "touchstone: no real meshes: {}\n", meshes.absent);
   const Ledger ledger = run(plan, meshes);
@@ -137,6 +166,7 @@ int report(const RunOptions& options) {
 
 int check(const RunOptions& options) {
   const TrialPlan plan = plan_of(options);
+  prepare_places(options);
   const MeshSet meshes = options.meshes.empty() ? MeshSet{} : meshes_of(options);
   const Ledger ledger = run(plan, meshes);
   if (!options.out.empty()) write_report(options.out, ledger);

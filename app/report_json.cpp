@@ -1,5 +1,7 @@
 #include "app/report_json.h"
 
+#include <cmath>
+
 #include "app/version.h"
 #include "oracle/protocol.h"
 #include "properties/property.h"
@@ -25,6 +27,9 @@ Json grades_of(const Row& row) {
   return grades;
 }
 
+/// JSON has no infinity.
+Json number(double x) { return std::isfinite(x) ? Json(x) : Json("inf"); }
+
 Json json_of(const Row& row) {
   Json json = {{"property", row.property}, {"subject", row.subject},    {"holds", row.holds},
                {"fails", row.fails},       {"abstains", row.abstains},  {"breaks", row.breaks},
@@ -32,6 +37,7 @@ Json json_of(const Row& row) {
   if (const auto grade = row.grade()) {
     json["grade"] = oracle::name_of(*grade);
     json["grades"] = grades_of(row);
+    if (!row.unit.empty()) json["largest_error"] = {{"error", number(row.largest_error)}, {"unit", row.unit}};
   }
   if (!row.why_abstains.empty()) json["why_abstains"] = row.why_abstains;
   if (!row.failing()) return json;

@@ -2,13 +2,14 @@
 
 #include <fmt/format.h>
 
+#include "app/finding_words.h"
 #include "app/xml.h"
 
 namespace touchstone::app {
 namespace {
 
 /// Neither holding nor failing anywhere: nothing was found out.
-bool skipped(const Row& row) { return row.holds + row.fails + row.breaks == 0; }
+bool skipped(const Row& row) { return row.answered() == 0; }
 
 std::string counts(const Row& row) {
   return fmt::format("holds {}, fails {}, breaks {}, abstains {}, outside {}", row.holds, row.fails, row.breaks,
@@ -16,10 +17,12 @@ std::string counts(const Row& row) {
 }
 
 std::string failure(const Row& row) {
-  const oracle::Finding& finding = row.smallest_case ? row.smallest_case->finding : row.worst->finding;
-  return fmt::format("<failure type=\"{}\" message=\"{}\">{}\nobserved: {}\nexpected: {}\ncase: {}\n</failure>",
-                     oracle::name_of(finding.defect), escaped(counts(row)), escaped(finding.why),
-                     escaped(finding.observed), escaped(finding.expected), escaped(row.case_file));
+  const oracle::Finding& finding = shown_finding(row);
+  std::string words;
+  for (const auto& [label, text] : lines_of(finding)) words += label + ": " + text + '\n';
+  if (!row.case_file.empty()) words += "case: " + row.case_file + '\n';
+  return fmt::format("<failure type=\"{}\" message=\"{}\">{}</failure>", oracle::name_of(finding.defect),
+                     escaped(counts(row)), escaped(words));
 }
 
 std::string test_case(const Row& row) {

@@ -7,6 +7,23 @@
 
 namespace touchstone::app {
 
+namespace {
+
+void add_names(const std::string& words, std::vector<std::string>& names) {
+  const std::size_t comma = words.starts_with("exec:") ? std::string::npos : words.find(',');
+  names.push_back(words.substr(0, comma));
+  if (comma != std::string::npos) add_names(words.substr(comma + 1), names);
+}
+
+}  // namespace
+
+oracle::PipeLimits limits_of(double time_limit) {
+  oracle::PipeLimits limits;
+  limits.cpu_seconds = time_limit;
+  limits.wall_seconds = 10 * time_limit;
+  return limits;
+}
+
 std::unique_ptr<oracle::Subject> connect(const std::string& connectable, oracle::PipeLimits limits) {
   if (connectable == "inproc:reference") return oracle::subjects::make_reference();
   if (connectable == "inproc:fast") return oracle::subjects::make_fast();
@@ -17,10 +34,11 @@ std::unique_ptr<oracle::Subject> connect(const std::string& connectable, oracle:
 }
 
 std::vector<std::string> roster(const std::vector<std::string>& asked_for) {
-  if (!asked_for.empty()) return asked_for;
-  std::vector<std::string> all = oracle::subjects_beside(subjects_folder());
-  if (all.empty()) throw InputError("subjects", "none stand beside the program in " + subjects_folder());
-  return all;
+  std::vector<std::string> names;
+  for (const std::string& words : asked_for) add_names(words, names);
+  if (asked_for.empty()) names = oracle::subjects_beside(subjects_folder());
+  if (names.empty()) throw InputError("subjects", "none stand beside the program in " + subjects_folder());
+  return names;
 }
 
 void start_afresh(oracle::Subject& subject) {

@@ -10,10 +10,14 @@
 
 namespace touchstone::app {
 
+/// So much CPU time a question, s; ten times as much by the clock, for one that sleeps.
+oracle::PipeLimits limits_of(double time_limit);
+
 /// NAME (a program beside ours), exec:COMMAND LINE, or inproc:reference and inproc:fast. Throws InputError.
 std::unique_ptr<oracle::Subject> connect(const std::string& connectable, oracle::PipeLimits limits);
 
-/// The names given, or all that stand beside the program if none is.
+/// The subjects asked for, or all that stand beside the program if none is. Commas separate them, but behind "exec:"
+/// they belong to the command line.
 std::vector<std::string> roster(const std::vector<std::string>& asked_for);
 
 /// Whatever the subject remembers is gone: a fresh process, if it has one.

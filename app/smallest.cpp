@@ -1,6 +1,8 @@
 #include "app/smallest.h"
 
 #include <algorithm>
+#include <cctype>
+#include <functional>
 #include <utility>
 
 #include "app/interruption.h"
@@ -28,6 +30,13 @@ bool failed(const Finding& finding) {
 
 bool shows_the_same(const Finding& finding, const Finding& original) {
   return failed(finding) && finding.defect == original.defect && oracle::grade(finding) >= oracle::grade(original);
+}
+
+/// A program on trial chooses its own name, and so not our files' places.
+std::string file_name_of(std::string name) {
+  const auto harmless = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '.' || c == '-'; };
+  std::ranges::replace_if(name, std::not_fn(harmless), '_');
+  return name;
 }
 
 }  // namespace
@@ -63,7 +72,8 @@ void cut_down(Ledger& ledger, const std::vector<std::vector<std::unique_ptr<orac
     row->size_found = oracle::size_of(row->smallest->scene);
     row->smallest_case =
         smallest_case(*row->smallest, properties::find(row->property), *crews[job][subject], ledger.seed, budget);
-    row->case_file = "cases/" + row->property + "." + row->subject + ".json";
+    row->smallest_case->subject = ledger.connectables[subject];
+    row->case_file = "cases/" + row->property + "." + file_name_of(row->subject) + ".json";
     progress.step(row->property + " of " + row->subject);
   });
 }

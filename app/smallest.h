@@ -12,7 +12,7 @@ namespace touchstone::app {
 
 /// Cuts down the row's `smallest` example, keeping its defect and a grade at least as bad, and checks the result once
 /// more in a fresh process; a subject that does not repeat itself keeps the scene as found, and the case's note says
-/// so.
+/// so. The case names the subject by its card: the caller knows how to reach it.
 oracle::Case smallest_case(const Example& example, const properties::Property& property, oracle::Subject& subject,
                            std::uint64_t seed, int budget);
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <memory>
 #include <optional>
+#include <set>
+#include <stdexcept>
 #include <utility>
 
 #include "app/interruption.h"
@@ -11,6 +13,7 @@
 #include "app/questions.h"
 #include "app/roster.h"
 #include "app/smallest.h"
+#include "model/input_error.h"
 #include "properties/domain.h"
 #include "properties/property.h"
 
@@ -71,13 +74,22 @@ std::vector<Unit> units(const std::vector<Stem>& stems) {
   return all;
 }
 
+/// A property that throws is our own fault: say where, so that it can be seen again.
+oracle::Finding checked(const Question& question, const Scene& scene, const Property& property,
+                        oracle::Subject& subject) try {
+  return property.check(scene, subject);
+} catch (const std::exception& error) {
+  throw std::logic_error(property.id + " of " + subject.card().name + " on " + question.family + ' ' +
+                         std::to_string(question.index) + ": " + error.what());
+}
+
 void ask(const Question& question, const Scene& scene, const Property& property, oracle::Subject& subject, int& hangs,
          Row& row) {
   if (hangs >= patience) {
     ++row.not_asked;
     return;
   }
-  Example example{question.family, question.index, scene, property.check(scene, subject)};
+  Example example{question.family, question.index, scene, checked(question, scene, property, subject)};
   if (example.finding.defect == oracle::Defect::hung) ++hangs;
   row.count(std::move(example));
 }
@@ -105,6 +117,15 @@ UnitResult run_unit(const Stem& stem, const Unit& unit, const Subjects& subjects
   return result;
 }
 
+void refuse_equal_names(const std::vector<oracle::Card>& cards) {
+  std::set<std::string> names;
+  for (const oracle::Card& card : cards) {
+    if (!names.insert(card.name).second) {
+      throw InputError("subjects", "two of them call themselves " + card.name + ": the report could not tell them apart");
+    }
+  }
+}
+
 Ledger opened(const TrialPlan& plan, const MeshSet& meshes, const Subjects& subjects, const std::vector<Stem>& stems) {
   Ledger ledger;
   ledger.seed = plan.seed;
@@ -113,7 +134,9 @@ Ledger opened(const TrialPlan& plan, const MeshSet& meshes, const Subjects& subj
   ledger.mesh_folder = meshes.folder;
   ledger.meshes_absent = meshes.absent;
   ledger.mesh_count = meshes.meshes.size();
+  ledger.connectables = plan.subjects;
   for (const auto& subject : subjects) ledger.subjects.push_back(subject->card());
+  refuse_equal_names(ledger.subjects);
   for (const Stem& stem : stems) {
     for (const Property* property : stem.properties) {
       for (const auto& subject : subjects) {
