@@ -159,13 +159,15 @@ void add_check(CLI::App& program, Options& options) {
 
 void add_case_options(CLI::App& command, CaseCommand& options) {
   command.add_option("CASE", options.path, "A case file of a report")->required();
-  command.add_option("--subject", options.subject, "Ask this subject (as under check --subjects) instead of the case's");
+  command.add_option("--subject", options.subject,
+                     "Ask this subject (as under check --subjects) instead of the case's");
   add_time_limit(command, options.time_limit);
   command.footer(case_footer);
 }
 
 void add_replay(CLI::App& program, Options& options) {
-  auto* command = program.add_subcommand("replay", "Ask a case again: the clause, the exact truth, the engine's answer");
+  auto* command =
+      program.add_subcommand("replay", "Ask a case again: the clause, the exact truth, the engine's answer");
   add_case_options(*command, options.replay);
   command->add_flag("--json", options.replay.json, "The finding as JSON");
   command->callback([&options] { options.chosen = [&] { return replay(options.replay); }; });
@@ -229,9 +231,8 @@ void add_soak(CLI::App& program, Options& options) {
   add_seed(*command, options.soak.seed);
   command->add_option("--jobs", options.soak.jobs, "Threads")->check(CLI::Range(1, 1024))->capture_default_str();
   command->footer("\nExit code 3 if two routes disagree: that is our own fault.");
-  command->callback([&options] {
-    options.chosen = [&] { return soak(options.soak.pairs, options.soak.seed, options.soak.jobs); };
-  });
+  command->callback(
+      [&options] { options.chosen = [&] { return soak(options.soak.pairs, options.soak.seed, options.soak.jobs); }; });
 }
 
 std::vector<std::string> command_names(const CLI::App& program) {
@@ -250,7 +251,8 @@ bool names_no_command(const CLI::App& program, const std::string& word) {
 }  // namespace
 
 int run_command(int argc, const char* const* argv) {
-  CLI::App program("Touchstone: the reference that collision detection and impact code is tested against.", "touchstone");
+  CLI::App program("Touchstone: the reference that collision detection and impact code is tested against.",
+                   "touchstone");
   Options options;
   for (const auto add : {add_report, add_check, add_replay, add_minimise, add_ask, add_import, add_list, add_soak}) {
     add(program, options);

@@ -34,14 +34,14 @@ struct Row {
   long abstains = 0;
   long breaks = 0;
   long outside = 0;
-  long not_asked = 0;                      ///< given up after hangs
-  std::array<long, 5> grades{};            ///< of the answered: A, B, C, D, F
-  std::map<oracle::Defect, long> defects;  ///< of fails and breaks
-  std::string why_abstains;                ///< the first reason
-  double largest_error = 0;                ///< of all that was answered with a number, right or wrong
-  std::string unit;                        ///< of it; empty if nothing was
-  std::optional<Example> worst;            ///< the worst grade, then the largest error, then the first
-  std::optional<Example> smallest;  ///< in usual units, the worst grade, the smallest: what is cut down
+  long not_asked = 0;                         ///< given up after hangs
+  std::array<long, 5> grades{};               ///< of the answered: A, B, C, D, F
+  std::map<oracle::Defect, long> defects;     ///< of fails and breaks
+  std::string why_abstains;                   ///< the first reason
+  double largest_error = 0;                   ///< of all that was answered with a number, right or wrong
+  std::string unit;                           ///< of it; empty if nothing was
+  std::optional<Example> worst;               ///< the worst grade, then the largest error, then the first
+  std::optional<Example> smallest;            ///< in usual units, the worst grade, the smallest: what is cut down
   std::optional<oracle::Case> smallest_case;  ///< after cutting down
   oracle::Size size_found;                    ///< of `smallest` before
   std::string case_file;                      ///< relative to the report's folder

@@ -18,9 +18,10 @@ int main(int argc, char** argv) {
     fmt::print(stderr, "touchstone: {}\n", error.what());
     return 2;
   } catch (const std::exception& error) {
-    fmt::print(stderr,
-               "touchstone: {}\nThis is our own fault. Please report it, with the command and the files that it read.\n",
-               error.what());
+    fmt::print(
+        stderr,
+        "touchstone: {}\nThis is our own fault. Please report it, with the command and the files that it read.\n",
+        error.what());
     return 3;
   }
 }

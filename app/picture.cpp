@@ -115,9 +115,7 @@ struct Dot {
 };
 
 /// > 0: a, b, c turn to the left.
-double turn(const Dot& a, const Dot& b, const Dot& c) {
-  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-}
+double turn(const Dot& a, const Dot& b, const Dot& c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x); }
 
 void add_chain(const std::vector<Dot>& dots, std::vector<Dot>& hull) {
   const std::size_t start = hull.size();
@@ -165,9 +163,8 @@ std::string ring_around_speck(const Drawn& part, const View& view) {
 /// "A" or "B" beside the corner that is farthest from the page's middle, above it or below it.
 std::string name_tag(const Drawn& part, const View& view) {
   const double x_middle = view.left + side / 2;
-  const auto farthest = std::ranges::max_element(part.points, {}, [&](const oracle::Point& p) {
-    return std::hypot(view.x(p) - x_middle, view.y(p) - side / 2);
-  });
+  const auto farthest = std::ranges::max_element(
+      part.points, {}, [&](const oracle::Point& p) { return std::hypot(view.x(p) - x_middle, view.y(p) - side / 2); });
   const double reach = static_cast<double>(part.radius * view.scale);
   const double x = view.x(*farthest);
   const double y = view.y(*farthest) + (view.y(*farthest) < side / 2 ? -reach - 4 : reach + 11);

@@ -95,9 +95,9 @@ void prepare_places(const RunOptions& options) {
 /// Only what a report writes: a folder named cases may hold more than ours.
 bool is_case_of_a_report(const fs::path& file) {
   const std::string name = file.filename().string();
-  return file.extension() == ".json" && std::ranges::any_of(properties::all(), [&](const properties::Property& property) {
-           return name.starts_with(property.id + ".");
-         });
+  return file.extension() == ".json" &&
+         std::ranges::any_of(properties::all(),
+                             [&](const properties::Property& property) { return name.starts_with(property.id + "."); });
 }
 
 /// The old report goes first and index.html comes last: whoever sees it sees a whole report.

@@ -61,10 +61,9 @@ std::string cell(const Row& row) {
   const auto grade = row.grade();
   if (!grade) return fmt::format("<td class=\"none\" title=\"{}\">{}</td>", counts_of(row), silence_of(row));
   const std::string name = oracle::name_of(*grade);
-  const std::string words =
-      row.failing() ? fmt::format("<a href=\"#{}\"><b>{}</b> {} of {} fail</a>", anchor(row), name,
-                                  row.fails + row.breaks, row.answered())
-                    : fmt::format("<b>{}</b> {} hold", name, row.holds);
+  const std::string words = row.failing() ? fmt::format("<a href=\"#{}\"><b>{}</b> {} of {} fail</a>", anchor(row),
+                                                        name, row.fails + row.breaks, row.answered())
+                                          : fmt::format("<b>{}</b> {} hold", name, row.holds);
   return fmt::format("<td class=\"{}\" title=\"{}\">{}</td>", name, counts_of(row), words);
 }
 
@@ -107,7 +106,7 @@ struct Summary {
   int fail = 0;
   int silent = 0;
   std::array<long, 5> grades{};
-  const Row* most_wrong = nullptr;                         ///< by ulps of the scene's scale
+  const Row* most_wrong = nullptr;                          ///< by ulps of the scene's scale
   std::map<std::string, std::vector<std::string>> silence;  ///< why -> properties
 };
 
@@ -131,7 +130,8 @@ std::string grades(const Summary& summary) {
   std::string tally;
   for (std::size_t g = 0; g < summary.grades.size(); ++g) {
     const std::string name = oracle::name_of(static_cast<Grade>(g));
-    if (summary.grades[g] > 0) bar += fmt::format("<i class=\"{}\" style=\"flex:{} 1 2px\"></i>", name, summary.grades[g]);
+    if (summary.grades[g] > 0)
+      bar += fmt::format("<i class=\"{}\" style=\"flex:{} 1 2px\"></i>", name, summary.grades[g]);
     tally += fmt::format("<li>{}{}</li>", badge(static_cast<Grade>(g)), summary.grades[g]);
   }
   return fmt::format("<div class=\"bar\" aria-hidden=\"true\">{}</div><ul class=\"tally\">{}</ul>", bar, tally);
@@ -159,9 +159,9 @@ std::string deviations(const oracle::Card& card) {
 
 std::string subject_card(const Ledger& ledger, const oracle::Card& card) {
   const Summary summary = summary_of(ledger, card.name);
-  std::string html =
-      fmt::format("<section class=\"card\"><h3>{} <small>{}</small></h3><p>{} of its rows hold, {} fail, {} say nothing</p>",
-                  escaped(card.name), escaped(card.version), summary.hold, summary.fail, summary.silent);
+  std::string html = fmt::format(
+      "<section class=\"card\"><h3>{} <small>{}</small></h3><p>{} of its rows hold, {} fail, {} say nothing</p>",
+      escaped(card.name), escaped(card.version), summary.hold, summary.fail, summary.silent);
   html += grades(summary);
   if (summary.most_wrong != nullptr) {
     html += fmt::format("<p>Largest error: {:.3g} {} ({})</p>", summary.most_wrong->largest_error,
@@ -189,8 +189,8 @@ std::string clause_words(const properties::Property& property) {
 std::string about_the_case(const Row& row) {
   if (!row.smallest_case) return "";
   const oracle::Size size = oracle::size_of(row.smallest_case->scene);
-  return definition("scene", fmt::format("{}; drawn as {} {} with {}", text_of(size),
-                                         escaped(row.smallest->family), row.smallest->index, text_of(row.size_found))) +
+  return definition("scene", fmt::format("{}; drawn as {} {} with {}", text_of(size), escaped(row.smallest->family),
+                                         row.smallest->index, text_of(row.size_found))) +
          definition("note", escaped(row.smallest_case->note)) +
          definition("replay",
                     fmt::format("<code>touchstone replay {0}</code> <a href=\"{0}\">file</a>", escaped(row.case_file)));
@@ -236,8 +236,8 @@ const Row* plainest_failure(const Ledger& ledger, const std::string& subject) {
     const std::string& stem = properties::find(row.property).stem;
     const oracle::Size size = oracle::size_of(row.smallest_case->scene);
     const oracle::Finding& finding = shown_finding(row);
-    return std::tuple(stem != "distance" && stem != "penetration", finding.observed.empty() || finding.expected.empty(), -static_cast<int>(*row.grade()),
-                      size.vertices_per_body_max + size.significant_bits_max);
+    return std::tuple(stem != "distance" && stem != "penetration", finding.observed.empty() || finding.expected.empty(),
+                      -static_cast<int>(*row.grade()), size.vertices_per_body_max + size.significant_bits_max);
   };
   const Row* best = nullptr;
   for (const Row& row : ledger.rows) {
@@ -255,7 +255,8 @@ std::string glance(const Row& row) {
     facts += definition(label, shown(words));
   }
   return fmt::format(
-      "<section class=\"card\"><h3>{}{}</h3><p class=\"soft\">must hold: {}</p>{}<dl>{}</dl><p><a href=\"#{}\">{}</a></p>"
+      "<section class=\"card\"><h3>{}{}</h3><p class=\"soft\">must hold: {}</p>{}<dl>{}</dl><p><a "
+      "href=\"#{}\">{}</a></p>"
       "</section>",
       badge(*row.grade()), escaped(row.subject), escaped(properties::find(row.property).says),
       picture(row.smallest_case->scene), facts, anchor(row), escaped(row.property));
@@ -267,7 +268,8 @@ std::string gallery(const Ledger& ledger) {
     if (const Row* row = plainest_failure(ledger, card.name)) cards += glance(*row);
   }
   if (cards.empty()) return "<p>Nothing fails.</p>";
-  return "<p>One failing scene of each engine, cut down to the smallest that still fails. Body A is drawn solid, body B dashed, "
+  return "<p>One failing scene of each engine, cut down to the smallest that still fails. Body A is drawn solid, body "
+         "B dashed, "
          "the exact closest points as dots; a ring marks a body too small to see.</p><div class=\"cards\">" +
          cards + "</div>";
 }
@@ -332,7 +334,8 @@ std::string head() {
 
 std::string header(const Ledger& ledger) {
   return fmt::format(
-      "<header><h1>Who is wrong, by how much, on what</h1>{}{}<nav aria-label=\"Contents\"><a href=\"#glance\">At a glance</a>"
+      "<header><h1>Who is wrong, by how much, on what</h1>{}{}<nav aria-label=\"Contents\"><a href=\"#glance\">At a "
+      "glance</a>"
       "<a href=\"#table\">Table</a><a href=\"#subjects\">Subjects</a><a href=\"#failures\">Failing rows</a>"
       "<a href=\"#asked\">What was asked</a><a href=\"#limits\">Limits</a></nav></header>",
       lead(ledger),

@@ -121,7 +121,8 @@ void refuse_equal_names(const std::vector<oracle::Card>& cards) {
   std::set<std::string> names;
   for (const oracle::Card& card : cards) {
     if (!names.insert(card.name).second) {
-      throw InputError("subjects", "two of them call themselves " + card.name + ": the report could not tell them apart");
+      throw InputError("subjects",
+                       "two of them call themselves " + card.name + ": the report could not tell them apart");
     }
   }
 }
