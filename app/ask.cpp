@@ -1,11 +1,12 @@
 #include "app/ask.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <map>
 #include <stdexcept>
 
-#include "app/report_json.h"
 #include "model/input_error.h"
 #include "model/json.h"
 #include "oracle/words.h"
@@ -80,17 +81,15 @@ Json penetration(const Scene& scene) {
           {"direction_unit", touchstone::json_of(truth.nhat_BA_W)}};
 }
 
-Json corner(const std::array<Rational, 3>& c) { return {c[0].text(), c[1].text(), c[2].text()}; }
+Json corner(const std::array<Rational, 3>& exact) {
+  return {{"exact", {exact[0].text(), exact[1].text(), exact[2].text()}},
+          {"nearest", {exact[0].nearest(), exact[1].nearest(), exact[2].nearest()}}};
+}
 
 Json bounds(const Scene& scene) {
   Json boxes = Json::array();
-  const std::vector<reference::ExactBox> exact = reference::bounds(scene);
-  for (std::size_t b = 0; b < exact.size(); ++b) {
-    Json nearest = Json::array();
-    for (const auto& end : {exact[b].lo, exact[b].hi}) {
-      nearest.push_back({end[0].nearest(), end[1].nearest(), end[2].nearest()});
-    }
-    boxes.push_back({{"body", b}, {"nearest", nearest}, {"lo", corner(exact[b].lo)}, {"hi", corner(exact[b].hi)}});
+  for (const reference::ExactBox& box : reference::bounds(scene)) {
+    boxes.push_back({{"body", boxes.size()}, {"lo", corner(box.lo)}, {"hi", corner(box.hi)}});
   }
   return {{"boxes", std::move(boxes)}};
 }
@@ -100,9 +99,9 @@ Json broad_phase(const Scene& scene) {
 }
 
 template <std::size_t n>
-Json json_of(const std::array<Interval, n>& intervals) {
-  Json all = Json::array();
-  for (const Interval& interval : intervals) all.push_back(json_of(interval));
+Json named(const std::array<Interval, n>& intervals, const std::array<const char*, n>& names) {
+  Json all;
+  for (std::size_t i = 0; i < n; ++i) all[names[i]] = json_of(intervals[i]);
   return all;
 }
 
@@ -116,8 +115,8 @@ Json mass(const Scene& scene) {
     }
     bodies.push_back({{"body", b},
                       {"mass", json_of(truths[b]->mass)},
-                      {"centre_of_mass", json_of(truths[b]->p_BBcm)},
-                      {"inertia_xx_yy_zz_xy_xz_yz", json_of(truths[b]->I_BBcm_B)}});
+                      {"centre_of_mass", named(truths[b]->p_BBcm, {"x", "y", "z"})},
+                      {"inertia", named(truths[b]->I_BBcm_B, {"xx", "yy", "zz", "xy", "xz", "yz"})}});
   }
   return {{"bodies", std::move(bodies)}};
 }
@@ -131,23 +130,49 @@ const std::map<std::string, Show>& shows() {
   return all;
 }
 
-std::string as_words(const Json& value) { return value.is_string() ? value.get<std::string>() : value.dump(); }
+bool is_plain(const Json& value) {
+  return !value.is_object() &&
+         !(value.is_array() && std::ranges::any_of(value, [](const Json& item) { return item.is_structured(); }));
+}
+
+/// (0, 1/3, 2); texts without quotes.
+std::string as_words(const Json& value) {
+  if (value.is_string()) return value.get<std::string>();
+  if (value.is_number_float()) return text(value.get<double>());
+  if (!value.is_array()) return value.dump();
+  std::vector<std::string> items;
+  for (const Json& item : value) items.push_back(as_words(item));
+  return fmt::format("({})", fmt::join(items, ", "));
+}
+
+/// "A 0, B 7, weight 1/2"
+std::string on_one_line(const Json& object) {
+  std::vector<std::string> items;
+  for (const auto& [key, value] : object.items()) items.push_back(key + ' ' + as_words(value));
+  return fmt::format("{}", fmt::join(items, ", "));
+}
+
+void print(const Json& json, const std::string& indent);
+
+void print(const std::string& key, const Json& value, const std::string& indent) {
+  constexpr int column = 28;
+  const auto line = [&](const std::string& words) {
+    fmt::print("{}{:<{}} {}\n", indent, key, column - static_cast<int>(indent.size()), words);
+  };
+  if (is_plain(value)) {
+    line(as_words(value));
+  } else if (value.is_object() && std::ranges::all_of(value, is_plain) && value.size() <= 3) {
+    line(on_one_line(value));
+  } else if (value.is_object()) {
+    fmt::print("{}{}\n", indent, key);
+    print(value, indent + "  ");
+  } else {
+    for (const Json& item : value) item.is_object() ? print(key, item, indent) : line(as_words(item));
+  }
+}
 
 void print(const Json& json, const std::string& indent) {
-  for (const auto& [key, value] : json.items()) {
-    const bool list_of_objects = value.is_array() && !value.empty() && value[0].is_object();
-    if (!value.is_object() && !list_of_objects) {
-      fmt::print("{}{:<26} {}\n", indent, key, as_words(value));
-    } else if (value.is_object()) {
-      fmt::print("{}{}\n", indent, key);
-      print(value, indent + "  ");
-    } else {
-      for (const Json& item : value) {
-        fmt::print("{}{}\n", indent, key);
-        print(item, indent + "  ");
-      }
-    }
-  }
+  for (const auto& [key, value] : json.items()) print(key, value, indent);
 }
 
 /// What only geometry shows to be wrong with a scene has its file's name before it too.
@@ -168,7 +193,7 @@ void ask(const std::string& query, const std::string& scene_path, bool as_json) 
   const Scene scene = read_scene(scene_path);
   const Json answer = answered(query, scene, scene_path);
   if (as_json) {
-    fmt::print("{}", text_of(answer));
+    fmt::print("{}", touchstone::text_of(answer));
   } else {
     print(answer, "");
   }

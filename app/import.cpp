@@ -16,7 +16,7 @@ void import_mesh(const std::string& mesh_path, const std::string& out) {
   Scene scene;
   scene.name = body.name;
   scene.bodies.push_back(std::move(body));
-  const std::string text = json_of(scene).dump(1) + '\n';
+  const std::string text = text_of(json_of(scene));
   if (out.empty()) {
     fmt::print("{}", text);
     return;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <tuple>
 #include <utility>
 
@@ -37,10 +38,10 @@ bool handier(const Example& a, const Example& b) {
   return rank(a) < rank(b);
 }
 
+/// Errors in different units are not compared: the row's first unit counts.
 void widen(double& largest_error, std::string& unit, double error, const std::string& error_unit) {
-  if (error_unit.empty() || (error_unit == unit && error <= largest_error)) return;
-  if (!unit.empty() && error_unit != unit) return;
-  largest_error = error;
+  if (error_unit.empty() || (!unit.empty() && error_unit != unit)) return;
+  largest_error = std::max(largest_error, error);
   unit = error_unit;
 }
 
@@ -61,7 +62,6 @@ void Row::count(Example example) {
     if (why_abstains.empty()) why_abstains = example.finding.why;
     return;
   }
-  widen(largest_error, unit, example.finding.error, example.finding.unit);
   ++grades[static_cast<std::size_t>(oracle::grade(example.finding))];
   if (outcome == Outcome::holds) {
     ++holds;
@@ -69,6 +69,7 @@ void Row::count(Example example) {
   }
   ++(outcome == Outcome::fails ? fails : breaks);
   ++defects[example.finding.defect];
+  widen(largest_error, unit, example.finding.error, example.finding.unit);
   keep(worst, example, worse);
   keep(smallest, example, handier);
 }

@@ -38,8 +38,8 @@ struct Row {
   std::array<long, 5> grades{};               ///< of the answered: A, B, C, D, F
   std::map<oracle::Defect, long> defects;     ///< of fails and breaks
   std::string why_abstains;                   ///< the first reason
-  double largest_error = 0;                   ///< of all that was answered with a number, right or wrong
-  std::string unit;                           ///< of it; empty if nothing was
+  double largest_error = 0;                   ///< of what is wrong and has a size
+  std::string unit;                           ///< of it; empty if nothing is
   std::optional<Example> worst;               ///< the worst grade, then the largest error, then the first
   std::optional<Example> smallest;            ///< in usual units, the worst grade, the smallest: what is cut down
   std::optional<oracle::Case> smallest_case;  ///< after cutting down

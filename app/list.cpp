@@ -6,6 +6,7 @@
 #include <map>
 
 #include "app/roster.h"
+#include "oracle/subjects/canaries.h"
 #include "properties/clause.h"
 #include "properties/domain.h"
 #include "properties/extreme.h"
@@ -49,18 +50,25 @@ void list_families() {
   }
 }
 
+void list_canaries() {
+  for (const oracle::subjects::Canary& canary : oracle::subjects::canaries()) {
+    fmt::print("{:<34} {}\n", canary.id, canary.says);
+  }
+}
+
 const std::map<std::string, void (*)()>& lists() {
   static const std::map<std::string, void (*)()> all = {{"subjects", list_subjects},
                                                         {"properties", list_properties},
                                                         {"clauses", list_clauses},
-                                                        {"families", list_families}};
+                                                        {"families", list_families},
+                                                        {"canaries", list_canaries}};
   return all;
 }
 
 }  // namespace
 
 const std::vector<std::string>& listable() {
-  static const std::vector<std::string> all = {"subjects", "properties", "clauses", "families"};
+  static const std::vector<std::string> all = {"subjects", "properties", "clauses", "families", "canaries"};
   return all;
 }
 

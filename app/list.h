@@ -1,4 +1,4 @@
-// What there is: subjects, properties, clauses, families.
+// What there is: subjects, properties, clauses, families, canaries.
 #pragma once
 
 #include <string>
@@ -6,7 +6,7 @@
 
 namespace touchstone::app {
 
-/// "subjects", "properties", "clauses", "families".
+/// "subjects", "properties", "clauses", "families", "canaries".
 const std::vector<std::string>& listable();
 
 void list(const std::string& what);

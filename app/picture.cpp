@@ -5,84 +5,20 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <set>
 #include <string>
 #include <utility>
-#include <variant>
 #include <vector>
 
-#include "model/input_error.h"
+#include "app/wire_part.h"
 #include "oracle/truth.h"
-#include "oracle/world_points.h"
 
 namespace touchstone::app {
 namespace {
 
-using oracle::Points;
-using Real = oracle::Real;
-using Edges = std::set<std::pair<int, int>>;
+using oracle::Real;
 
 constexpr double side = 180;  // of a view, in SVG units
 constexpr double margin = 20;
-
-/// One convex part, in W: points and the edges between them, or a ball.
-struct Drawn {
-  int body = 0;
-  Points points;
-  Edges edges;
-  double radius = 0;
-};
-
-Edges edges_of(const Sphere&) { return {}; }
-
-Edges edges_of(const Box&) {
-  Edges edges;
-  for (int i = 0; i < 8; ++i) {
-    for (const int bit : {1, 2, 4}) {
-      if ((i & bit) == 0) edges.emplace(i, i | bit);
-    }
-  }
-  return edges;
-}
-
-Edges edges_of(const Polytope& polytope) {
-  Edges edges;
-  for (const std::vector<int>& face : polytope.faces) {
-    for (std::size_t k = 0; k < face.size(); ++k) edges.insert(std::minmax(face[k], face[(k + 1) % face.size()]));
-  }
-  return edges;
-}
-
-double radius_of(const ConvexShape& shape) {
-  const auto* sphere = std::get_if<Sphere>(&shape);
-  return sphere != nullptr ? sphere->radius : 0;
-}
-
-std::vector<ConvexShape> parts_of(const Shape& shape) {
-  std::vector<ConvexShape> parts;
-  if (const auto* compound = std::get_if<Compound>(&shape)) {
-    for (const Part& part : compound->parts) parts.push_back(part.shape);
-  } else {
-    std::visit(
-        [&](const auto& convex) {
-          if constexpr (!std::is_same_v<std::decay_t<decltype(convex)>, Compound>) parts.emplace_back(convex);
-        },
-        shape);
-  }
-  return parts;
-}
-
-std::vector<Drawn> drawn(const Scene& scene) {
-  std::vector<Drawn> all;
-  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
-    const std::vector<ConvexShape> parts = parts_of(scene.bodies[b].shape);
-    for (std::size_t p = 0; p < parts.size(); ++p) {
-      all.push_back({static_cast<int>(b), oracle::world_points(scene.bodies[b], static_cast<int>(p)),
-                     std::visit([](const auto& shape) { return edges_of(shape); }, parts[p]), radius_of(parts[p])});
-    }
-  }
-  return all;
-}
 
 /// From the world to the page: two of the axes, the second one upwards.
 struct View {
@@ -127,7 +63,7 @@ void add_chain(const std::vector<Dot>& dots, std::vector<Dot>& hull) {
 }
 
 /// The outline of a part: the hull of its points on the page, by Andrew's two chains.
-std::vector<Dot> outline(const Drawn& part, const View& view) {
+std::vector<Dot> outline(const WirePart& part, const View& view) {
   std::vector<Dot> dots;
   for (const oracle::Point& p : part.points) dots.push_back({view.x(p), view.y(p)});
   std::ranges::sort(dots, {}, [](const Dot& dot) { return std::pair(dot.x, dot.y); });
@@ -138,9 +74,9 @@ std::vector<Dot> outline(const Drawn& part, const View& view) {
   return hull;
 }
 
-std::string style_of(const Drawn& part) { return fmt::format("body-{}", std::min(part.body, 2)); }
+std::string style_of(const WirePart& part) { return fmt::format("body-{}", std::min(part.body, 2)); }
 
-std::string filled(const Drawn& part, const View& view) {
+std::string filled(const WirePart& part, const View& view) {
   if (part.radius > 0) return "";
   std::string corners;
   for (const Dot& dot : outline(part, view)) corners += fmt::format("{:.2f},{:.2f} ", dot.x, dot.y);
@@ -148,7 +84,7 @@ std::string filled(const Drawn& part, const View& view) {
 }
 
 /// A body that is a speck on this page gets a ring around it.
-std::string ring_around_speck(const Drawn& part, const View& view) {
+std::string ring_around_speck(const WirePart& part, const View& view) {
   constexpr double speck = 3;
   Dot lo{side * 2, side};
   Dot hi{0, 0};
@@ -160,19 +96,27 @@ std::string ring_around_speck(const Drawn& part, const View& view) {
   return extent < speck ? dot(view, part.points[0], style_of(part) + " ring", 6) : "";
 }
 
-/// "A" or "B" beside the corner that is farthest from the page's middle, above it or below it.
-std::string name_tag(const Drawn& part, const View& view) {
-  const double x_middle = view.left + side / 2;
-  const auto farthest = std::ranges::max_element(
-      part.points, {}, [&](const oracle::Point& p) { return std::hypot(view.x(p) - x_middle, view.y(p) - side / 2); });
+Dot middle(const WirePart& part, const View& view) {
+  Dot sum{0, 0};
+  for (const oracle::Point& p : part.points) sum = {sum.x + view.x(p), sum.y + view.y(p)};
+  const auto count = static_cast<double>(part.points.size());
+  return {sum.x / count, sum.y / count};
+}
+
+/// "A" or "B" beside the corner that is farthest from the other body's middle, above it or below it.
+std::string name_tag(const WirePart& part, const WirePart& other, const View& view) {
+  const Dot away_from = middle(other, view);
+  const auto farthest = std::ranges::max_element(part.points, {}, [&](const oracle::Point& p) {
+    return std::hypot(view.x(p) - away_from.x, view.y(p) - away_from.y);
+  });
   const double reach = static_cast<double>(part.radius * view.scale);
   const double x = view.x(*farthest);
-  const double y = view.y(*farthest) + (view.y(*farthest) < side / 2 ? -reach - 4 : reach + 11);
+  const double y = view.y(*farthest) + (view.y(*farthest) < away_from.y ? -reach - 4 : reach + 11);
   return fmt::format("<text class=\"{}\" x=\"{:.2f}\" y=\"{:.2f}\">{}</text>", style_of(part), x, y,
                      static_cast<char>('A' + part.body));
 }
 
-std::string wire_frame(const Drawn& part, const View& view) {
+std::string wire_frame(const WirePart& part, const View& view) {
   const std::string style = style_of(part);
   std::string svg = filled(part, view) + ring_around_speck(part, view);
   for (const auto& [i, j] : part.edges) {
@@ -194,10 +138,10 @@ std::string witnesses(const Scene& scene, const View& view) {
 }  // namespace
 
 std::string picture(const Scene& scene) {
-  const std::vector<Drawn> parts = drawn(scene);
+  const std::vector<WirePart> parts = wire_parts(scene);
   oracle::Point lo = oracle::Point::Constant(std::numeric_limits<Real>::infinity());
   oracle::Point hi = -lo;
-  for (const Drawn& part : parts) {
+  for (const WirePart& part : parts) {
     if (part.points.size() > most_drawn) return "";
     for (const oracle::Point& p : part.points) {
       lo = lo.cwiseMin(p - oracle::Point::Constant(part.radius));
@@ -212,11 +156,9 @@ std::string picture(const Scene& scene) {
                                 "the scene from above and from the front");
   for (const View& view :
        {View{0, 1, "x right, y up", 0, scale, centre}, View{0, 2, "x right, z up", side, scale, centre}}) {
-    int tagged = -1;
-    for (const Drawn& part : parts) {
-      svg += wire_frame(part, view);
-      if (scene.bodies.size() == 2 && part.body != tagged) svg += name_tag(part, view);
-      tagged = part.body;
+    for (const WirePart& part : parts) svg += wire_frame(part, view);
+    if (scene.bodies.size() == 2) {
+      svg += name_tag(parts.front(), parts.back(), view) + name_tag(parts.back(), parts.front(), view);
     }
     svg += witnesses(scene, view);
     svg += fmt::format("<text x=\"{}\" y=\"{}\">{}</text>", view.left + side / 2, side + 13, view.title);

@@ -39,11 +39,6 @@ void add_drawn(std::vector<Question>& questions, const std::vector<const Family*
   }
 }
 
-/// The plain agreements with the truth: every pair of meshes is asked under these.
-bool compares_with_truth(const Property& property) {
-  return property.id.ends_with(".verdict") || property.id.ends_with(".value") || property.id.ends_with(".depth");
-}
-
 void add_meshes(std::vector<Question>& questions, const std::string& stem, const Effort& effort, std::uint64_t seed,
                 const MeshSet& set) {
   const std::vector<MeshQuestion> asked = mesh_questions(stem, effort, set);
@@ -64,6 +59,10 @@ void add_meshes(std::vector<Question>& questions, const std::string& stem, const
 }
 
 }  // namespace
+
+bool compares_with_truth(const Property& property) {
+  return property.id.ends_with(".verdict") || property.id.ends_with(".value") || property.id.ends_with(".depth");
+}
 
 std::vector<Question> questions(const std::string& stem, const Effort& effort, std::uint64_t seed, const MeshSet& set) {
   std::vector<Question> all;

@@ -21,6 +21,9 @@ struct Question {
   bool counts_for_classes = false;  ///< drawn from a family of the stem
 };
 
+/// Is it a plain agreement of a number or verdict with the truth? Every pair of meshes is asked under these.
+bool compares_with_truth(const properties::Property& property);
+
 /// In a fixed order: the families in turn, then the extremes, then the meshes. `set` outlives the questions.
 std::vector<Question> questions(const std::string& stem, const Effort& effort, std::uint64_t seed, const MeshSet& set);
 

@@ -26,13 +26,13 @@ tbody th{font-weight:500;position:sticky;left:0;background:var(--card);z-index:1
 tr.stem th,tr.stem td{font-weight:700;background:var(--none)}td a{display:block;color:inherit}
 .A{background:var(--a)}.B{background:var(--b)}.C{background:var(--c)}.D{background:var(--d)}.F{background:var(--f)}
 td.none{background:var(--none);color:var(--soft)}
-.g{display:inline-block;min-width:1.6em;text-align:center;font-weight:700;border-radius:.3rem;padding:0 .3rem;margin-right:.35rem}
+.g{color:var(--ink);display:inline-block;min-width:1.6em;text-align:center;font-weight:700;border-radius:.3rem;padding:0 .3rem;margin-right:.35rem}
 .bar{display:flex;height:.7rem;border-radius:.35rem;overflow:hidden;margin:.5rem 0 .3rem;background:var(--none)}
 .tally{display:flex;flex-wrap:wrap;gap:.1rem .7rem;font-size:.86rem;margin:.2rem 0 .5rem;padding:0;list-style:none}
 .cards{display:grid;grid-template-columns:repeat(auto-fill,minmax(min(100%,21rem),1fr));gap:.9rem}
 .card,details.row{background:var(--card);border:1px solid var(--line);border-radius:.6rem;padding:.9rem}
 .card p{font-size:.9rem}.card ul{font-size:.86rem;padding-left:1.1rem;margin:.3rem 0}.card ul.tally{padding:0}
-details.row{margin:.45rem 0;padding:.15rem .9rem;scroll-margin-top:.5rem}details.row[open]{padding-bottom:.9rem}
+section>h3{margin:1.2rem 0 .4rem}section.card>h3{margin:0}details.row{margin:.45rem 0;padding:.15rem .9rem;scroll-margin-top:.5rem}details.row[open]{padding-bottom:.9rem}
 details.row:target{border-color:var(--link)}
 summary{cursor:pointer;padding:.35rem 0}summary b{margin-right:.5rem}
 .drawn{display:grid;gap:.6rem 1.2rem}@media(min-width:56rem){.drawn{grid-template-columns:22rem 1fr}}

@@ -1,0 +1,62 @@
+#include <fmt/format.h>
+
+#include <tuple>
+#include <utility>
+
+#include "app/page.h"
+#include "app/picture.h"
+#include "app/questions.h"
+#include "app/xml.h"
+#include "properties/property.h"
+
+namespace touchstone::app::page {
+namespace {
+
+/// What shows an engine's fault best: a pair's verdict, distance or depth against the truth, badly wrong, in few
+/// vertices.
+const Row* plainest_failure(const Ledger& ledger, const std::string& subject) {
+  const auto rank = [](const Row& row) {
+    const properties::Property& property = properties::find(row.property);
+    const oracle::Size size = oracle::size_of(row.smallest_case->scene);
+    return std::tuple(property.stem != "distance" && property.stem != "penetration", !compares_with_truth(property),
+                      -static_cast<int>(*row.grade()), shown_finding(row).observed.empty(),
+                      size.vertices_per_body_max + size.significant_bits_max);
+  };
+  const Row* best = nullptr;
+  for (const Row& row : ledger.rows) {
+    if (row.subject != subject || !row.smallest_case) continue;
+    if (best == nullptr || rank(row) < rank(*best)) best = &row;
+  }
+  return best;
+}
+
+std::string glance(const Row& row) {
+  const oracle::Finding& finding = shown_finding(row);
+  std::string facts;
+  for (const auto& [label, words] : {std::pair("it says", finding.observed), std::pair("truth", finding.expected),
+                                     std::pair("because", finding.why)}) {
+    facts += definition(label, shown(words));
+  }
+  return fmt::format(
+      "<section class=\"card\"><h3>{}{}</h3><p class=\"soft\">must hold: {}</p>{}<dl>{}</dl><p><a "
+      "href=\"#{}\">{}</a></p>"
+      "</section>",
+      badge(*row.grade()), escaped(row.subject), escaped(properties::find(row.property).says),
+      picture(row.smallest_case->scene), facts, anchor(row), escaped(row.property));
+}
+
+}  // namespace
+
+std::string gallery(const Ledger& ledger) {
+  std::string cards;
+  for (const oracle::Card& card : ledger.subjects) {
+    if (const Row* row = plainest_failure(ledger, card.name)) cards += glance(*row);
+  }
+  if (cards.empty()) return "<p>Nothing fails.</p>";
+  return "<p>One failing scene of each engine, cut down to the smallest that still fails. Body A is drawn solid, body "
+         "B dashed, "
+         "the exact closest points as dots; a ring marks a body too small to see.</p><div class=\"cards\">" +
+         cards + "</div>";
+}
+
+}  // namespace touchstone::app::page

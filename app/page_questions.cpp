@@ -1,0 +1,48 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <map>
+
+#include "app/page.h"
+#include "app/xml.h"
+
+namespace touchstone::app::page {
+namespace {
+
+long total(const std::map<std::string, long>& counts) {
+  long sum = 0;
+  for (const auto& [name, count] : counts) sum += count;
+  return sum;
+}
+
+std::string about_meshes(const Ledger& ledger) {
+  if (ledger.mesh_count == 0) {
+    return "<p><b>No real meshes:</b> " +
+           escaped(ledger.meshes_absent.empty() ? "none were asked for" : ledger.meshes_absent) + ".</p>";
+  }
+  std::vector<std::string> kinds;
+  for (const auto& [family, count] : ledger.mesh_scenes) kinds.push_back(fmt::format("{} {}", count, family));
+  return fmt::format("<p>Real input: the convex hulls of {} robot meshes, in {} scenes ({}).</p>", ledger.mesh_count,
+                     total(ledger.mesh_scenes), escaped(fmt::format("{}", fmt::join(kinds, ", "))));
+}
+
+std::string about_classes(const Ledger& ledger) {
+  std::string html = ledger.empty_classes.empty()
+                         ? "<p>Every kind of case that a stem needs was met.</p>"
+                         : fmt::format("<p><b>Kinds of case that were not met:</b> {}.</p>",
+                                       escaped(fmt::format("{}", fmt::join(ledger.empty_classes, "; "))));
+  html += "<details><summary>Scenes of each kind</summary><div class=\"scroll\"><table><tbody>";
+  for (const auto& [stem, classes] : ledger.classes) {
+    html += fmt::format("<tr class=\"stem\"><th scope=\"rowgroup\">{}</th><td></td></tr>", escaped(stem));
+    for (const auto& [name, count] : classes) {
+      html += fmt::format("<tr><th scope=\"row\">{}</th><td>{}</td></tr>", escaped(name), count);
+    }
+  }
+  return html + "</tbody></table></div></details>";
+}
+
+}  // namespace
+
+std::string what_was_asked(const Ledger& ledger) { return about_meshes(ledger) + about_classes(ledger); }
+
+}  // namespace touchstone::app::page
