@@ -23,12 +23,21 @@ def children_of(pid):
     return found
 
 
+def wait_until_asking(pid):
+    """Each piece of work starts fresh processes: when many have been seen, some pieces are done."""
+    seen = set()
+    end = time.monotonic() + 60
+    while len(seen) < 16 and time.monotonic() < end:
+        seen.update(child for child, _ in children_of(pid))
+        time.sleep(0.01)
+
+
 class Interruption(Test):
     def test_an_interrupted_report_is_complete(self):
         run = subprocess.Popen([PROGRAM, "report", "--subjects", "reference,bullet.double", "--stems", "distance", "--cases", "100000",
                                 "--jobs", "2", "--out", "R"], cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
                                text=True, start_new_session=True)
-        time.sleep(1.5)
+        wait_until_asking(run.pid)
         self.assertFalse((self.folder / "R/index.html").exists())
         run.send_signal(signal.SIGINT)
         out, errors = run.communicate(timeout=30)
