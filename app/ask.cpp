@@ -53,11 +53,18 @@ Json checked(const reference::Certificate& certificate, const Scene& scene) {
           {"checked", "by the independent checker: holds"}};
 }
 
+/// The double nearest to the distance, of the two that enclose it: their middle says on which side it is.
+double nearest_distance(const reference::DistanceTruth& truth) {
+  const Rational middle = (Rational(truth.distance.lo) + Rational(truth.distance.hi)) / Rational(2);
+  const Rational core = middle + truth.radius_sum;
+  return truth.core_squared > core * core ? truth.distance.hi : truth.distance.lo;
+}
+
 Json distance(const Scene& scene) {
   require_pair(scene);
   const reference::DistanceTruth truth = reference::distance(scene);
   Json json = {{"verdict", text(truth.verdict)},
-               {"distance", truth.distance.lo},
+               {"distance", nearest_distance(truth)},
                {"distance_enclosure", json_of(truth.distance)},
                {"squared_distance_of_cores", json_of(truth.core_squared)},
                {"radius_sum", json_of(truth.radius_sum)},

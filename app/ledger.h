@@ -68,6 +68,7 @@ struct Ledger {
   std::string mesh_folder;
   std::string meshes_absent;
   std::size_t mesh_count = 0;
+  std::size_t meshes_left_out = 0;          ///< flat, or no meshes
   std::map<std::string, long> mesh_scenes;  ///< family -> scenes
 };
 

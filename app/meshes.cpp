@@ -9,6 +9,7 @@
 #include "model/input_error.h"
 #include "oracle/tolerance.h"
 #include "oracle/truth.h"
+#include "oracle/world_points.h"
 #include "properties/random.h"
 #include "reference/mesh.h"
 
@@ -37,18 +38,16 @@ void keep_largest(Robots& robots) {
   robots = std::move(only);
 }
 
-std::vector<Mesh> read_all(const Robots& robots) {
-  std::vector<Mesh> meshes;
+void read_all(const Robots& robots, MeshSet& set) {
   for (const auto& [robot, files] : robots) {
     for (const fs::path& file : files) {
       try {
-        meshes.push_back({file.stem().string(), robot, reference::read_mesh(file.string())});
-      } catch (const InputError&) {
-        // A flat decal or a scene file under a mesh's ending: no solid to ask about.
+        set.meshes.push_back({file.stem().string(), robot, reference::read_mesh(file.string())});
+      } catch (const InputError& error) {
+        set.left_out.push_back(error.what());
       }
     }
   }
-  return meshes;
 }
 
 Body body_of(const Mesh& mesh) {
@@ -67,17 +66,31 @@ Quaternion drawn_rotation(properties::Random& random) {
 /// In sizes of the smaller body.
 double drawn_gap(const std::string& family, properties::Random& random) {
   if (family == "mesh.separated") return 0.1;
-  if (family == "mesh.overlapping") return -0.05;
-  return random.pick({1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9});
+  if (family == "mesh.near") return random.pick({1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9});
+  return 0;
 }
 
-/// Along the line of the closest points, B comes to the gap that its family names.
+/// Along the line of the closest points, B comes to this gap.
 void close_in(Scene& scene, double gap_in_sizes) {
   const double size = std::min(oracle::tolerance::radius(scene.bodies[0]), oracle::tolerance::radius(scene.bodies[1]));
-  const double gap = gap_in_sizes * size;
   const reference::DistanceTruth& truth = oracle::truth::distance(scene);
   const Vec3 toward_A(truth.difference.x.nearest(), truth.difference.y.nearest(), truth.difference.z.nearest());
-  scene.bodies[1].X_WB.p_WB += toward_A.stableNormalized() * (truth.distance.lo - gap);
+  scene.bodies[1].X_WB.p_WB += toward_A.stableNormalized() * (truth.distance.lo - gap_in_sizes * size);
+}
+
+/// A point inside: the mean of the vertices, in W.
+Vec3 middle(const Body& body) {
+  const oracle::Points points = oracle::world_points(body, 0);
+  oracle::Point sum = oracle::Point::Zero();
+  for (const oracle::Point& p : points) sum += p;
+  return (sum / static_cast<oracle::Real>(points.size())).cast<double>();
+}
+
+/// Bodies that touch in x overlap once B has gone a part e of the way between their middles: (1 − e) x + e·middle(A) is
+/// inside both.
+void push_in(Scene& scene) {
+  constexpr double part = 0.05;
+  scene.bodies[1].X_WB.p_WB += part * (middle(scene.bodies[0]) - middle(scene.bodies[1]));
 }
 
 /// So that some boxes overlap and some do not.
@@ -121,9 +134,11 @@ MeshSet read_meshes(const std::string& folder, bool one_robot_only) {
     throw InputError(folder, "holds no mesh (STL or OBJ)");
   }
   if (robots.empty())
-    return {"", "Debian's package dart-doc is not here; the launcher fetches it, or name a folder with --meshes", {}};
+    return {
+        "", "Debian's package dart-doc is not here; the launcher fetches it, or name a folder with --meshes", {}, {}};
   if (one_robot_only) keep_largest(robots);
-  set.meshes = read_all(robots);
+  read_all(robots, set);
+  if (set.meshes.empty()) throw InputError("meshes", set.left_out.front());
   return set;
 }
 
@@ -158,6 +173,7 @@ Scene mesh_scene(const MeshSet& set, const MeshQuestion& question, std::uint64_t
     const Vec3 direction(random.whole(1, 4), random.whole(-4, 4), random.whole(-4, 4));
     scene.bodies[1].X_WB.p_WB = direction.normalized() * (1.5 * reach);
     close_in(scene, drawn_gap(question.family, random));
+    if (question.family == "mesh.overlapping") push_in(scene);
     scene.name = scene.bodies[0].name + " and " + scene.bodies[1].name;
   } else {
     scene.name = question.family;

@@ -18,13 +18,14 @@ struct Mesh {
 };
 
 struct MeshSet {
-  std::string folder;        ///< empty if there is none
-  std::string absent;        ///< why there is none
-  std::vector<Mesh> meshes;  ///< sorted by path
+  std::string folder;                 ///< empty if there is none
+  std::string absent;                 ///< why there is none
+  std::vector<Mesh> meshes;           ///< sorted by path
+  std::vector<std::string> left_out;  ///< files that are flat, or no meshes, and why
 };
 
 /// Reads the STL and OBJ files below `folder`, or below the first of the known folders that exists if `folder` is
-/// empty. A folder that was named must hold a mesh: InputError. Files that are flat or no meshes are left out.
+/// empty. A folder that was named must hold a mesh: InputError. Files that are flat (decals) or no meshes are left out.
 /// `one_robot_only` reads just the folder that holds the most files.
 MeshSet read_meshes(const std::string& folder, bool one_robot_only);
 
@@ -39,8 +40,8 @@ struct MeshQuestion {
 std::vector<MeshQuestion> mesh_questions(const std::string& stem, const Effort& effort, const MeshSet& set);
 
 /// Rotations of small integers and the direction are drawn from the seed; the exact distance then says how far to move
-/// B so that the gap is about a tenth (separated), or 1e-3 to 1e-9 (near), of the smaller body's size, or −5 % of
-/// it (overlapping).
+/// B: to a gap of a tenth (separated) or of 1e-3 to 1e-9 (near) of the smaller body's size, or until it is in A by a
+/// twentieth of the way between their middles (overlapping).
 Scene mesh_scene(const MeshSet& set, const MeshQuestion& question, std::uint64_t seed);
 
 }  // namespace touchstone::app

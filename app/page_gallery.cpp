@@ -3,6 +3,7 @@
 #include <tuple>
 #include <utility>
 
+#include "app/finding_words.h"
 #include "app/page.h"
 #include "app/picture.h"
 #include "app/questions.h"
@@ -31,11 +32,9 @@ const Row* plainest_failure(const Ledger& ledger, const std::string& subject) {
 }
 
 std::string glance(const Row& row) {
-  const oracle::Finding& finding = shown_finding(row);
   std::string facts;
-  for (const auto& [label, words] : {std::pair("it says", finding.observed), std::pair("truth", finding.expected),
-                                     std::pair("because", finding.why)}) {
-    facts += definition(label, shown(words));
+  for (const auto& [label, words] : lines_of(shown_finding(row))) {
+    if (label != "outcome") facts += definition(label, shown(words));
   }
   return fmt::format(
       "<section class=\"card\"><h3>{}{}</h3><p class=\"soft\">must hold: {}</p>{}<dl>{}</dl><p><a "

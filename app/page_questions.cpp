@@ -22,8 +22,11 @@ std::string about_meshes(const Ledger& ledger) {
   }
   std::vector<std::string> kinds;
   for (const auto& [family, count] : ledger.mesh_scenes) kinds.push_back(fmt::format("{} {}", count, family));
-  return fmt::format("<p>Real input: the convex hulls of {} robot meshes, in {} scenes ({}).</p>", ledger.mesh_count,
-                     total(ledger.mesh_scenes), escaped(fmt::format("{}", fmt::join(kinds, ", "))));
+  const std::string left_out = ledger.meshes_left_out == 0
+                                   ? ""
+                                   : fmt::format(" Left out: {} that are flat or no meshes.", ledger.meshes_left_out);
+  return fmt::format("<p>Real input: the convex hulls of {} robot meshes, in {} scenes ({}).{}</p>", ledger.mesh_count,
+                     total(ledger.mesh_scenes), escaped(fmt::format("{}", fmt::join(kinds, ", "))), left_out);
 }
 
 std::string about_classes(const Ledger& ledger) {

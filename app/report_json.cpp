@@ -85,7 +85,10 @@ Json report_json(const Ledger& ledger) {
   json["scenes"] = ledger.scenes;
   json["classes"] = ledger.classes;
   json["empty_classes"] = ledger.empty_classes;
-  json["meshes"] = {{"read", ledger.mesh_count}, {"absent", ledger.meshes_absent}, {"scenes", ledger.mesh_scenes}};
+  json["meshes"] = {{"read", ledger.mesh_count},
+                    {"left_out", ledger.meshes_left_out},
+                    {"absent", ledger.meshes_absent},
+                    {"scenes", ledger.mesh_scenes}};
   return json;
 }
 

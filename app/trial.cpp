@@ -135,6 +135,7 @@ Ledger opened(const TrialPlan& plan, const MeshSet& meshes, const Subjects& subj
   ledger.mesh_folder = meshes.folder;
   ledger.meshes_absent = meshes.absent;
   ledger.mesh_count = meshes.meshes.size();
+  ledger.meshes_left_out = meshes.left_out.size();
   ledger.connectables = plan.subjects;
   for (const auto& subject : subjects) ledger.subjects.push_back(subject->card());
   refuse_equal_names(ledger.subjects);

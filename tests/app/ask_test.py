@@ -39,6 +39,12 @@ class Ask(Test):
         self.assertEqual(said["squared_distance_of_cores"]["exact"], f"{numerator**2}/{denominator**2}")
         self.assertEqual(said["distance"], gap)
 
+    def test_distance_is_the_nearest_double(self):
+        # Gaps of 1 and 2 make sqrt(5), and its nearest double is above it.
+        said = self.ask("distance", body(box(1, 1, 1)), body(box(1, 1, 1), (3, 4, 0)))
+        self.assertEqual(said["distance"], math.sqrt(5))
+        self.assertEqual(said["distance_enclosure"], [math.nextafter(said["distance"], 0), said["distance"]])
+
     def test_a_turned_box(self):
         # A quarter turn about z by a quaternion of length √2: half extents become (1, 3, 1), and 4 - 1 - 1 = 2.
         quarter = {"w": 1, "x": 0, "y": 0, "z": 1}

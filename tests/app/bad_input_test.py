@@ -61,6 +61,9 @@ class BadUsage(Test):
         self.refused("check", "--cases", 1, "--meshes", "nowhere", says="nowhere")
         (self.folder / "empty").mkdir()
         self.refused("check", "--cases", 1, "--meshes", "empty", says="empty")
+        (self.folder / "words").mkdir()
+        self.file("words/words.obj", "to whom it may concern")
+        self.refused("check", "--cases", 1, "--meshes", "words", says="words.obj")
 
 
 class BadScene(Test):
