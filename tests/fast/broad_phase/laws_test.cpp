@@ -1,29 +1,14 @@
 // Truth for the algorithms, not only for their output: swaps, insertions, allocations.
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
-#include <new>
 
 #include "fast/broad_phase/hierarchical_hash.h"
 #include "fast/broad_phase/strategies.h"
 #include "fast/broad_phase/sweep_and_prune.h"
 #include "tests/catch.h"
+#include "tests/fast/allocations.h"
 #include "tests/fast/broad_phase/sequence.h"
-
-namespace {
-std::size_t allocations = 0;
-}  // namespace
-
-// The whole program's allocations are counted.
-void* operator new(std::size_t size) {
-  ++allocations;
-  void* memory = std::malloc(size == 0 ? 1 : size);
-  if (memory == nullptr) throw std::bad_alloc();
-  return memory;
-}
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 
 namespace touchstone::fast {
 namespace {
@@ -160,9 +145,9 @@ TEST_CASE("broad phase: a steady frame allocates nothing") {
     };
     for (const BodyId step : {BodyId{1}, BodyId{30}}) {
       for (int i = 0; i < 100; ++i) swing(step);
-      const std::size_t before = allocations;
+      const std::size_t before = tests::allocations();
       for (int i = 0; i < 100; ++i) swing(step);
-      const std::size_t in_steady_frames = allocations - before;
+      const std::size_t in_steady_frames = tests::allocations() - before;
       INFO(strategy.name << ", every " << step);
       CHECK(in_steady_frames == 0);
     }
