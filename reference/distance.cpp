@@ -88,9 +88,27 @@ Certificate certificate_of(const PartPair& p, const DistanceTruth& truth) {
   return c;
 }
 
+/// a* and b*, the closest points of the cores. They end as doubles, so they are never brought to lowest terms: that
+/// would cost more than finding them.
+struct ClosestPoints {
+  IntegerVec a;
+  IntegerVec b;
+  Integer den;
+};
+
+ClosestPoints closest_points(const CoreNearest& n) {
+  const IntegerVec known = n.denominator * n.point.num;
+  const IntegerVec d = Integer(n.height * n.point.den) * n.normal;
+  const Integer den = n.denominator * n.point.den;
+  if (n.point_is_of_B) return {known + d, known, den};
+  return {known, known - d, den};
+}
+
 /// core + reach · d*/|d*|. The root's 300 bits are far beyond the double that the point ends as.
-Vec3 swollen(const RationalVec3& core, const DistanceTruth& truth, double reach) {
-  if (reach == 0 || truth.core_squared.sign() == 0) return {core.x.nearest(), core.y.nearest(), core.z.nearest()};
+Vec3 swollen(const PosedPair& pair, const IntegerVec& num, const Integer& den, const DistanceTruth& truth,
+             double reach) {
+  if (reach == 0 || truth.core_squared.sign() == 0) return pair.nearest_point(num, den);
+  const RationalVec3 core = pair.point(num, den);
   const Rational step =
       Rational(reach) * rational(root_bounds(truth.core_squared.impl().value, 300).lo) / truth.core_squared;
   const RationalVec3& d = truth.difference;
@@ -107,17 +125,11 @@ DistanceTruth truth_of(const PartPair& p) {
   truth.radius_sum = p.radii;
   truth.difference = {p.factor * rational(n.normal.x), p.factor * rational(n.normal.y),
                       p.factor * rational(n.normal.z)};
-  const RationalVec3& d = truth.difference;
-  truth.core_A = truth.core_B = p.posed.point(n.point.num, n.point.den);
-  if (n.point_is_of_B) {
-    truth.core_A = {truth.core_B.x + d.x, truth.core_B.y + d.y, truth.core_B.z + d.z};
-  } else {
-    truth.core_B = {truth.core_A.x - d.x, truth.core_A.y - d.y, truth.core_A.z - d.z};
-  }
   truth.feature_A = {p.part_A, n.face_A};
   truth.feature_B = {p.part_B, n.face_B};
-  truth.p_WCa = swollen(truth.core_A, truth, -p.posed.A.radius());
-  truth.p_WCb = swollen(truth.core_B, truth, p.posed.B.radius());
+  const ClosestPoints closest = closest_points(n);
+  truth.p_WCa = swollen(p.posed, closest.a, closest.den, truth, -p.posed.A.radius());
+  truth.p_WCb = swollen(p.posed, closest.b, closest.den, truth, p.posed.B.radius());
   if (truth.verdict == Verdict::separated)
     truth.distance = enclosure_of_root_minus(truth.core_squared, truth.radius_sum);
   truth.certificate = certificate_of(p, truth);

@@ -32,9 +32,7 @@ struct DistanceTruth {
   RationalVec3 difference;  ///< d* = a* − b*
   Feature feature_A;        ///< F_A, all ties
   Feature feature_B;
-  RationalVec3 core_A;  ///< a*: one closest point of coreA (where several tie, one of them); likewise b* = a* − d*
-  RationalVec3 core_B;
-  Vec3 p_WCa = Vec3::Zero();  ///< witness points on the swollen bodies, to the nearest doubles
+  Vec3 p_WCa = Vec3::Zero();  ///< closest points of the swollen bodies (one pair, where several tie), to the nearest doubles
   Vec3 p_WCb = Vec3::Zero();
   Interval distance;  ///< tightest doubles around max(0, |d*| − r); [0, 0] unless separated
   Certificate certificate;  ///< of route `certified`; the others are second opinions and leave it empty (no pairs)

@@ -305,13 +305,18 @@ int side(const PosedCore& core, const IntegerVec& n, const EnclosureVec& around,
   return sgn(dot(n, core.exact(vertex) - core.exact(from)));
 }
 
-mpq_class fraction(const Integer& num, const Integer& den, long shift) {
+mpq_class unreduced(const Integer& num, const Integer& den, long shift) {
   mpq_class value(num, den);
   if (shift >= 0) {
     value.get_num() <<= static_cast<mp_bitcnt_t>(shift);
   } else {
     value.get_den() <<= static_cast<mp_bitcnt_t>(-shift);
   }
+  return value;
+}
+
+mpq_class fraction(const Integer& num, const Integer& den, long shift) {
+  mpq_class value = unreduced(num, den, shift);
   value.canonicalize();
   return value;
 }
@@ -333,6 +338,13 @@ Rational PosedPair::square(const Integer& num, const Integer& den) const {
 RationalVec3 PosedPair::point(const IntegerVec& num, const Integer& den) const {
   const IntegerVec sum = num + Integer(den * denominator_) * origin_;
   return {length(sum.x, den), length(sum.y, den), length(sum.z, den)};
+}
+
+Vec3 PosedPair::nearest_point(const IntegerVec& num, const Integer& den) const {
+  const Integer all = den * denominator_;
+  const IntegerVec sum = num + all * origin_;
+  const auto nearest_of = [&](const Integer& x) { return nearest(unreduced(x, all, exponent_)); };
+  return {nearest_of(sum.x), nearest_of(sum.y), nearest_of(sum.z)};
 }
 
 }  // namespace touchstone::reference

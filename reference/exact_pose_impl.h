@@ -91,6 +91,7 @@ class PosedPair {
   Rational length(const Integer& num, const Integer& den) const;        ///< m, of num/den integer units
   Rational square(const Integer& num, const Integer& den) const;        ///< m², of num/den squared integer units
   RationalVec3 point(const IntegerVec& num, const Integer& den) const;  ///< in W, m
+  Vec3 nearest_point(const IntegerVec& num, const Integer& den) const;  ///< the same to the nearest doubles, for less
 
  private:
   IntegerVec origin_;  ///< in integer lengths
@@ -103,7 +104,8 @@ class PosedPair {
 int side(const PosedCore& core, const IntegerVec& n, const EnclosureVec& around, int vertex, int from);
 
 Rational rational(const Integer& value);
-mpq_class fraction(const Integer& num, const Integer& den, long shift = 0);  ///< num/den · 2^shift, in lowest terms
+mpq_class unreduced(const Integer& num, const Integer& den, long shift);     ///< num/den · 2^shift; den > 0
+mpq_class fraction(const Integer& num, const Integer& den, long shift = 0);  ///< the same in lowest terms; den ≠ 0
 Rational rational(mpq_class value);
 
 }  // namespace touchstone::reference

@@ -59,6 +59,21 @@ mpq_class scaled(mpq_class q, long exponent) {
 
 }  // namespace
 
+double nearest(const mpq_class& q) {
+  const Interval near = around(q);
+  if (near.lo == near.hi) return near.lo;
+  // The half-way point between max and the next power of two decides overflow; ±inf stands for that power.
+  const auto finite_end = [](double x) {
+    return std::isinf(x) ? mpq_class(x > 0 ? scaled(mpq_class(1), 1024) : mpq_class(-scaled(mpq_class(1), 1024)))
+                         : mpq_class(x);
+  };
+  const mpq_class middle = (finite_end(near.lo) + finite_end(near.hi)) / 2;
+  const int order = cmp(q, middle);
+  if (order != 0) return order < 0 ? near.lo : near.hi;
+  if (std::isinf(near.lo) || std::isinf(near.hi)) return std::isinf(near.lo) ? near.lo : near.hi;
+  return has_even_mantissa(near.lo) ? near.lo : near.hi;
+}
+
 Rational::Rational() : impl_(std::make_unique<Impl>()) {}
 Rational::Rational(double exact) : impl_(std::make_unique<Impl>(Impl{finite(exact)})) {}
 Rational::Rational(const std::string& fraction) : impl_(std::make_unique<Impl>(Impl{parsed(fraction)})) {}
@@ -99,20 +114,7 @@ int Rational::compare(const Rational& a, const Rational& b) { return cmp(a.impl_
 
 int Rational::sign() const { return sgn(impl_->value); }
 
-double Rational::nearest() const {
-  const Interval near = around(impl_->value);
-  if (near.lo == near.hi) return near.lo;
-  // The half-way point between max and the next power of two decides overflow; ±inf stands for that power.
-  const auto finite_end = [](double x) {
-    return std::isinf(x) ? mpq_class(x > 0 ? scaled(mpq_class(1), 1024) : mpq_class(-scaled(mpq_class(1), 1024)))
-                         : mpq_class(x);
-  };
-  const mpq_class middle = (finite_end(near.lo) + finite_end(near.hi)) / 2;
-  const int order = cmp(impl_->value, middle);
-  if (order != 0) return order < 0 ? near.lo : near.hi;
-  if (std::isinf(near.lo) || std::isinf(near.hi)) return std::isinf(near.lo) ? near.lo : near.hi;
-  return has_even_mantissa(near.lo) ? near.lo : near.hi;
-}
+double Rational::nearest() const { return reference::nearest(impl_->value); }
 
 Interval Rational::enclosure() const { return around(impl_->value); }
 

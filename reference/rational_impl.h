@@ -16,6 +16,9 @@ struct Rational::Impl {
 
 inline const mpq_class& value_of(const Rational& r) { return r.impl().value; }
 
+/// The nearest double (ties to even) of a number that need not be in lowest terms, but has a positive denominator.
+double nearest(const mpq_class& q);
+
 /// Canonicalises.
 inline Rational rational_of(mpq_class value) {
   value.canonicalize();

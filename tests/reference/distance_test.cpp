@@ -54,7 +54,7 @@ TEST_CASE("distance: vertex to edge") {
   CHECK(t.difference == vec(0, 4, 4));
   CHECK(t.feature_A == Feature{0, {0}});
   CHECK(t.feature_B == Feature{0, {6, 7}});
-  CHECK(t.core_B == vec(0.5, 1, 1));
+  CHECK(t.p_WCb == Vec3(0.5, 1, 1));
   CHECK(t.distance.lo < t.distance.hi);
   CHECK(Rational(t.distance.lo) * Rational(t.distance.lo) < Rational(32));
   CHECK(Rational(t.distance.hi) * Rational(t.distance.hi) > Rational(32));
@@ -66,8 +66,8 @@ TEST_CASE("distance: vertex to face") {
   CHECK(t.difference == vec(0, 0, 2));
   CHECK(t.feature_A == Feature{0, {0}});
   CHECK(t.feature_B == Feature{0, {4, 5, 6, 7}});
-  CHECK(t.core_A == vec(0.25, 0.5, 3));
-  CHECK(t.core_B == vec(0.25, 0.5, 1));
+  CHECK(t.p_WCa == Vec3(0.25, 0.5, 3));
+  CHECK(t.p_WCb == Vec3(0.25, 0.5, 1));
 }
 
 TEST_CASE("distance: edge to edge") {
@@ -75,8 +75,8 @@ TEST_CASE("distance: edge to edge") {
   CHECK(t.difference == vec(0, 0, 0.75));
   CHECK(t.feature_A == Feature{0, {0, 1}});
   CHECK(t.feature_B == Feature{0, {0, 1}});
-  CHECK(t.core_A == vec(0, 1, 0.75));
-  CHECK(t.core_B == vec(0, 1, 0));
+  CHECK(t.p_WCa == Vec3(0, 1, 0.75));
+  CHECK(t.p_WCb == Vec3(0, 1, 0));
 }
 
 TEST_CASE("distance: parallel edges: the features are all of both") {
@@ -174,7 +174,7 @@ TEST_CASE("distance: touching of every kind of feature, and an ulp to either sid
       CHECK(t.distance == Interval{0, 0});
       CHECK(t.feature_A.vertices == touch.on_A);
       CHECK(t.feature_B.vertices == touch.on_B);
-      CHECK(t.core_A == t.core_B);
+      CHECK(t.p_WCa == t.p_WCb);
       for (const double step : {4 * ulp, 0x1p-30, 0x1p-10}) {
         Scene apart = touch.scene;
         apart.bodies[0].X_WB.p_WB += step * touch.up;
