@@ -16,8 +16,9 @@ class Page(Test):
         assert shutil.which("chromium"), "this test needs chromium: apt-get install chromium"
         cls.runs = pathlib.Path(tempfile.mkdtemp(prefix="touchstone_"))
         cls.addClassCleanup(shutil.rmtree, cls.runs)
-        subprocess.run([PROGRAM, "report", "--cases", "10", "--stems", "mass,distance,penetration", "--out", "R", "--subjects",
-                        "reference,fast,bullet.float,fcl.indep,libccd.gjk"], cwd=cls.runs, check=True, capture_output=True)
+        write_meshes(cls.runs / "meshes")
+        subprocess.run([PROGRAM, "report", "--cases", "10", "--meshes", "meshes", "--stems", "mass,distance,penetration",
+                        "--out", "R", "--subjects", "reference,fast,bullet.float,fcl.indep,libccd.gjk"], cwd=cls.runs, check=True, capture_output=True)
         cls.page = (cls.runs / "R/index.html").as_uri()
         cls.browser = Browser()
         cls.addClassCleanup(cls.browser.__exit__)

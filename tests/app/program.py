@@ -38,6 +38,13 @@ def scene(*bodies):
     return {"touchstone": "scene/1", "bodies": list(bodies)}
 
 
+def write_meshes(folder):
+    """Two solids and one that is flat: real meshes for a run that has no time for many."""
+    folder.mkdir()
+    for name, height in [("low", 1), ("high", 5), ("flat", 0)]:
+        (folder / f"{name}.obj").write_text(f"v 0 0 0\nv 2 0 0\nv 2 3 0\nv 0 3 0\nv 1 1 {height}\nf 1 2 3 4\nf 1 2 5\n")
+
+
 class Test(unittest.TestCase):
     """Every test stands in an empty folder of its own."""
 
@@ -47,7 +54,7 @@ class Test(unittest.TestCase):
         self.folder = pathlib.Path(folder.name)
 
     def run_program(self, *words, **options):
-        return subprocess.run([PROGRAM, *map(str, words)], cwd=self.folder, capture_output=True, text=True, timeout=60,
+        return subprocess.run([PROGRAM, *map(str, words)], cwd=self.folder, capture_output=True, text=True, timeout=300,
                               stdin=subprocess.DEVNULL, **options)
 
     def succeeds(self, *words, code=0):
