@@ -39,10 +39,12 @@ class OnAQuestion(Test):
             self.assertIn(self.replayed(trick)["defect"], ("garbage", "not_finite"))
 
     def test_a_whole_run_goes_on(self):
+        write_meshes(self.folder / "meshes")
         for trick, defect in {"dies": "crashed", "hangs": "hung", "garbles": "garbage", "nan": "garbage"}.items():
             with self.subTest(trick):
                 self.succeeds("check", "--subjects", f"{ENGINE} {trick}", "--subjects", "inproc:reference", "--json", "r.json",
-                              "--junit", "r.xml", "--cases", 2, "--time-limit", 0.2, "--properties", "distance.repeats", code=1)
+                              "--junit", "r.xml", "--cases", 2, "--meshes", "meshes", "--time-limit", 0.2,
+                              "--properties", "distance.repeats", code=1)
                 rows = {row["subject"]: row for row in self.json("r.json")["rows"]}
                 self.assertEqual((rows["reference"]["fails"], rows["reference"]["breaks"]), (0, 0))
                 self.assertGreater(rows["reference"]["holds"], 0)
@@ -53,8 +55,9 @@ class OnAQuestion(Test):
 
     def test_a_name_is_no_path_and_no_markup(self):
         name = "../../a<b>&'x y\u00e9"
+        write_meshes(self.folder / "meshes")
         self.succeeds("report", "--subjects", f"{ENGINE} none \"{name}\"", "--properties", "distance.value", "--cases", 3,
-                      "--out", "R")
+                      "--meshes", "meshes", "--out", "R")
         cases = [p.name for p in (self.folder / "R/cases").iterdir()]
         self.assertEqual(len(cases), 1)
         self.assertRegex(cases[0], r"^distance\.value\.[A-Za-z0-9._-]+\.json$")
