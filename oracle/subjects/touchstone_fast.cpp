@@ -1,7 +1,10 @@
 #include "oracle/subjects/touchstone_fast.h"
 
+#include <stdexcept>
+
 #include "fast/bounds.h"
 #include "fast/broad_phase.h"
+#include "fast/distance.h"
 
 namespace touchstone::oracle::subjects {
 namespace {
@@ -11,14 +14,23 @@ class Fast : public Subject {
   const Card& card() const override { return card_; }
   Answer<Bounds> bounds(const Scene& scene) override { return fast::bounds(scene); }
   Answer<PairSet> broad_phase(const Scene& scene) override { return fast::broad_phase(scene); }
+  Answer<Distance> distance(const Scene& scene) override {
+    try {
+      return fast::distance(scene);
+    } catch (const std::range_error& beyond) {
+      return Abstains{beyond.what()};
+    }
+  }
 
  private:
-  const Card card_{.name = "fast",
-                   .version = "0.1.0",
-                   .answers = {"bounds", "broad_phase"},
-                   .about = "Touchstone's optimised algorithms, default strategy",
-                   .homepage = "",
-                   .deviations = {}};
+  const Card card_{
+      .name = "fast",
+      .version = "0.1.0",
+      .answers = {"bounds", "broad_phase", "distance"},
+      .knows_touching = true,
+      .about = "Touchstone's optimised algorithms, default strategy; Lin-Canny from a corner, exact verdicts",
+      .homepage = "",
+      .deviations = {}};
 };
 
 }  // namespace

@@ -1,0 +1,45 @@
+// Whole multiples of powers of two, exactly: every finite double is one, and sums and products of them are again.
+//
+// Expansions of doubles would be quicker but end where the exponents do: a determinant of vertices in poses multiplies
+// fifteen doubles, so lengths of 1e100 overflow and lengths of 1e-100 vanish. These have no range to leave.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace touchstone::fast::exact {
+
+class Dyadic {
+ public:
+  Dyadic() = default;
+  /// Requires a finite x.
+  Dyadic(double x);  // NOLINT: a double is one
+
+  /// -1, 0, 1.
+  int sign() const { return sign_; }
+
+  Dyadic operator-() const;
+  friend Dyadic operator+(const Dyadic& x, const Dyadic& y) { return sum(x, y, y.sign_); }
+  friend Dyadic operator-(const Dyadic& x, const Dyadic& y) { return sum(x, y, -y.sign_); }
+  friend Dyadic operator*(const Dyadic& x, const Dyadic& y);
+
+  /// m · 2^exponent with 1/2 ≤ |m| < 1, m cut towards 0: |m| 2^exponent ≤ |x| < |m| 2^exponent (1 + 2^-52). 0 gives 0.
+  struct Scientific {
+    double m = 0;
+    long exponent = 0;
+  };
+  Scientific scientific() const;
+
+  /// scientific() as a double; beyond the range ±infinity or 0.
+  double approximate() const;
+
+ private:
+  static Dyadic sum(const Dyadic& x, const Dyadic& y, int sign_of_y);
+  void trim();
+
+  int sign_ = 0;
+  long lowest_ = 0;                   ///< |x| = Σ limbs_[i] 2^(32 (lowest_ + i))
+  std::vector<std::uint32_t> limbs_;  ///< first and last are not 0; none for 0
+};
+
+}  // namespace touchstone::fast::exact

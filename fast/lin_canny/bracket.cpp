@@ -1,0 +1,120 @@
+#include "fast/lin_canny/bracket.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+namespace touchstone::fast::lin_canny {
+namespace {
+
+/// Do all edges at v, but for the one to `except`, surely lead down along n (in the hull's frame)?
+bool is_highest(const Placed& P, int v, int except, const Vec3& n) {
+  const double sure = P.turn_error + 6 * u;
+  const Hull& hull = *P.hull;
+  for (const Hull::Spoke* s = hull.spokes_begin(v); s != hull.spokes_end(v); ++s) {
+    if (s->other != except && !(n.dot(s->along) < -sure * s->length)) return false;
+  }
+  return true;
+}
+
+double highest_of_all(const Hull& hull, const Vec3& n) {
+  double highest = n.dot(hull.vertex(0));
+  for (const Vec3& v : hull.vertices()) highest = std::max(highest, n.dot(v));
+  return highest;
+}
+
+/// max n·x over the hull; `own` says that n is the normal of the face that the feature is.
+double height(const Placed& P, const FeatureId& feature, const Vec3& n, bool own) {
+  const Hull& hull = *P.hull;
+  if (feature.kind == Kind::face && own) return hull.face(feature.index).height;
+  if (feature.kind == Kind::vertex && is_highest(P, feature.index, -1, n)) return n.dot(hull.vertex(feature.index));
+  if (feature.kind == Kind::edge) {
+    const Hull::Edge& e = hull.edge(feature.index);
+    if (is_highest(P, e.tail, e.head, n) && is_highest(P, e.head, e.tail, n)) {
+      return std::max(n.dot(hull.vertex(e.tail)), n.dot(hull.vertex(e.head)));
+    }
+  }
+  return highest_of_all(hull, n);
+}
+
+/// v without its part along e.
+Vec3 across(const Vec3& v, const Vec3& e) { return v - e * (v.dot(e) / e.squaredNorm()); }
+
+Vec3 edge_in_pair(const Placed& P, const FeatureId& feature) { return P.turned_out(P.hull->edge(feature.index).along); }
+
+Vec3 along_difference(const Vec3& n, const Vec3& d) { return n.dot(d) < 0 ? Vec3(-n) : n; }
+
+/// From A to B, of any length.
+Vec3 direction(const Placed& A, const Placed& B, const Closest& c) {
+  const auto& [a, b] = c.features;
+  const Vec3 d = c.b - c.a;
+  if (a.kind == Kind::edge && b.kind == Kind::edge) {
+    const Vec3 e = edge_in_pair(A, a);
+    const Vec3 f = edge_in_pair(B, b);
+    const Vec3 n = (e / std::sqrt(A.hull->edge(a.index).squared)).cross(f / std::sqrt(B.hull->edge(b.index).squared));
+    constexpr double clearly_crossing = 0x1p-10;
+    return n.squaredNorm() > clearly_crossing ? along_difference(n, d) : across(across(d, e), f);
+  }
+  if (a.kind == Kind::edge) return across(d, edge_in_pair(A, a));
+  if (b.kind == Kind::edge) return across(d, edge_in_pair(B, b));
+  return d;
+}
+
+double lower_end(const Placed& A, const Placed& B, const FeaturePair& features, const Vec3& n, double error) {
+  const bool own_a = features.a.kind == Kind::face;
+  const bool own_b = features.b.kind == Kind::face;
+  const double up_to_A = height(A, features.a, own_a ? A.hull->face(features.a.index).normal : A.turned_in(n), own_a);
+  const double up_to_B = height(B, features.b, own_b ? B.hull->face(features.b.index).normal : B.turned_in(-n), own_b);
+  const double gap = n.dot(B.t - A.t) - up_to_A - up_to_B - error;
+  return std::max(0.0, gap * (1 - 4 * u));
+}
+
+/// A point of a face near x (both in the hull's frame), as a convex combination of three corners of its fan.
+Vec3 into_face(const Hull& hull, int f, const Vec3& x) {
+  const Hull::Face& face = hull.face(f);
+  const auto corner = [&](int i) -> const Vec3& { return hull.vertex(hull.corner(face.first_corner + i)); };
+  const Vec3& o = corner(0);
+  const auto turn = [&](const Vec3& from, const Vec3& to) { return (from - o).cross(to - o).dot(face.normal); };
+  int k = 2;
+  while (k < face.corner_count - 1 && turn(x, corner(k)) < 0) ++k;
+  const Vec3& p = corner(k - 1);
+  const Vec3& q = corner(k);
+  const double whole = turn(p, q);
+  const double at_p = std::clamp(turn(x, q) / whole, 0.0, 1.0);
+  const double at_q = std::clamp(turn(p, x) / whole, 0.0, 1 - at_p);
+  return o + (at_p * (p - o) + at_q * (q - o));
+}
+
+Vec3 witness(const Placed& P, const FeatureId& feature, const Vec3& p) {
+  return feature.kind == Kind::face ? P.out(into_face(*P.hull, feature.index, P.in(p))) : p;
+}
+
+}  // namespace
+
+double rounding(const Placed& A, const Placed& B) {
+  const double reach = (A.turn_error + 10 * u) * A.hull->radius() + (B.turn_error + 10 * u) * B.hull->radius();
+  return reach + 8 * u * (B.t - A.t).norm() + A.shift_error + B.shift_error + 0x1p-900;
+}
+
+Bracket bracket(const Placed& A, const Placed& B, const Closest& c) {
+  const double error = rounding(A, B);
+  Bracket found;
+  found.a = witness(A, c.features.a, c.a);
+  found.b = witness(B, c.features.b, c.b);
+  found.hi = (found.b - found.a).norm() * (1 + 4 * u) + error;
+  Vec3 n;
+  if (c.features.a.kind == Kind::face) {
+    n = A.turned_out(A.hull->face(c.features.a.index).normal);
+  } else if (c.features.b.kind == Kind::face) {
+    n = -B.turned_out(B.hull->face(c.features.b.index).normal);
+  } else {
+    n = direction(A, B, c);
+    const double length = n.norm();
+    if (!(length > 0)) return found;
+    n /= length;
+  }
+  found.lo = lower_end(A, B, c.features, n, error);
+  return found;
+}
+
+}  // namespace touchstone::fast::lin_canny

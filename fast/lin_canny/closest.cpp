@@ -1,0 +1,184 @@
+#include "fast/lin_canny/closest.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace touchstone::fast::lin_canny {
+namespace {
+
+FeatureId vertex(int v) { return {Kind::vertex, v}; }
+FeatureId edge(int e) { return {Kind::edge, e}; }
+FeatureId face(int f) { return {Kind::face, f}; }
+
+Closest measured(const FeaturePair& features, const Vec3& a, const Vec3& b) {
+  return {features, a, b, (b - a).squaredNorm(), false};
+}
+
+Closest swapped(const Closest& c) { return {{c.features.b, c.features.a}, c.b, c.a, c.squared, c.below}; }
+
+Closest none() {
+  Closest c;
+  c.squared = std::numeric_limits<double>::infinity();
+  return c;
+}
+
+void take_nearer(Closest& best, const Closest& other) {
+  if (other.squared < best.squared) best = other;
+}
+
+/// A point of an edge at tail + s·along, and whether that is an end.
+struct OnEdge {
+  FeatureId feature;
+  Vec3 at;
+};
+
+OnEdge on_edge(const Placed& P, int e, double s) {
+  const Hull::Edge& ends = P.hull->edge(e);
+  if (!(s > 0)) return {vertex(ends.tail), P.vertex(ends.tail)};
+  if (s >= 1) return {vertex(ends.head), P.vertex(ends.head)};
+  return {edge(e), P.out(P.hull->vertex(ends.tail) + s * ends.along)};
+}
+
+double along_edge(const Placed& P, int e, const Vec3& p) {
+  const Hull::Edge& ends = P.hull->edge(e);
+  return (P.in(p)-P.hull->vertex(ends.tail)).dot(ends.along) / ends.squared;
+}
+
+Closest vertex_vertex(const Placed& A, int v, const Placed& B, int w) {
+  return measured({vertex(v), vertex(w)}, A.vertex(v), B.vertex(w));
+}
+
+Closest point_edge(const FeatureId& feature, const Vec3& p, const Placed& B, int e) {
+  const OnEdge on = on_edge(B, e, along_edge(B, e, p));
+  return measured({feature, on.feature}, p, on.at);
+}
+
+/// Outward of the face, in its plane: > 0 outside.
+double outside(const Hull& hull, int f, int side, const Vec3& x) {
+  const Hull::Edge& e = hull.edge(hull.side(side));
+  return e.out[e.face[0] == f ? 0 : 1].dot(x - hull.vertex(e.tail));
+}
+
+Closest vertex_face(const Placed& A, int v, const Placed& B, int f) {
+  const Vec3 p = A.vertex(v);
+  const Vec3 x = B.in(p);
+  const Hull& hull = *B.hull;
+  const Hull::Face& plane = hull.face(f);
+  Closest best = none();
+  bool over = true;
+  for (int i = plane.first_corner; i < plane.first_corner + plane.corner_count; ++i) {
+    if (!(outside(hull, f, i, x) > 0)) continue;
+    over = false;
+    take_nearer(best, point_edge(vertex(v), p, B, hull.side(i)));
+  }
+  if (!over) return best;
+  const double height = plane.normal.dot(x) - plane.height;
+  Closest c = measured({vertex(v), face(f)}, p, p - B.turned_out(plane.normal * height));
+  c.below = !(height > 0);
+  return c;
+}
+
+/// On lines p + s d and q + r e the closest points have s|d|² − r d·e = d·w and s d·e − r|e|² = e·w with w = q − p;
+/// clamped to the edges one after the other. (Parallel edges: any s will do; r follows from it.)
+Closest edge_edge(const Placed& A, int e, const Placed& B, int f) {
+  const Hull::Edge& edge_A = A.hull->edge(e);
+  const Hull::Edge& edge_B = B.hull->edge(f);
+  const Vec3 d = A.turned_out(edge_A.along);
+  const Vec3 g = B.turned_out(edge_B.along);
+  const Vec3 w = B.vertex(edge_B.tail) - A.vertex(edge_A.tail);
+  const double dd = edge_A.squared;
+  const double gg = edge_B.squared;
+  const double dg = d.dot(g);
+  const double dw = d.dot(w);
+  const double gw = g.dot(w);
+  const double sine = dd * gg - dg * dg;
+  constexpr double parallel = 0x1p-44;  // less is rounding
+  double s = sine > parallel * dd * gg ? std::clamp((gg * dw - dg * gw) / sine, 0.0, 1.0) : 0.0;
+  const double r = std::clamp((s * dg - gw) / gg, 0.0, 1.0);
+  s = std::clamp((r * dg + dw) / dd, 0.0, 1.0);
+  const OnEdge a = on_edge(A, e, s);
+  const OnEdge b = on_edge(B, f, r);
+  return measured({a.feature, b.feature}, a.at, b.at);
+}
+
+/// The part of an edge, as tail + s·along with s in [from, to], that is over a face; and the side that cut each end
+/// off.
+struct Clipped {
+  double from = 0;
+  double to = 1;
+  int from_side = -1;
+  int to_side = -1;
+};
+
+Clipped over_face(const Hull& hull, int f, const Vec3& tail, const Vec3& head) {
+  Clipped part;
+  const Hull::Face& plane = hull.face(f);
+  for (int i = plane.first_corner; i < plane.first_corner + plane.corner_count; ++i) {
+    const double at_tail = outside(hull, f, i, tail);
+    const double at_head = outside(hull, f, i, head);
+    if (at_tail > 0 && at_head > 0) return {1, 0, -1, -1};
+    const double s = at_tail / (at_tail - at_head);
+    if (at_tail > 0 && s > part.from) {
+      part.from = s;
+      part.from_side = hull.side(i);
+    }
+    if (at_head > 0 && s < part.to) {
+      part.to = s;
+      part.to_side = hull.side(i);
+    }
+  }
+  return part;
+}
+
+Closest edge_face(const Placed& A, int e, const Placed& B, int f) {
+  const Hull::Edge& ends = A.hull->edge(e);
+  const Hull& hull = *B.hull;
+  const Hull::Face& plane = hull.face(f);
+  const Vec3 tail = B.in(A.vertex(ends.tail));
+  const Vec3 head = B.in(A.vertex(ends.head));
+  const Clipped part = over_face(hull, f, tail, head);
+  if (!(part.from <= part.to)) {
+    Closest best = none();
+    for (int i = plane.first_corner; i < plane.first_corner + plane.corner_count; ++i) {
+      take_nearer(best, edge_edge(A, e, B, hull.side(i)));
+    }
+    return best;
+  }
+  const double low = plane.normal.dot(tail) - plane.height;
+  const double rise = plane.normal.dot(head - tail);
+  const double at_from = low + part.from * rise;
+  const double at_to = low + part.to * rise;
+  if (!(at_from > 0) || !(at_to > 0)) {
+    Closest c;
+    c.features = {vertex(at_from < at_to ? ends.tail : ends.head), face(f)};
+    c.below = true;
+    return c;
+  }
+  const bool first = at_from < at_to;
+  const int side = first ? part.from_side : part.to_side;
+  if (side >= 0) return edge_edge(A, e, B, side);
+  return vertex_face(A, first ? ends.tail : ends.head, B, f);
+}
+
+/// Only as a place to start from: a corner of one face over the other.
+Closest face_face(const Placed& A, int f, const Placed& B, int g) {
+  return vertex_face(A, A.hull->corner(A.hull->face(f).first_corner), B, g);
+}
+
+}  // namespace
+
+Closest closest(const Placed& A, const Placed& B, const FeaturePair& features) {
+  const auto& [a, b] = features;
+  if (a.kind > b.kind) return swapped(closest(B, A, {b, a}));
+  if (a.kind == Kind::vertex) {
+    if (b.kind == Kind::vertex) return vertex_vertex(A, a.index, B, b.index);
+    if (b.kind == Kind::edge) return point_edge(a, A.vertex(a.index), B, b.index);
+    return vertex_face(A, a.index, B, b.index);
+  }
+  if (a.kind == Kind::face) return face_face(A, a.index, B, b.index);
+  if (b.kind == Kind::edge) return edge_edge(A, a.index, B, b.index);
+  return edge_face(A, a.index, B, b.index);
+}
+
+}  // namespace touchstone::fast::lin_canny

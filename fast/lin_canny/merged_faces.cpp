@@ -1,0 +1,166 @@
+#include "fast/lin_canny/merged_faces.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <string>
+
+#include "fast/exact/vector.h"
+#include "fast/lin_canny/rotation.h"
+#include "model/input_error.h"
+
+namespace touchstone::fast::lin_canny {
+namespace {
+
+using Loop = std::vector<int>;
+
+struct HalfEdge {
+  int from = 0;
+  int to = 0;
+  int face = 0;
+};
+
+[[noreturn]] void refuse(const std::string& what) { throw InputError("shape.faces", what); }
+
+/// > 0 when d is on the outer side of the plane through a, b, c (counter-clockwise from outside); exact sign.
+///
+/// In doubles the determinant of differences is off by less than 16u times the product of the three lengths (each
+/// difference u, each of six products of three 2u more, five sums); what that cannot decide is done exactly.
+int side(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  const Vec3 ab = b - a;
+  const Vec3 ac = c - a;
+  const Vec3 ad = d - a;
+  const double volume = ad.dot(ab.cross(ac));
+  const double error = 16 * u * ab.lpNorm<1>() * ac.lpNorm<1>() * ad.lpNorm<1>();
+  if (std::abs(volume) > error + 0x1p-900 && std::isfinite(error)) return volume > 0 ? 1 : -1;
+  using namespace exact;
+  const Vector o = vector(a);
+  return dot(vector(d) - o, cross(vector(b) - o, vector(c) - o)).sign();
+}
+
+/// Exact; the cross product's error is less than 8u|ab||ac|.
+bool on_one_line(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Vec3 ab = b - a;
+  const Vec3 ac = c - a;
+  if (ab.cross(ac).lpNorm<1>() > 16 * u * ab.lpNorm<1>() * ac.lpNorm<1>() + 0x1p-900) return false;
+  using namespace exact;
+  const Vector o = vector(a);
+  return cross(vector(b) - o, vector(c) - o).is_zero();
+}
+
+class Merger {
+ public:
+  explicit Merger(const Polytope& polytope) : points_(polytope.vertices), loops_(polytope.faces) {
+    if (loops_.size() < 4) refuse("expected the faces of a solid; derive them first");
+    for (std::size_t f = 0; f < loops_.size(); ++f) {
+      list_edges(static_cast<int>(f));
+      corners_.push_back(three_corners(loops_[f]));
+    }
+    std::ranges::sort(half_edges_, before);
+    root_.resize(loops_.size());
+    std::iota(root_.begin(), root_.end(), 0);
+  }
+
+  std::vector<Loop> merged() {
+    for (const HalfEdge& edge : half_edges_) {
+      const HalfEdge& back = reverse(edge);
+      if (edge.from < edge.to && flat(edge, back)) root_[at(root(edge.face))] = root(back.face);
+    }
+    std::vector<std::vector<HalfEdge>> rims(loops_.size());
+    for (const HalfEdge& edge : half_edges_) {
+      const int face = root(edge.face);
+      if (face != root(reverse(edge).face)) rims[at(face)].push_back(edge);
+    }
+    std::vector<Loop> faces;
+    for (const std::vector<HalfEdge>& rim : rims) {
+      if (!rim.empty()) faces.push_back(chained(rim));
+    }
+    drop_straight_corners(faces);
+    return faces;
+  }
+
+ private:
+  static std::size_t at(int i) { return static_cast<std::size_t>(i); }
+  static bool before(const HalfEdge& a, const HalfEdge& b) { return a.from != b.from ? a.from < b.from : a.to < b.to; }
+  const Vec3& point(int v) const { return points_[at(v)]; }
+
+  void list_edges(int f) {
+    const Loop& loop = loops_[at(f)];
+    if (loop.size() < 3) refuse("a face of fewer than three vertices");
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const int from = loop[i];
+      if (from < 0 || at(from) >= points_.size()) refuse("no vertex " + std::to_string(from));
+      half_edges_.push_back({from, loop[(i + 1) % loop.size()], f});
+    }
+  }
+
+  const HalfEdge& reverse(const HalfEdge& edge) const {
+    const HalfEdge wanted{edge.to, edge.from, 0};
+    const auto found = std::ranges::lower_bound(half_edges_, wanted, before);
+    const bool once = found != half_edges_.end() && !before(wanted, *found) &&
+                      (found + 1 == half_edges_.end() || before(wanted, *(found + 1)));
+    if (!once) refuse("edge " + std::to_string(edge.to) + "-" + std::to_string(edge.from) + " is not met exactly once");
+    return *found;
+  }
+
+  int root(int f) const {
+    while (root_[at(f)] != f) f = root_[at(f)];
+    return f;
+  }
+
+  /// The two faces at a ridge fold inward, or are one plane.
+  bool flat(const HalfEdge& edge, const HalfEdge& back) const {
+    const std::array<int, 3>& corner = corners_[at(edge.face)];
+    const Loop& other = loops_[at(back.face)];
+    int fold = 0;
+    for (const int v : other) {
+      const int s = side(point(corner[0]), point(corner[1]), point(corner[2]), point(v));
+      if (s > 0) refuse("not convex at edge " + std::to_string(edge.from) + "-" + std::to_string(edge.to));
+      fold = std::min(fold, s);
+    }
+    return fold == 0;
+  }
+
+  /// Three corners of a polygon that are not on one line.
+  std::array<int, 3> three_corners(const Loop& loop) const {
+    for (std::size_t k = 2; k < loop.size(); ++k) {
+      if (!on_one_line(point(loop[0]), point(loop[k - 1]), point(loop[k]))) return {loop[0], loop[k - 1], loop[k]};
+    }
+    refuse("a face without area");
+  }
+
+  /// The sorted half-edges round a merged face, one after the other.
+  static Loop chained(const std::vector<HalfEdge>& rim) {
+    Loop loop{rim.front().from};
+    for (int v = rim.front().to; v != loop.front();) {
+      const auto next = std::ranges::lower_bound(rim, v, {}, &HalfEdge::from);
+      if (next == rim.end() || next->from != v || loop.size() >= rim.size()) refuse("a face with a hole");
+      loop.push_back(v);
+      v = next->to;
+    }
+    return loop;
+  }
+
+  /// A vertex in the middle of an edge belongs to two faces only.
+  void drop_straight_corners(std::vector<Loop>& faces) const {
+    std::vector<int> uses(points_.size());
+    for (const Loop& face : faces) {
+      for (const int v : face) ++uses[at(v)];
+    }
+    for (Loop& face : faces) std::erase_if(face, [&](int v) { return uses[at(v)] < 3; });
+  }
+
+  const std::vector<Vec3>& points_;
+  const std::vector<Loop>& loops_;
+  std::vector<HalfEdge> half_edges_;         ///< sorted
+  std::vector<std::array<int, 3>> corners_;  ///< of each face, three that are not on one line
+  std::vector<int> root_;                    ///< of a face: towards the one that its plane is named after
+};
+
+}  // namespace
+
+std::vector<Loop> merged_faces(const Polytope& polytope) { return Merger(polytope).merged(); }
+
+}  // namespace touchstone::fast::lin_canny

@@ -1,0 +1,64 @@
+#include "fast/lin_canny/proximity.h"
+
+#include <algorithm>
+
+#include "fast/lin_canny/settle.h"
+#include "fast/lin_canny/walk.h"
+
+namespace touchstone::fast::lin_canny {
+namespace {
+
+/// The bracket is a twofold rounding error wide when the walk ended where it should; a witness in a face is not quite
+/// below the vertex, and the direction not quite the best.
+constexpr double explained_by_rounding = 3;
+
+bool fit_doubles(const Placed& A, const Placed& B) {
+  return A.hull->fits_doubles() && B.hull->fits_doubles() && (B.t - A.t).lpNorm<Eigen::Infinity>() < 0x1p250;
+}
+
+/// What the bracket of the cores says about the swollen bodies; false if it leaves the verdict open.
+bool decide(const Bracket& cores, double radius, double error, Proximity& answer) {
+  if (!(cores.hi - cores.lo <= explained_by_rounding * error)) return false;
+  const double lo = cores.lo - radius - 2 * u * (cores.lo + radius);
+  const double hi = cores.hi - radius + 2 * u * (cores.hi + radius);
+  if (lo > 0) {
+    answer.verdict = Verdict::separated;
+    answer.enclosure = {lo, hi};
+    return true;
+  }
+  if (hi < 0) {  // two points of the cores are nearer than the radii reach
+    answer.verdict = Verdict::overlapping;
+    return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+Proximity proximity(const Convex& A, const Station& body_A, const Convex& B, const Station& body_B,
+                    FeaturePair& memory) {
+  const Vec3& p_WO = body_A.X_WB.p_WB;
+  const Placed placed_A = placed(A, body_A, p_WO);
+  const Placed placed_B = placed(B, body_B, p_WO);
+  if (!fit_doubles(placed_A, placed_B)) return settle(A, body_A, B, body_B, memory);
+  const Walked walked = walk(placed_A, placed_B, memory);
+  memory = walked.closest.features;
+  Proximity answer;
+  answer.features = memory;
+  if (walked.inside) return settle(A, body_A, B, body_B, memory);
+  const Bracket cores = bracket(placed_A, placed_B, walked.closest);
+  if (!decide(cores, A.radius + B.radius, rounding(placed_A, placed_B), answer)) {
+    return settle(A, body_A, B, body_B, memory);
+  }
+  const Vec3 d = cores.b - cores.a;
+  const double length = d.norm();
+  if (answer.verdict == Verdict::separated) {
+    answer.distance = std::clamp(length - (A.radius + B.radius), answer.enclosure.lo, answer.enclosure.hi);
+  }
+  const Vec3 n = length > 0 ? Vec3(d / length) : Vec3(Vec3::Zero());
+  answer.p_WCa = p_WO + (cores.a + A.radius * n);
+  answer.p_WCb = p_WO + (cores.b - B.radius * n);
+  return answer;
+}
+
+}  // namespace touchstone::fast::lin_canny

@@ -1,0 +1,28 @@
+// R(q/|q|) in doubles, and how far from the exact rotation it is.
+#pragma once
+
+#include "model/frame.h"
+
+namespace touchstone::fast::lin_canny {
+
+constexpr double u = 0x1p-53;  ///< the rounding unit of doubles
+
+/// R with ‖R − R(q/|q|)‖₂ ≤ rotation_error, for any q ≠ 0.
+///
+/// Each entry is N s, with N a difference of products and s ≈ 1/D, D = |q|².
+///   D = (w² + x²) + (y² + z²), all terms ≥ 0: relative 3u; 1/D: 1u more. One factor for all entries, ‖R‖₂ = 1: 4u.
+///   The product N s: u|R_ij| each, ‖R‖_F = √3: < 1.8u.
+///   N off the diagonal, 2(xy ± wz): products u each, the difference u|N|: ≤ 2u(|xy| + |wz|) + u|N|, and
+///   (|xy| + |wz|)² ≤ (x² + w²)(y² + z²) ≤ D²/4, so uD + u|N|.
+///   N on the diagonal, (w² + x²) − (y² + z²) and so on: squares uD together, sums uD, the difference u|N|.
+///   Frobenius norm of six uD and three 2uD: √18 uD < 4.3uD; the u|N|: another 1.8u.
+/// Together < 11.9u; 12u covers the terms of second order. Powers of two bring q to where nothing overflows; what
+/// underflows there is less than 2^-900.
+constexpr double rotation_error = 12 * u;
+Mat3 rotation(const Quaternion& q);
+
+/// A computed R v: three products and two sums a row, rows of length 1: √3·3u|v| < 5.2u|v|. With the rotation's own
+/// error |computed − R(q/|q|) v| ≤ turn_error |v|; the same for Rᵀ.
+constexpr double turn_error = 18 * u;
+
+}  // namespace touchstone::fast::lin_canny

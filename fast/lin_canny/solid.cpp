@@ -1,0 +1,60 @@
+#include "fast/lin_canny/solid.h"
+
+#include <variant>
+
+namespace touchstone::fast::lin_canny {
+namespace {
+
+Convex convex(const Sphere& sphere) {
+  return {Hull(Vec3(Vec3::Zero())), sphere.radius, {}, Mat3::Identity(), false, 0};
+}
+Convex convex(const Box& box) { return {Hull(box), 0, {}, Mat3::Identity(), false, 0}; }
+Convex convex(const Polytope& polytope) { return {Hull(polytope), 0, {}, Mat3::Identity(), false, 0}; }
+
+Convex with_reach(Convex part) {
+  part.reach = (part.core.radius() + part.radius + part.X_BP.p_WB.stableNorm()) * (1 + 8 * u);
+  return part;
+}
+
+/// R_WB R_BP: rotation errors 12u each, the product's rows of three products and two sums 3.1u · √3 · √3: < 34u;
+/// then 5.2u for the product with a vertex: < 40u. R_WB p_BP: turn_error |p_BP|, and two sums.
+constexpr double part_turn_error = 40 * u;
+
+}  // namespace
+
+Solid::Solid(const Shape& shape) {
+  if (const auto* compound = std::get_if<Compound>(&shape)) {
+    for (const Part& part : compound->parts) {
+      Convex made = std::visit([](const auto& s) { return convex(s); }, part.shape);
+      made.X_BP = part.X_BP;
+      made.R_BP = rotation(part.X_BP.q_WB);
+      made.is_posed = true;
+      parts_.push_back(with_reach(std::move(made)));
+    }
+    return;
+  }
+  std::visit(
+      [&](const auto& s) {
+        if constexpr (!std::is_same_v<std::decay_t<decltype(s)>, Compound>) parts_.push_back(with_reach(convex(s)));
+      },
+      shape);
+}
+
+Placed placed(const Convex& part, const Station& body, const Vec3& p_WO) {
+  Placed P;
+  P.hull = &part.core;
+  P.t = body.X_WB.p_WB - p_WO;
+  P.shift_error = u * P.t.norm();
+  if (!part.is_posed) {
+    P.R = body.R_WB;
+    return P;
+  }
+  const Vec3& p_BP = part.X_BP.p_WB;
+  P.R = body.R_WB * part.R_BP;
+  P.turn_error = part_turn_error;
+  P.t += body.R_WB * p_BP;
+  P.shift_error = 2 * (P.shift_error + turn_error * p_BP.norm());
+  return P;
+}
+
+}  // namespace touchstone::fast::lin_canny
