@@ -1,0 +1,32 @@
+// Who runs in the comparison of distance queries.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "tests/bench/distance/workload.h"
+
+namespace touchstone::bench {
+
+class Contestant {
+ public:
+  virtual ~Contestant() = default;
+
+  /// The distance of the two bodies in these poses; whatever may be kept from the frame before is kept.
+  virtual double distance(const Film::Poses& poses) = 0;
+};
+
+struct Entrant {
+  std::string name;
+  bool peer = false;  ///< another engine's distance query: who is compared with
+  std::function<std::unique_ptr<Contestant>(const Polytope& A, const Polytope& B)> enter;
+};
+
+std::vector<Entrant> ours();
+std::vector<Entrant> bullet();
+std::vector<Entrant> fcl_solvers();
+std::vector<Entrant> libccd();
+
+}  // namespace touchstone::bench

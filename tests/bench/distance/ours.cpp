@@ -1,0 +1,36 @@
+#include "fast/lin_canny/proximity.h"
+#include "tests/bench/distance/contestant.h"
+
+namespace touchstone::bench {
+namespace {
+
+using namespace fast::lin_canny;
+
+/// Poses come in and a certified enclosure goes out: rotations are computed in the query. `tracks`: from the features
+/// of the frame before, else from the first two vertices.
+class LinCanny : public Contestant {
+ public:
+  LinCanny(const Polytope& A, const Polytope& B, bool tracks) : A_(Shape(A)), B_(Shape(B)), tracks_(tracks) {}
+
+  double distance(const Film::Poses& poses) override {
+    if (!tracks_) memory_ = {};
+    return proximity(A_.parts()[0], Station(poses.X_WA), B_.parts()[0], Station(poses.X_WB), memory_).distance;
+  }
+
+ private:
+  Solid A_;
+  Solid B_;
+  bool tracks_;
+  FeaturePair memory_;
+};
+
+}  // namespace
+
+std::vector<Entrant> ours() {
+  const auto enter = [](bool tracks) {
+    return [tracks](const Polytope& A, const Polytope& B) { return std::make_unique<LinCanny>(A, B, tracks); };
+  };
+  return {{"fast", false, enter(true)}, {"fast, from a corner", false, enter(false)}};
+}
+
+}  // namespace touchstone::bench
