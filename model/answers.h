@@ -48,6 +48,18 @@ struct Penetration {
 /// Index pairs i < j, sorted, each once.
 using PairSet = std::vector<std::pair<int, int>>;
 
+/// What a broad phase says once a frame is done. A subject that has no events leaves begun and ended absent.
+struct PairFrame {
+  PairSet pairs;                 ///< of bodies that are there
+  std::optional<PairSet> begun;  ///< in pairs, and not in those of the frame before
+  std::optional<PairSet> ended;  ///< the other way round
+
+  bool operator==(const PairFrame&) const = default;
+};
+
+/// "Which boxes meet in each frame of the film?" One entry a frame.
+using PairHistory = std::vector<PairFrame>;
+
 /// One box a body, in the scene's order.
 using Bounds = std::vector<Aabb>;
 

@@ -22,6 +22,7 @@ Json json_of(const Scene& scene);
 Json json_of(const Masses& answer);
 Json json_of(const Bounds& answer);
 Json json_of(const PairSet& answer);
+Json json_of(const PairHistory& answer);
 Json json_of(const Distance& answer);
 Json json_of(const Penetration& answer);
 
@@ -38,6 +39,8 @@ template <>
 Bounds read<Bounds>(const Json& json, const std::string& place);
 template <>
 PairSet read<PairSet>(const Json& json, const std::string& place);
+template <>
+PairHistory read<PairHistory>(const Json& json, const std::string& place);
 template <>
 Distance read<Distance>(const Json& json, const std::string& place);
 template <>

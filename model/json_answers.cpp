@@ -55,6 +55,19 @@ Aabb read_box(const Node& node) {
   return {read_vec3(node.at("lo")), read_vec3(node.at("hi"))};
 }
 
+PairSet read_pairs(const Node& node) {
+  PairSet pairs;
+  for (int i = 0; i < node.size(); ++i) {
+    const Node item = node[i];
+    item.expect_size(2);
+    const std::pair<int, int> pair(item[0].index(), item[1].index());
+    if (pair.first >= pair.second) item.refuse("expected the smaller index first");
+    if (!pairs.empty() && pair <= pairs.back()) item.refuse("expected the pairs sorted, each once");
+    pairs.push_back(pair);
+  }
+  return pairs;
+}
+
 template <class T>
 void read_if_said(const Node& node, const char* key, T (*read_value)(const Node&), std::optional<T>& value) {
   if (const auto said = node.find(key)) value = read_value(*said);
@@ -95,6 +108,16 @@ Json json_of(const Bounds& answer) {
 Json json_of(const PairSet& answer) {
   Json json = Json::array();
   for (const auto& [i, j] : answer) json.push_back({i, j});
+  return json;
+}
+
+Json json_of(const PairHistory& answer) {
+  Json json = Json::array();
+  for (const PairFrame& frame : answer) {
+    json.push_back({{"pairs", json_of(frame.pairs)}});
+    write_if_said(json.back(), "begun", frame.begun);
+    write_if_said(json.back(), "ended", frame.ended);
+  }
   return json;
 }
 
@@ -149,17 +172,21 @@ Bounds read<Bounds>(const Json& json, const std::string& place) {
 
 template <>
 PairSet read<PairSet>(const Json& json, const std::string& place) {
+  return read_pairs(Node(json, place));
+}
+
+template <>
+PairHistory read<PairHistory>(const Json& json, const std::string& place) {
   const Node node(json, place);
-  PairSet pairs;
+  PairHistory history;
   for (int i = 0; i < node.size(); ++i) {
     const Node item = node[i];
-    item.expect_size(2);
-    const std::pair<int, int> pair(item[0].index(), item[1].index());
-    if (pair.first >= pair.second) item.refuse("expected the smaller index first");
-    if (!pairs.empty() && pair <= pairs.back()) item.refuse("expected the pairs sorted, each once");
-    pairs.push_back(pair);
+    item.expect_object({"pairs", "begun", "ended"});
+    PairFrame& frame = history.emplace_back(PairFrame{read_pairs(item.at("pairs")), {}, {}});
+    read_if_said(item, "begun", read_pairs, frame.begun);
+    read_if_said(item, "ended", read_pairs, frame.ended);
   }
-  return pairs;
+  return history;
 }
 
 template <>

@@ -52,6 +52,10 @@ Json json_of(const Body& body) {
   return json;
 }
 
+Json json_of(const Placement& placement) {
+  return {{"body", placement.body}, {"X_WB", placement.X_WB ? json_of(*placement.X_WB) : Json()}};
+}
+
 Quaternion read_quaternion(const Node& node) {
   node.expect_object({"w", "x", "y", "z"});
   return {node.at("w").number(), node.at("x").number(), node.at("y").number(), node.at("z").number()};
@@ -158,6 +162,20 @@ Body read_body(const Node& node) {
   return body;
 }
 
+Placement read_placement(const Node& node) {
+  node.expect_object({"body", "X_WB"});
+  Placement placement{node.at("body").index(), {}};
+  const Node pose = node.at("X_WB");
+  if (!pose.is_null()) placement.X_WB = read_pose(pose);
+  return placement;
+}
+
+Frame read_frame(const Node& node) {
+  Frame frame;
+  for (int i = 0; i < node.size(); ++i) frame.push_back(read_placement(node[i]));
+  return frame;
+}
+
 }  // namespace
 
 Json json_of(const Scene& scene) {
@@ -166,13 +184,18 @@ Json json_of(const Scene& scene) {
   json["gravity"] = json_of(scene.gravity);
   json["bodies"] = Json::array();
   for (const Body& body : scene.bodies) json["bodies"].push_back(json_of(body));
+  for (const Frame& frame : scene.frames) {
+    Json placements = Json::array();
+    for (const Placement& placement : frame) placements.push_back(json_of(placement));
+    json["frames"].push_back(std::move(placements));
+  }
   return json;
 }
 
 template <>
 Scene read<Scene>(const Json& json, const std::string& place) {
   const Node node(json, place);
-  node.expect_object({"touchstone", "name", "gravity", "bodies"});
+  node.expect_object({"touchstone", "name", "gravity", "bodies", "frames"});
   const std::string format = node.at("touchstone").text();
   if (format != scene_format) {
     node.at("touchstone").refuse("expected \"" + std::string(scene_format) + "\", found " + Json(format).dump());
@@ -182,6 +205,9 @@ Scene read<Scene>(const Json& json, const std::string& place) {
   if (const auto gravity = node.find("gravity")) scene.gravity = read_vec3(*gravity);
   const Node bodies = node.at("bodies");
   for (int i = 0; i < bodies.size(); ++i) scene.bodies.push_back(read_body(bodies[i]));
+  if (const auto frames = node.find("frames")) {
+    for (int i = 0; i < frames->size(); ++i) scene.frames.push_back(read_frame((*frames)[i]));
+  }
   return scene;
 }
 

@@ -141,11 +141,32 @@ void validate(const Body& body, const std::string& place) {
   std::visit([&](const auto& mass) { validate(mass, place + ".mass"); }, body.mass);
 }
 
+/// `there` is by body, and kept from frame to frame.
+void validate(const Frame& frame, std::vector<bool>& there, const std::string& place) {
+  std::set<int> seen;
+  for (std::size_t i = 0; i < frame.size(); ++i) {
+    const auto& [body, X_WB] = frame[i];
+    const std::string placement = item(place, i);
+    const std::string words = "body " + std::to_string(body);
+    if (body < 0 || static_cast<std::size_t>(body) >= there.size()) {
+      throw InputError(placement, words + " does not exist; there are " + std::to_string(there.size()));
+    }
+    if (!seen.insert(body).second) throw InputError(placement, words + " stands twice in the frame; expected once");
+    if (X_WB) validate(*X_WB, placement + ".X_WB");
+    if (!X_WB && !there[static_cast<std::size_t>(body)]) {
+      throw InputError(placement, words + " is not there, so it cannot be taken away");
+    }
+    there[static_cast<std::size_t>(body)] = X_WB.has_value();
+  }
+}
+
 }  // namespace
 
 void validate(const Scene& scene) {
   finite(scene.gravity, "gravity");
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) validate(scene.bodies[i], item("bodies", i));
+  std::vector<bool> there(scene.bodies.size(), false);
+  for (std::size_t i = 0; i < scene.frames.size(); ++i) validate(scene.frames[i], there, item("frames", i));
 }
 
 }  // namespace touchstone

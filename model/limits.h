@@ -8,7 +8,8 @@ namespace touchstone {
 /// Throws InputError naming the first place that breaks a law: a number that is not finite, a zero quaternion (any other
 /// finite one is legal, however small: the reference divides exactly), a radius or half extent ≤ 0, fewer than 4 vertices,
 /// equal vertices, a face index out of range, a face with < 3 or repeated vertices, mass or density ≤ 0, an inertia that is
-/// not symmetric positive definite or breaks the triangle inequality, e outside [0, 1], mu < 0, no parts. Denormals are legal.
+/// not symmetric positive definite or breaks the triangle inequality, e outside [0, 1], mu < 0, no parts; in a film: a body that does
+/// not exist, stands twice in a frame, or is taken away without being there. Denormals are legal.
 void validate(const Scene& scene);
 
 }  // namespace touchstone

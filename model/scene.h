@@ -1,6 +1,7 @@
 // A Scene is the question: every input of every query is one. A pair is a scene of two bodies.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -62,13 +63,28 @@ struct Body {
   bool operator==(const Body&) const = default;
 };
 
+/// What a frame does to one body: a pose puts it there from now on, none takes it away.
+struct Placement {
+  int body = 0;
+  std::optional<Pose> X_WB;
+
+  bool operator==(const Placement&) const = default;
+};
+
+/// Each body at most once; whom it does not name stays as it is.
+using Frame = std::vector<Placement>;
+
 struct Scene {
   std::string name;
   std::vector<Body> bodies;
   Vec3 gravity = Vec3::Zero();  ///< m/s², in W
 
+  /// A film, for queries about sequences: before the first frame no body is there, and none stands at its own X_WB.
+  /// Other queries do not see it.
+  std::vector<Frame> frames = {};
+
   bool operator==(const Scene& other) const {
-    return name == other.name && bodies == other.bodies && gravity == other.gravity;
+    return name == other.name && bodies == other.bodies && gravity == other.gravity && frames == other.frames;
   }
 };
 

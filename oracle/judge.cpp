@@ -80,6 +80,7 @@ bool finite(const Bounds& answer) {
   return std::ranges::all_of(answer, [](const Aabb& box) { return finite(box.lo) && finite(box.hi); });
 }
 bool finite(const PairSet&) { return true; }
+bool finite(const PairHistory&) { return true; }
 bool finite(const Distance& answer) {
   return finite(answer.distance) && finite(answer.p_WCa) && finite(answer.p_WCb) && finite(answer.enclosure);
 }

@@ -15,6 +15,7 @@ namespace touchstone::oracle::judge {
 bool finite(const Masses& answer);
 bool finite(const Bounds& answer);
 bool finite(const PairSet& answer);
+bool finite(const PairHistory& answer);
 bool finite(const Distance& answer);
 bool finite(const Penetration& answer);
 

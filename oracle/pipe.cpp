@@ -43,6 +43,7 @@ PipeSubject::~PipeSubject() { restart(); }
 Answer<Masses> PipeSubject::mass(const Scene& scene) { return ask<Masses>("mass", scene); }
 Answer<Bounds> PipeSubject::bounds(const Scene& scene) { return ask<Bounds>("bounds", scene); }
 Answer<PairSet> PipeSubject::broad_phase(const Scene& scene) { return ask<PairSet>("broad_phase", scene); }
+Answer<PairHistory> PipeSubject::pair_history(const Scene& scene) { return ask<PairHistory>("pair_history", scene); }
 Answer<Distance> PipeSubject::distance(const Scene& scene) { return ask<Distance>("distance", scene); }
 Answer<Penetration> PipeSubject::penetration(const Scene& scene) { return ask<Penetration>("penetration", scene); }
 

@@ -32,6 +32,7 @@ class PipeSubject : public Subject {
   Answer<Masses> mass(const Scene& scene) override;
   Answer<Bounds> bounds(const Scene& scene) override;
   Answer<PairSet> broad_phase(const Scene& scene) override;
+  Answer<PairHistory> pair_history(const Scene& scene) override;
   Answer<Distance> distance(const Scene& scene) override;
   Answer<Penetration> penetration(const Scene& scene) override;
 

@@ -42,7 +42,10 @@ bool single(const Body& body) {
 double unit_roundoff(Precision precision) { return std::ldexp(1.0, precision == Precision::binary32 ? -24 : -53); }
 
 bool exact_in(const Scene& scene, Precision precision) {
-  return precision != Precision::binary32 || std::ranges::all_of(scene.bodies, [](const Body& b) { return single(b); });
+  if (precision != Precision::binary32) return true;
+  const auto placed = [](const Placement& p) { return !p.X_WB || single(*p.X_WB); };
+  return std::ranges::all_of(scene.bodies, [](const Body& b) { return single(b); }) &&
+         std::ranges::all_of(scene.frames, [&](const Frame& f) { return std::ranges::all_of(f, placed); });
 }
 
 }  // namespace touchstone::oracle

@@ -165,6 +165,7 @@ Answer<T> read_answer(std::string_view line, Seq seq) {
 template Answer<Masses> read_answer<Masses>(std::string_view, Seq);
 template Answer<Bounds> read_answer<Bounds>(std::string_view, Seq);
 template Answer<PairSet> read_answer<PairSet>(std::string_view, Seq);
+template Answer<PairHistory> read_answer<PairHistory>(std::string_view, Seq);
 template Answer<Distance> read_answer<Distance>(std::string_view, Seq);
 template Answer<Penetration> read_answer<Penetration>(std::string_view, Seq);
 

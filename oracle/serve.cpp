@@ -55,6 +55,7 @@ std::string answer_to(const protocol::Request& request, Subject& subject) try {
   if (request.query == "mass") return answered(&Subject::mass);
   if (request.query == "bounds") return answered(&Subject::bounds);
   if (request.query == "broad_phase") return answered(&Subject::broad_phase);
+  if (request.query == "pair_history") return answered(&Subject::pair_history);
   if (request.query == "distance") return answered(&Subject::distance);
   if (request.query == "penetration") return answered(&Subject::penetration);
   return protocol::answer(request.seq, Abstains{"no " + request.query + " query"});

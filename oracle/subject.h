@@ -40,6 +40,7 @@ class Subject {
   virtual Answer<Masses> mass(const Scene&) { return Abstains{"no mass query"}; }
   virtual Answer<Bounds> bounds(const Scene&) { return Abstains{"no bounds query"}; }
   virtual Answer<PairSet> broad_phase(const Scene&) { return Abstains{"no broad phase"}; }
+  virtual Answer<PairHistory> pair_history(const Scene&) { return Abstains{"no broad phase over frames"}; }
   virtual Answer<Distance> distance(const Scene&) { return Abstains{"no distance query"}; }
   virtual Answer<Penetration> penetration(const Scene&) { return Abstains{"no penetration query"}; }
 };

@@ -48,6 +48,16 @@ const PairSet& broad_phase(const Scene& scene) {
   return memory.of(scene, [](const Scene& s) { return reference::broad_phase(s); });
 }
 
+const std::vector<reference::FrameBoxes>& film_bounds(const Scene& film) {
+  thread_local Memory<std::vector<reference::FrameBoxes>> memory;
+  return memory.of(film, [](const Scene& s) { return reference::film_bounds(s); });
+}
+
+const PairHistory& pair_history(const Scene& film) {
+  thread_local Memory<PairHistory> memory;
+  return memory.of(film, [](const Scene& s) { return reference::pair_history(film_bounds(s)); });
+}
+
 const reference::DistanceTruth& distance(const Scene& scene) {
   thread_local Memory<reference::DistanceTruth> memory;
   return memory.of(scene, [](const Scene& s) { return reference::distance(s); });

@@ -21,6 +21,8 @@ inline constexpr int remembered = 8;
 const std::vector<std::optional<reference::MassTruth>>& mass(const Scene& scene);
 const std::vector<reference::ExactBox>& bounds(const Scene& scene);
 const PairSet& broad_phase(const Scene& scene);
+const std::vector<reference::FrameBoxes>& film_bounds(const Scene& film);
+const PairHistory& pair_history(const Scene& film);
 const reference::DistanceTruth& distance(const Scene& scene);
 const reference::PenetrationTruth& penetration(const Scene& scene);
 

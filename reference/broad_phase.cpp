@@ -1,6 +1,8 @@
 #include "reference/broad_phase.h"
 
 #include <algorithm>
+#include <iterator>
+#include <utility>
 
 namespace touchstone::reference {
 namespace {
@@ -23,6 +25,39 @@ PairSet broad_phase(const Scene& scene) {
     }
   }
   return pairs;
+}
+
+std::vector<FrameBoxes> film_bounds(const Scene& film) {
+  std::vector<FrameBoxes> all;
+  FrameBoxes now(film.bodies.size());
+  for (const Frame& frame : film.frames) {
+    for (const Placement& placement : frame) {
+      const auto i = static_cast<std::size_t>(placement.body);
+      Body body = film.bodies[i];
+      if (placement.X_WB) body.X_WB = *placement.X_WB;
+      now[i] = placement.X_WB ? std::optional(box(body)) : std::nullopt;
+    }
+    all.push_back(now);
+  }
+  return all;
+}
+
+PairHistory pair_history(const std::vector<FrameBoxes>& frames) {
+  PairHistory history;
+  PairSet before;
+  for (const FrameBoxes& boxes : frames) {
+    PairFrame now{{}, PairSet{}, PairSet{}};
+    for (int i = 0; i < static_cast<int>(boxes.size()); ++i) {
+      for (int j = i + 1; j < static_cast<int>(boxes.size()); ++j) {
+        if (boxes[i] && boxes[j] && overlap(*boxes[i], *boxes[j])) now.pairs.emplace_back(i, j);
+      }
+    }
+    std::ranges::set_difference(now.pairs, before, std::back_inserter(*now.begun));
+    std::ranges::set_difference(before, now.pairs, std::back_inserter(*now.ended));
+    before = now.pairs;
+    history.push_back(std::move(now));
+  }
+  return history;
 }
 
 Rational gap(const ExactBox& a, const ExactBox& b) {

@@ -73,6 +73,10 @@ class Reference : public Subject {
 
   Answer<PairSet> broad_phase(const Scene& scene) override { return reference::broad_phase(scene); }
 
+  Answer<PairHistory> pair_history(const Scene& scene) override {
+    return reference::pair_history(reference::film_bounds(scene));
+  }
+
   Answer<Distance> distance(const Scene& scene) override {
     const reference::DistanceTruth truth = reference::distance(scene);
     Distance said;
@@ -103,7 +107,7 @@ class Reference : public Subject {
   const Card card_{.name = "reference",
                    .version = "0.1.0",
                    .precision = Precision::exact,
-                   .answers = {"mass", "bounds", "broad_phase", "distance", "penetration"},
+                   .answers = {"mass", "bounds", "broad_phase", "pair_history", "distance", "penetration"},
                    .knows_touching = true,
                    .about = "Touchstone's exact reference, results rounded to doubles",
                    .homepage = "",

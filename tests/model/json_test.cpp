@@ -75,6 +75,9 @@ TEST_CASE("answers survive text") {
   CHECK(through_text(PairSet{}).empty());
   CHECK(through_text(PairSet{{0, 1}}) == PairSet{{0, 1}});
   CHECK(through_text(PairSet{{0, 1}, {0, 2}, {1, 2}}) == PairSet{{0, 1}, {0, 2}, {1, 2}});
+  const PairHistory history{{{{0, 1}}, PairSet{{0, 1}}, PairSet{}}, {{}, {}, {}}, {{{1, 2}}, {}, PairSet{{0, 2}}}};
+  CHECK(through_text(history) == history);
+  CHECK(through_text(PairHistory{}).empty());
 }
 
 TEST_CASE("what is not an answer is refused by place") {
@@ -96,6 +99,9 @@ TEST_CASE("what is not an answer is refused by place") {
   CHECK(complaint<Bounds>(R"([{"lo": [0, 0, 0]}])") == "result[0]: the key \"hi\" is missing");
   CHECK(complaint<Bounds>("{}") == "result: expected an array, found an object");
   CHECK(complaint<Masses>(R"([null, {"mass": 1}])") == "result[1]: the key \"p_BBcm\" is missing");
+  CHECK(complaint<PairHistory>(R"([{"begun": []}])") == "result[0]: the key \"pairs\" is missing");
+  CHECK(complaint<PairHistory>(R"([{"pairs": [], "ended": [[1, 0]]}])") ==
+        "result[0].ended[0]: expected the smaller index first");
   CHECK(complaint<PairSet>("[[0, 1.5]]") == "result[0][1]: expected an integer, found 1.5");
   CHECK(complaint<PairSet>("[[0, 4294967297]]") ==
         "result[0][1]: expected an integer from 0 to 2147483647, found 4294967297");

@@ -33,6 +33,11 @@ Scene legal_scene(std::uint64_t seed) {
     std::visit([](auto& mass) { legalise(mass); }, body.mass);
     body.material = {seed % 2 ? 1.0 : 5e-324, std::abs(body.material.friction)};
   }
+  std::vector<bool> there(scene.bodies.size(), false);
+  for (Frame& frame : scene.frames) {
+    std::erase_if(frame, [&](const Placement& p) { return !p.X_WB && !there[static_cast<std::size_t>(p.body)]; });
+    for (const Placement& p : frame) there[static_cast<std::size_t>(p.body)] = p.X_WB.has_value();
+  }
   validate(scene);
   return scene;
 }

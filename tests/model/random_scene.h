@@ -91,6 +91,12 @@ inline Scene random_scene(std::uint64_t seed) {
                             {bits.finite(), bits.finite()},
                             random_mass(bits)});
   }
+  for (int i = bits.below(3); i > 0; --i) {
+    Frame& frame = scene.frames.emplace_back();
+    for (int body = 0; body < static_cast<int>(scene.bodies.size()); ++body) {
+      if (bits.below(3)) frame.push_back({body, bits.below(4) ? std::optional(random_pose(bits)) : std::nullopt});
+    }
+  }
   return scene;
 }
 

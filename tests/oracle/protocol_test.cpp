@@ -41,6 +41,7 @@ Scene scene() {
     made.bodies.emplace_back().shape = shape;
     made.bodies.back().X_WB.p_WB.x() = 1.25 * static_cast<double>(made.bodies.size());
   }
+  made.frames = {{{0, Pose{}}, {1, Pose{}}}, {}, {{0, {}}}};
   return made;
 }
 
@@ -57,7 +58,7 @@ std::vector<std::string> conversation(const std::vector<std::string>& command) {
   };
   protocol::Seq seq = 0;
   exchange(protocol::start(++seq));
-  for (const char* query : {"mass", "bounds", "broad_phase", "distance", "penetration"}) {
+  for (const char* query : {"mass", "bounds", "broad_phase", "pair_history", "distance", "penetration"}) {
     exchange(protocol::ask(++seq, query, json_of(scene()).dump()));
   }
   lines.push_back(protocol::stop(++seq));
@@ -108,6 +109,7 @@ TEST_CASE("every kind of answer that we write fits the schema") {
       protocol::answer(4, json_of(Masses{std::nullopt, MassProperties{}})),
       protocol::answer(5, json_of(PairSet{{0, 1}})),
       protocol::answer(6, json_of(Bounds{Aabb{}})),
+      protocol::answer(8, json_of(PairHistory{{{{0, 1}}, PairSet{{0, 1}}, PairSet{}}, {{}, {}, {}}})),
       protocol::answer(7, json_of(Penetration{Verdict::overlapping, 1.0, Vec3(0, 0, 1)}))};
   for (std::string& line : lines) line.pop_back();
   CHECK(by_schema(lines) == std::vector<std::string>(lines.size(), "ok"));

@@ -10,6 +10,7 @@ struct FixedSubject : oracle::Subject {
   Answer<Masses> said_mass = Abstains{"not set"};
   Answer<Bounds> said_bounds = Abstains{"not set"};
   Answer<PairSet> said_pairs = Abstains{"not set"};
+  Answer<PairHistory> said_history = Abstains{"not set"};
   Answer<Distance> said_distance = Abstains{"not set"};
   Answer<Penetration> said_penetration = Abstains{"not set"};
 
@@ -17,6 +18,7 @@ struct FixedSubject : oracle::Subject {
   Answer<Masses> mass(const Scene&) override { return said_mass; }
   Answer<Bounds> bounds(const Scene&) override { return said_bounds; }
   Answer<PairSet> broad_phase(const Scene&) override { return said_pairs; }
+  Answer<PairHistory> pair_history(const Scene&) override { return said_history; }
   Answer<Distance> distance(const Scene&) override { return said_distance; }
   Answer<Penetration> penetration(const Scene&) override { return said_penetration; }
 };
