@@ -9,12 +9,11 @@ namespace {
 
 /// Do all edges at v, but for the one to `except`, surely lead down along n (in the hull's frame)?
 bool is_highest(const Placed& P, int v, int except, const Vec3& n) {
-  const double sure = P.turn_error + 6 * u;
-  const Hull& hull = *P.hull;
-  for (const Hull::Spoke* s = hull.spokes_begin(v); s != hull.spokes_end(v); ++s) {
-    if (s->other != except && !(n.dot(s->along) < -sure * s->length)) return false;
+  double steepest = -1;
+  for (const Hull::Spoke* s = P.hull->spokes_begin(v); s != P.hull->spokes_end(v); ++s) {
+    if (s->other != except) steepest = std::max(steepest, n.dot(s->away));
   }
-  return true;
+  return steepest < -(P.turn_error + 10 * u);
 }
 
 double highest_of_all(const Hull& hull, const Vec3& n) {

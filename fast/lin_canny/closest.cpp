@@ -27,22 +27,17 @@ void take_nearer(Closest& best, const Closest& other) {
   if (other.squared < best.squared) best = other;
 }
 
-/// A point of an edge at tail + s·along, and whether that is an end.
+/// A point of an edge at tail + s·along, and the least feature that it is on. `tail` and `along` are in the pair's
+/// frame.
 struct OnEdge {
   FeatureId feature;
   Vec3 at;
 };
 
-OnEdge on_edge(const Placed& P, int e, double s) {
-  const Hull::Edge& ends = P.hull->edge(e);
-  if (!(s > 0)) return {vertex(ends.tail), P.vertex(ends.tail)};
-  if (s >= 1) return {vertex(ends.head), P.vertex(ends.head)};
-  return {edge(e), P.out(P.hull->vertex(ends.tail) + s * ends.along)};
-}
-
-double along_edge(const Placed& P, int e, const Vec3& p) {
-  const Hull::Edge& ends = P.hull->edge(e);
-  return (P.in(p)-P.hull->vertex(ends.tail)).dot(ends.along) / ends.squared;
+OnEdge on_edge(const Placed& P, int e, const Vec3& tail, const Vec3& along, double s) {
+  if (!(s > 0)) return {vertex(P.hull->edge(e).tail), tail};
+  if (s >= 1) return {vertex(P.hull->edge(e).head), P.vertex(P.hull->edge(e).head)};
+  return {edge(e), tail + s * along};
 }
 
 Closest vertex_vertex(const Placed& A, int v, const Placed& B, int w) {
@@ -50,7 +45,10 @@ Closest vertex_vertex(const Placed& A, int v, const Placed& B, int w) {
 }
 
 Closest point_edge(const FeatureId& feature, const Vec3& p, const Placed& B, int e) {
-  const OnEdge on = on_edge(B, e, along_edge(B, e, p));
+  const Hull::Edge& ends = B.hull->edge(e);
+  const Vec3 tail = B.vertex(ends.tail);
+  const Vec3 along = B.turned_out(ends.along);
+  const OnEdge on = on_edge(B, e, tail, along, (p - tail).dot(along) / ends.squared);
   return measured({feature, on.feature}, p, on.at);
 }
 
@@ -86,7 +84,9 @@ Closest edge_edge(const Placed& A, int e, const Placed& B, int f) {
   const Hull::Edge& edge_B = B.hull->edge(f);
   const Vec3 d = A.turned_out(edge_A.along);
   const Vec3 g = B.turned_out(edge_B.along);
-  const Vec3 w = B.vertex(edge_B.tail) - A.vertex(edge_A.tail);
+  const Vec3 p = A.vertex(edge_A.tail);
+  const Vec3 q = B.vertex(edge_B.tail);
+  const Vec3 w = q - p;
   const double dd = edge_A.squared;
   const double gg = edge_B.squared;
   const double dg = d.dot(g);
@@ -97,8 +97,8 @@ Closest edge_edge(const Placed& A, int e, const Placed& B, int f) {
   double s = sine > parallel * dd * gg ? std::clamp((gg * dw - dg * gw) / sine, 0.0, 1.0) : 0.0;
   const double r = std::clamp((s * dg - gw) / gg, 0.0, 1.0);
   s = std::clamp((r * dg + dw) / dd, 0.0, 1.0);
-  const OnEdge a = on_edge(A, e, s);
-  const OnEdge b = on_edge(B, f, r);
+  const OnEdge a = on_edge(A, e, p, d, s);
+  const OnEdge b = on_edge(B, f, q, g, r);
   return measured({a.feature, b.feature}, a.at, b.at);
 }
 

@@ -139,14 +139,15 @@ void Hull::link_spokes() {
   std::vector<int> next(first_spoke_.begin(), first_spoke_.end() - 1);
   for (int e = 0; e < edge_count(); ++e) {
     const Edge& ends = edge(e);
-    const double length = ends.along.stableNorm() * (1 + 8 * u);
+    const double length = ends.along.stableNorm();
     shortest_edge_ = std::min(shortest_edge_, length);
-    spokes_[at(next[at(ends.tail)]++)] = {ends.along, length, e, ends.head};
-    spokes_[at(next[at(ends.head)]++)] = {-ends.along, length, e, ends.tail};
+    const Vec3 away = ends.along / length;
+    spokes_[at(next[at(ends.tail)]++)] = {away, e, ends.head};
+    spokes_[at(next[at(ends.head)]++)] = {-away, e, ends.tail};
   }
 }
 
-/// As in support.h: where each corner's neighbours outside the face are surely lower, a corner is the highest of all
+/// As in bracket.h: where each corner's neighbours outside the face are surely lower, a corner is the highest of all
 /// vertices.
 void Hull::raise_faces() {
   for (Face& f : faces_) {
@@ -158,7 +159,7 @@ void Hull::raise_faces() {
     for (const int* c = first; c != last; ++c) {
       f.height = std::max(f.height, height_of(*c));
       for (const Spoke* s = spokes_begin(*c); s != spokes_end(*c); ++s) {
-        const bool lower = f.normal.dot(s->along) < -8 * u * s->length;
+        const bool lower = f.normal.dot(s->away) < -10 * u;
         sure = sure && (lower || std::find(first, last, s->other) != last);
       }
     }

@@ -13,10 +13,9 @@ class Hull {
  public:
   /// An edge as seen from one of its ends.
   struct Spoke {
-    Vec3 along;         ///< other − this end
-    double length = 0;  ///< ≥ |along|
+    Vec3 away;  ///< unit vector from this end to the other: off by less than 5u
     int edge = 0;
-    int other = 0;
+    int other = 0;  ///< the other end
   };
   /// From tail to head, counter-clockwise round face[0] and clockwise round face[1], both seen from outside.
   struct Edge {

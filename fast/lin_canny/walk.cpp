@@ -1,23 +1,19 @@
 #include "fast/lin_canny/walk.h"
 
-#include <utility>
+#include <algorithm>
 
 namespace touchstone::fast::lin_canny {
 namespace {
 
-/// The edge at vertex v that rises most steeply along d (in the hull's frame); -1 if none does.
+/// The edge at vertex v that rises most steeply along d (in the hull's frame); -1 if none does. How steep comes first,
+/// which one second: no processor could predict the comparisons of a loop that asks for both.
 int steepest(const Hull& hull, int v, const Vec3& d) {
-  int best = -1;
   double most = 0;
-  for (const Hull::Spoke* s = hull.spokes_begin(v); s != hull.spokes_end(v); ++s) {
-    const double rise = s->along.dot(d);
-    if (!(rise > 0)) continue;
-    const double slope = rise / s->length;
-    if (best >= 0 && !(slope > most)) continue;
-    best = s->edge;
-    most = slope;
-  }
-  return best;
+  for (const Hull::Spoke* s = hull.spokes_begin(v); s != hull.spokes_end(v); ++s) most = std::max(most, s->away.dot(d));
+  if (!(most > 0)) return -1;
+  const Hull::Spoke* s = hull.spokes_begin(v);
+  while (s->away.dot(d) != most) ++s;
+  return s->edge;
 }
 
 /// The face that sees x from farthest outside; -1 if x is behind all of them.
