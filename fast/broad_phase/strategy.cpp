@@ -36,6 +36,7 @@ inline void BroadPhase::put(BodyId id, const Aabb& box) {
   if (has_moved_[id] == 0) {
     moved_.push_back(id);
     has_moved_[id] = 1;
+    was_[id] = box_[id];
   }
   box_[id] = box;
 }
@@ -81,10 +82,7 @@ void BroadPhase::update() {
   begun_.clear();
   ended_.clear();
   if (!moved_.empty()) refresh();
-  for (const BodyId id : moved_) {
-    was_[id] = box_[id];
-    has_moved_[id] = 0;
-  }
+  for (const BodyId id : moved_) has_moved_[id] = 0;
   moved_.clear();
 }
 

@@ -63,9 +63,12 @@ class BroadPhase {
 
   /// For strategies that search: a and b overlap now; they begin unless they overlapped before. Once a pair and frame.
   void offer(BodyId a, BodyId b) {
-    if (!overlap(was_[a], was_[b])) begin(a, b);
+    if (!overlap(was(a), was(b))) begin(a, b);
   }
   void begin(BodyId a, BodyId b);
+
+  /// The box at the last update.
+  const Aabb& was(BodyId id) const { return moved(id) ? was_[id] : box_[id]; }
 
   /// By id. An absent body's box is empty (lo = +∞, hi = −∞) and so overlaps nothing: insertion and removal are moves.
   std::vector<Aabb> box_;
@@ -79,7 +82,7 @@ class BroadPhase {
   void make_room(std::size_t ids);
   void put(BodyId id, const Aabb& box);
 
-  std::vector<Aabb> was_;  ///< box_ at the last update
+  std::vector<Aabb> was_;  ///< of those that moved: box_ at the last update
   std::vector<std::uint8_t> has_moved_;
   std::size_t count_ = 0;
 };

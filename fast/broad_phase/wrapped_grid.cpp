@@ -1,223 +1,122 @@
 #include "fast/broad_phase/wrapped_grid.h"
 
-#ifdef __SSE2__
-#include <emmintrin.h>
-#endif
-
 #include <algorithm>
-#include <bit>
-#include <cmath>
 #include <limits>
 
 namespace touchstone::fast {
 namespace {
 
+// A body's place when it has none is `none`, and so is its slot.
 constexpr std::uint32_t none = 0xffffffff;
 
-// A body's place when it has none is `none`; its slot is `none` when it stands in a chain.
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
-constexpr std::size_t most_levels = 12;
-// Measured best on the coherent and the ratio world at 1,000 to 100,000 bodies (1.6 to 3 tried): wider cells mean more
-// box tests, narrower ones more rows, and a row costs more than a test.
-constexpr double cells_per_distance = 2.25;
-
-// The mean number of bodies in a body's cell. Evenly spread bodies have 1 + cells_per_distance³ ≈ 12.4; some are borne.
-constexpr double crowd_allowed = 32;
-constexpr double greatest_units = 0x1p20;
-
-// After so many the cell size is chosen anew: bodies may have gathered or grown.
-constexpr int rebuilds_per_layout = 64;
-
-/// The floor of x ≥ 0.
-std::int32_t whole(float x) { return static_cast<std::int32_t>(x); }
+// After so many sorts the cells are laid out anew: bodies may have gathered or grown.
+constexpr int sorts_per_layout = 64;
 
 /// max(0, a − b). If a float x ≥ 0 is ≤ a − b exactly, then x ≤ the result: rounding is monotone and keeps x.
 float below(float a, float b) { return std::max(0.0F, a - b); }
 
+/// A body much longer than a level's cells would ask for more rows than there are places.
+bool few_rows(const CellBox& e, const CellLevel& level) {
+  const auto cells = [&](std::size_t axis) {
+    return static_cast<double>((e.hi[axis] - e.lo[axis] + level.reach[axis]) * level.cells_per_unit + 2);
+  };
+  return cells(1) * cells(2) < level.places;
+}
+
 }  // namespace
 
-// ---- whether two entries overlap: the two ways give the same answers
-
-#ifdef __SSE2__
-inline bool WrappedGrid::Entry::near(const Entry& e) const {
-  const __m128 above = _mm_cmpgt_ps(_mm_load_ps(lo.data()), _mm_load_ps(e.hi.data()));
-  const __m128 below = _mm_cmpgt_ps(_mm_load_ps(e.lo.data()), _mm_load_ps(hi.data()));
-  return _mm_movemask_ps(_mm_or_ps(above, below)) == 0;
-}
-#else
-inline bool WrappedGrid::Entry::near(const Entry& e) const {
-  return lo[0] <= e.hi[0] && e.lo[0] <= hi[0] && lo[1] <= e.hi[1] && e.lo[1] <= hi[1] && lo[2] <= e.hi[2] &&
-         e.lo[2] <= hi[2];
-}
-#endif
-
-// ---- where a body stands (inline: on every body's path)
-
-inline WrappedGrid::Entry WrappedGrid::entry_of(BodyId id) const {
-  Entry e;
-  const Aabb& box = box_[id];
-  for (int axis = 0; axis < 3; ++axis) {
-    const std::size_t k = static_cast<std::size_t>(axis);
-    e.lo[k] = static_cast<float>((box.lo[axis] - domain_.lo[axis]) * units_per_metre_);
-    e.hi[k] = static_cast<float>((box.hi[axis] - domain_.lo[axis]) * units_per_metre_);
-  }
-  e.hi[3] = static_cast<float>(id);
-  return e;
-}
-
-inline std::size_t WrappedGrid::level_of(const Entry& e) const {
-  const float extent = std::max({e.hi[0] - e.lo[0], e.hi[1] - e.lo[1], e.hi[2] - e.lo[2]});
-  std::size_t l = 0;
-  while (l + 1 < levels_.size() && extent * levels_[l].cells_per_unit > 1) ++l;
-  return l;
-}
-
-inline std::uint32_t WrappedGrid::place_of(const Entry& e, const Level& level) const {
-  const std::int32_t x = whole(e.lo[0] * level.cells_per_unit) & level.mask[0];
-  const std::int32_t y = whole(e.lo[1] * level.cells_per_unit) & level.mask[1];
-  const std::int32_t z = whole(e.lo[2] * level.cells_per_unit) & level.mask[2];
-  return level.first_place + static_cast<std::uint32_t>(x + (y << level.shift[0]) + (z << level.shift[1]));
-}
-
-/// The factor makes up for the rounding of the difference and its own (2 · 2^-24), so reach is no less than hi − lo
-/// exactly.
-inline void WrappedGrid::widen(Level& level, const Entry& e) {
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    level.reach[axis] = std::max(level.reach[axis], (e.hi[axis] - e.lo[axis]) * (1 + 0x1p-22F));
-}
-
-inline bool WrappedGrid::fits(const Aabb& box) const {
-  return (domain_.lo.array() <= box.lo.array()).all() && (box.hi.array() <= domain_.hi.array()).all();
-}
-
-// ---- a frame
-
 void WrappedGrid::refresh() {
-  drop_ended();
   slot_.resize(box_.size(), none);
   place_.resize(box_.size(), none);
   next_.resize(box_.size(), none);
+  escapes_.resize(box_.size(), 0);
+  list_escaped();
   if (must_rebuild()) {
-    rebuild();
-    find_all();
-    return;
+    file_all();
+  } else {
+    look_through_near();
+    look_through_pairs();
+    for (const BodyId id : escaped_) refile(id);
+    for (const BodyId id : escaped_)
+      if (present(id)) find_escaped(id);
   }
-  for (const BodyId id : moved_) treat_moved(id);
-  for (const BodyId id : moved_)
-    if (present(id)) find_moved(id);
+  for (const BodyId id : escaped_) escapes_[id] = 0;
+}
+
+void WrappedGrid::list_escaped() {
+  escaped_.clear();
+  for (const BodyId id : moved_) {
+    const bool stays = present(id) && slot_[id] != none && cells_.holds(entries_[slot_[id]], box_[id]);
+    if (stays) continue;
+    escaped_.push_back(id);
+    escapes_[id] = 1;
+  }
 }
 
 bool WrappedGrid::must_rebuild() const {
-  if (levels_.empty() || 4 * moved_.size() > count() || 16 * chained_ > count()) return true;
-  return !std::all_of(moved_.begin(), moved_.end(), [this](BodyId id) { return !present(id) || fits(box_[id]); });
+  if (cells_.levels.empty() || 8 * escaped_.size() > count() || 16 * (entries_.size() - sorted_) > count()) return true;
+  return !std::all_of(escaped_.begin(), escaped_.end(),
+                      [this](BodyId id) { return !present(id) || cells_.fits(box_[id]); });
 }
 
-// ---- how space is divided
+// ---- the two lists
 
-void WrappedGrid::configure() {
-  domain_ = box_[ids_.front()];
-  Vec3 mean = Vec3::Zero();
-  const double n = static_cast<double>(ids_.size());
-  for (const BodyId id : ids_) {
-    domain_.lo = domain_.lo.cwiseMin(box_[id].lo);
-    domain_.hi = domain_.hi.cwiseMax(box_[id].hi);
-    mean += (box_[id].hi - box_[id].lo) / n;
+/// Pairs of a body that escaped are dropped: it will be searched for anew.
+void WrappedGrid::look_through_near() {
+  std::size_t kept = 0;
+  for (const BodyPair pair : near_) {
+    if (escapes_[pair.a] != 0 || escapes_[pair.b] != 0) continue;
+    if ((moved(pair.a) || moved(pair.b)) && overlap(box_[pair.a], box_[pair.b]))
+      begin(pair.a, pair.b);
+    else
+      near_[kept++] = pair;
   }
-  const Vec3 room = domain_.hi - domain_.lo;
-  const double widest = std::max(room.maxCoeff(), 0x1p-900);
-  // By how far bodies are apart; a flat world is as thick as a body.
-  const Vec3 share = (room / widest).cwiseMax(mean / widest).cwiseMax(0x1p-20);
-  double cell = cells_per_distance * widest * std::cbrt(share.prod() / n);
-  const double least_cell = std::max(mean.maxCoeff(), widest / greatest_units * 2);
-  cell = std::max(cell, least_cell / 2);
-  // Room for what moves about, so that f need not change every frame.
-  domain_.lo -= Vec3::Constant(widest / 16);
-  domain_.hi += Vec3::Constant(widest / 16);
-  units_per_metre_ = 1 / cell;
-  while (cell / 2 > least_cell && crowding() > crowd_allowed) {
-    cell /= 2;
-    units_per_metre_ = 1 / cell;
-  }
-  configured_for_ = ids_.size();
-  rebuilds_ = 0;
-  lay_out_levels();
+  near_.resize(kept);
 }
 
-/// The mean number of bodies in a body's cell, when the cells are hashed onto about n places.
-double WrappedGrid::crowding() {
-  start_.assign(std::bit_ceil(ids_.size()), 0);
-  for (const BodyId id : ids_) {
-    const Entry e = entry_of(id);
-    const std::uint64_t cell = (std::uint64_t{static_cast<std::uint32_t>(whole(e.lo[0]))} << 42U) ^
-                               (std::uint64_t{static_cast<std::uint32_t>(whole(e.lo[1]))} << 21U) ^
-                               static_cast<std::uint32_t>(whole(e.lo[2]));
-    ++start_[((cell * 0x9e3779b97f4a7c15U) >> 32U) & (start_.size() - 1)];
-  }
-  double squares = 0;
-  for (const std::uint32_t here : start_) squares += static_cast<double>(here) * here;
-  return squares / static_cast<double>(ids_.size());
-}
-
-void WrappedGrid::lay_out_levels() {
-  levels_.assign(1, {});
-  std::array<std::size_t, most_levels> bodies{};
-  for (const BodyId id : ids_) {
-    const Entry e = entry_of(id);
-    const float extent = std::max({e.hi[0] - e.lo[0], e.hi[1] - e.lo[1], e.hi[2] - e.lo[2]});
-    while (levels_.size() < most_levels && extent * levels_.back().cells_per_unit > 1) {
-      levels_.push_back({});
-      levels_.back().cells_per_unit = levels_[levels_.size() - 2].cells_per_unit / 4;
-    }
-    ++bodies[level_of(e)];
-  }
-  std::uint32_t first = 0;
-  for (std::size_t l = 0; l < levels_.size(); ++l) {
-    Level& level = levels_[l];
-    level.first_place = first;
-    // The places are handed out to the axes a doubling at a time, to the one with most cells left to tell apart.
-    int bits = static_cast<int>(std::bit_width((bodies[l] / 2) | 1U));
-    std::array<int, 3> log{};
-    std::array<double, 3> cells{};
-    for (int axis = 0; axis < 3; ++axis)
-      cells[static_cast<std::size_t>(axis)] =
-          (domain_.hi[axis] - domain_.lo[axis]) * units_per_metre_ * static_cast<double>(level.cells_per_unit);
-    for (; bits > 0; --bits) {
-      const std::size_t axis = static_cast<std::size_t>(std::max_element(cells.begin(), cells.end()) - cells.begin());
-      cells[axis] /= 2;
-      ++log[axis];
-    }
-    for (std::size_t axis = 0; axis < 3; ++axis) level.mask[axis] = (1 << log[axis]) - 1;
-    level.shift = {log[0], log[0] + log[1]};
-    level.places = 1U << static_cast<unsigned>(log[0] + log[1] + log[2]);
-    first += level.places;
-  }
-  start_.assign(first + 1, 0);
-  chain_.assign(first, none);
+void WrappedGrid::look_through_pairs() {
+  drop_ended();
+  for (const BodyPair pair : ended_)
+    if (escapes_[pair.a] == 0 && escapes_[pair.b] == 0) near_.push_back(pair);
 }
 
 // ---- all bodies
 
-void WrappedGrid::rebuild() {
+void WrappedGrid::file_all() {
+  for (const BodyPair pair : pairs_)
+    if (!overlap(box_[pair.a], box_[pair.b])) ended_.push_back(pair);
+  pairs_.clear();
+  near_.clear();
+  sort_into_cells();
+  find_all();
+}
+
+void WrappedGrid::sort_into_cells() {
   list_present(ids_);
   std::fill(slot_.begin(), slot_.end(), none);
   std::fill(place_.begin(), place_.end(), none);
+  entries_.reserve(ids_.size() + ids_.size() / 4 + 1);  // as many as chains may get until the next sort
   entries_.resize(ids_.size());
-  chained_ = 0;
-  if (ids_.empty()) return levels_.clear();
-  const bool still_fits = !levels_.empty() && ++rebuilds_ < rebuilds_per_layout && 2 * ids_.size() > configured_for_ &&
-                          ids_.size() < 2 * configured_for_ &&
-                          std::all_of(ids_.begin(), ids_.end(), [this](BodyId id) { return fits(box_[id]); });
-  if (!still_fits) configure();
-
-  std::fill(start_.begin(), start_.end(), 0);
-  std::fill(chain_.begin(), chain_.end(), none);
-  for (Level& level : levels_) level.reach = {};
+  sorted_ = ids_.size();
+  if (ids_.empty()) return cells_.levels.clear();
+  const bool still_fits = !cells_.levels.empty() && ++sorts_ < sorts_per_layout && 2 * ids_.size() > laid_out_for_ &&
+                          ids_.size() < 2 * laid_out_for_ &&
+                          std::all_of(ids_.begin(), ids_.end(), [this](BodyId id) { return cells_.fits(box_[id]); });
+  if (!still_fits) {
+    cells_.lay_out(box_, ids_, start_);
+    laid_out_for_ = ids_.size();
+    sorts_ = 0;
+  }
+  start_.assign(cells_.places() + 1, 0);
+  chain_.assign(cells_.places(), none);
+  for (CellLevel& level : cells_.levels) level.reach = {};
   for (const BodyId id : ids_) {
-    const Entry e = entry_of(id);
-    Level& level = levels_[level_of(e)];
-    widen(level, e);
-    place_[id] = place_of(e, level);
+    const CellBox e = cells_.fat(id, box_[id], was(id));
+    CellLevel& level = cells_.level_of(e);
+    level.widen(e);
+    place_[id] = level.place_of(e);
     ++start_[place_[id]];
   }
   std::uint32_t end = 0;
@@ -227,32 +126,37 @@ void WrappedGrid::rebuild() {
   }
   for (const BodyId id : ids_) {
     slot_[id] = --start_[place_[id]];
-    entries_[slot_[id]] = entry_of(id);
+    entries_[slot_[id]] = cells_.fat(id, box_[id], was(id));
   }
 }
 
 void WrappedGrid::find_all() {
-  for (std::size_t l = 0; l < levels_.size(); ++l) {
-    const Level& own = levels_[l];
+  const auto& levels = cells_.levels;
+  for (std::size_t l = 0; l < levels.size(); ++l) {
+    const CellLevel& own = levels[l];
     const std::uint32_t last = start_[own.first_place + own.places];
     for (std::uint32_t i = start_[own.first_place]; i < last; ++i) {
-      const Entry& a = entries_[i];
-      const auto meet = [&](const Entry& b) {
-        if (overlap(box_[a.body()], box_[b.body()])) offer(a.body(), b.body());
+      const CellBox& a = entries_[i];
+      const auto meet = [&](const CellBox& b) {
+        const BodyPair pair{std::min(a.body(), b.body()), std::max(a.body(), b.body())};
+        const bool overlapping = overlap(box_[pair.a], box_[pair.b]);
+        (overlapping ? pairs_ : near_).push_back(pair);
+        if (overlapping && !overlap(was(pair.a), was(pair.b))) begun_.push_back(pair);
       };
       // On its own level a body asks only for those that begin after it along x; ties go by the order of entries.
-      for_each_near<false>(a, a.lo[0], own, [&](const Entry& b) {
+      for_each_near<false>(a, a.lo[0], own, [&](const CellBox& b) {
         if (b.lo[0] > a.lo[0] || (b.lo[0] == a.lo[0] && &b > &a)) meet(b);
       });
-      for (std::size_t m = l + 1; m < levels_.size(); ++m)
-        for_each_near<false>(a, below(a.lo[0], levels_[m].reach[0]), levels_[m], meet);
+      for (std::size_t m = l + 1; m < levels.size(); ++m)
+        for_each_near<false>(a, below(a.lo[0], levels[m].reach[0]), levels[m], meet);
     }
   }
 }
 
 template <bool with_chains, class Meet>
-inline void WrappedGrid::for_each_near(const Entry& e, float least_x, const Level& level, const Meet& meet) const {
-  const Entry* entries = entries_.data();
+inline void WrappedGrid::for_each_near(const CellBox& e, float least_x, const CellLevel& level,
+                                       const Meet& meet) const {
+  const CellBox* entries = entries_.data();
   const std::uint32_t* start = start_.data();
   const float scale = level.cells_per_unit;
   const std::int32_t x0 = whole(least_x * scale);
@@ -269,15 +173,15 @@ inline void WrappedGrid::for_each_near(const Entry& e, float least_x, const Leve
     for (std::int32_t y = y0; y <= y1; ++y) {
       const std::uint32_t row = level.first_place + static_cast<std::uint32_t>(((y & level.mask[1]) << level.shift[0]) +
                                                                                ((z & level.mask[2]) << level.shift[1]));
-      const auto look_at = [&](const Entry& b) {
+      const auto look_at = [&](const CellBox& b) {
         // Rows that wrap onto one another share their places; only the row that b stands in counts.
         if (b.near(e) && whole(b.lo[1] * scale) == y && whole(b.lo[2] * scale) == z) meet(b);
       };
       const auto look_through = [&](std::uint32_t from, std::uint32_t to) {
-        for (const Entry* b = entries + start[from]; b != entries + start[to]; ++b) look_at(*b);
+        for (const CellBox* b = entries + start[from]; b != entries + start[to]; ++b) look_at(*b);
         if constexpr (with_chains) {
           for (std::uint32_t place = from; place < to; ++place)
-            for (BodyId b = chain_[place]; b != none; b = next_[b]) look_at(entry_of(b));
+            for (BodyId b = chain_[place]; b != none; b = next_[b]) look_at(entries[slot_[b]]);
         }
       };
       const std::uint32_t from = row + static_cast<std::uint32_t>(first_x);
@@ -287,67 +191,65 @@ inline void WrappedGrid::for_each_near(const Entry& e, float least_x, const Leve
   }
 }
 
-// ---- moved bodies only
+// ---- bodies that left their fat box
 
-void WrappedGrid::treat_moved(BodyId id) {
+void WrappedGrid::refile(BodyId id) {
   if (!present(id)) return leave(id);
-  const Entry e = entry_of(id);
-  Level& level = levels_[level_of(e)];
-  widen(level, e);
-  const std::uint32_t place = place_of(e, level);
-  if (place_[id] != place) {
-    leave(id);
-    place_[id] = place;
-    next_[id] = chain_[place];
-    chain_[place] = id;
-    ++chained_;
-  } else if (slot_[id] != none) {
+  const CellBox e = cells_.fat(id, box_[id], was(id));
+  CellLevel& level = cells_.level_of(e);
+  level.widen(e);
+  const std::uint32_t place = level.place_of(e);
+  if (place_[id] == place) {
     entries_[slot_[id]] = e;
+    return;
   }
+  leave(id);
+  place_[id] = place;
+  slot_[id] = static_cast<std::uint32_t>(entries_.size());
+  entries_.push_back(e);
+  next_[id] = chain_[place];
+  chain_[place] = id;
 }
 
-/// Its entry stays, but overlaps nothing.
+/// Its entry stays until the next sort, but overlaps nothing.
 void WrappedGrid::leave(BodyId id) {
-  if (slot_[id] != none) {
-    entries_[slot_[id]].lo = {infinity, infinity, infinity, 0};
-    slot_[id] = none;
-  } else if (place_[id] != none) {
+  if (slot_[id] == none) return;
+  if (slot_[id] >= sorted_) {
     BodyId* link = &chain_[place_[id]];
     while (*link != id) link = &next_[*link];
     *link = next_[id];
-    --chained_;
   }
+  entries_[slot_[id]].lo = {infinity, infinity, infinity, 0};
+  slot_[id] = none;
   place_[id] = none;
 }
 
-/// A body much longer than a level's cells would ask for more rows than there are places.
-double WrappedGrid::rows(const Entry& e, const Level& level) const {
-  const auto cells = [&](std::size_t axis) {
-    return (e.hi[axis] - e.lo[axis] + level.reach[axis]) * level.cells_per_unit + 2;
-  };
-  return static_cast<double>(cells(1)) * static_cast<double>(cells(2));
-}
-
 template <class Meet>
-void WrappedGrid::for_each_in(const Level& level, const Meet& meet) const {
+void WrappedGrid::for_each_in(const CellLevel& level, const Meet& meet) const {
   const std::uint32_t past = level.first_place + level.places;
-  for (std::uint32_t i = start_[level.first_place]; i < start_[past]; ++i)
-    if (slot_[entries_[i].body()] == i) meet(entries_[i]);
+  for (std::uint32_t i = start_[level.first_place]; i < start_[past]; ++i) meet(entries_[i]);
   for (std::uint32_t place = level.first_place; place < past; ++place)
-    for (BodyId b = chain_[place]; b != none; b = next_[b]) meet(entry_of(b));
+    for (BodyId b = chain_[place]; b != none; b = next_[b]) meet(entries_[slot_[b]]);
 }
 
-void WrappedGrid::find_moved(BodyId a) {
-  const Entry e = entry_of(a);
-  const auto meet = [&](const Entry& b) {
-    const bool other_finds_it = b.body() == a || (moved(b.body()) && b.body() < a);
-    if (!other_finds_it && overlap(box_[a], box_[b.body()])) offer(a, b.body());
+void WrappedGrid::find_escaped(BodyId a) {
+  const CellBox e = entries_[slot_[a]];
+  const auto meet = [&](const CellBox& b) {
+    const BodyPair pair{std::min(a, b.body()), std::max(a, b.body())};
+    const bool other_finds_it = b.body() == a || (escapes_[b.body()] != 0 && b.body() < a);
+    if (other_finds_it) return;
+    if (overlap(box_[pair.a], box_[pair.b]))
+      offer(pair.a, pair.b);
+    else
+      near_.push_back(pair);
   };
-  for (const Level& level : levels_) {
-    if (rows(e, level) < level.places)
+  for (const CellLevel& level : cells_.levels) {
+    if (few_rows(e, level))
       for_each_near<true>(e, below(e.lo[0], level.reach[0]), level, meet);
     else
-      for_each_in(level, meet);
+      for_each_in(level, [&](const CellBox& b) {
+        if (b.near(e)) meet(b);
+      });
   }
 }
 

@@ -1,93 +1,71 @@
-// The default: every body in one cell only, cells wrapped onto a small table in the order of space. Keeps up at any
-// size.
+// The default: fat boxes in cells, and lists of the pairs that are near. What moves a little asks the grid nothing.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
 #include "fast/broad_phase/strategy.h"
+#include "fast/broad_phase/wrapped_cells.h"
 
 namespace touchstone::fast {
 
-/// A body stands in the cell of its box's lo. Whom box a overlaps has its lo, on each axis, in [a.lo − reach, a.hi],
-/// reach the greatest extent of any body on that axis: 2 to 4 rows of neighbouring cells. The cell is as wide as bodies
-/// are apart on average (not as they are long), halved while cells are crowded; bodies longer than a cell go to a
-/// coarser level, cells 4 times as long, and each body asks its own level and the coarser ones. Cells are wrapped like
-/// a torus onto a table of about n/2 places, so that empty space costs nothing; neighbours in space stay neighbours in
-/// memory, and a row of cells is one run of entries.
+/// A body's box is kept in the grid with a margin: 8 times as wide as it moved in its last frame. The pairs whose fat
+/// boxes overlap are kept in two lists, those whose boxes overlap (pairs()) and those that are merely near. While every
+/// box stays in its fat box, a frame looks through the two lists, and pairs change over as they begin and end. A body
+/// that left its fat box gets a new one and its near pairs are searched; if an eighth of the bodies left, all are filed
+/// anew by one counting sort.
 ///
-/// Coordinates are kept as floats in cells: f(x) = float((x − origin)/cell). f is monotone, so closed boxes that
-/// overlap still do under f: nothing is missed, and the boxes in doubles decide every hit.
+/// The grid: a body stands in the cell of its fat box's lo. Whom fat box a overlaps has its lo, on each axis, in [a.lo −
+/// reach, a.hi], reach the greatest extent of any fat box on that axis: 2 to 4 rows of neighbouring cells. The cell is
+/// as wide as bodies are apart on average (not as they are long), halved while cells are crowded; bodies longer than a
+/// cell go to a coarser level, cells 4 times as long, and each body asks its own level and the coarser ones. Cells are
+/// wrapped like a torus onto a table of about n/2 places, so that empty space costs nothing; neighbours in space stay
+/// neighbours in memory, and a row of cells is one run of entries. Bodies that changed their cell since the last sort
+/// stand in chains beside it.
 ///
-/// When more than a quarter of the bodies moved, the table is built anew by one counting sort. Otherwise only moved
-/// bodies are treated: in place if they stay in their cell, else in a chain beside it, until a sixteenth stands in
-/// chains.
+/// The grid works with floats (wrapped_cells.h says why nothing is missed); the boxes in doubles decide every pair.
 ///
-/// Cost of a frame: O(moved + pairs + tests), n instead of moved when rebuilt. Worst case, all bodies in few cells:
-/// O(n²).
+/// Cost of a frame: O(moved + pairs + near pairs) while margins hold; every 8th frame or so O(n + tests). Worst case,
+/// all bodies in few cells: O(n²).
 class WrappedGrid final : public BroadPhase {
  private:
-  /// Four lanes are compared at once, so the fourth must always overlap: 0 below, and above the id, which is less than
-  /// 2^24 and so a float.
-  struct alignas(16) Entry {
-    std::array<float, 4> lo{};
-    std::array<float, 4> hi{};
-
-    BodyId body() const { return static_cast<BodyId>(hi[3]); }
-    bool near(const Entry& e) const;
-  };
-
-  struct Level {
-    float cells_per_unit = 1;  ///< 4^-level; a unit is a cell of level 0
-    std::array<float, 3> reach{};
-    std::array<std::int32_t, 3> mask{};  ///< cells along each axis before it wraps, less one
-    std::array<int, 2> shift{};          ///< of y and z in a place's number
-    std::uint32_t first_place = 0;
-    std::uint32_t places = 0;
-  };
-
   void refresh() override;
 
-  void configure();
-  double crowding();
-  void lay_out_levels();
-  bool fits(const Aabb& box) const;
-
-  Entry entry_of(BodyId id) const;
-  std::size_t level_of(const Entry& e) const;
-  std::uint32_t place_of(const Entry& e, const Level& level) const;
-  void widen(Level& level, const Entry& e);
-
-  void rebuild();
-  void find_all();
+  void list_escaped();
   bool must_rebuild() const;
-  void treat_moved(BodyId id);
+
+  void file_all();
+  void sort_into_cells();
+  void find_all();
+  void look_through_pairs();
+  void look_through_near();
+  void refile(BodyId id);
   void leave(BodyId id);
-  void find_moved(BodyId id);
+  void find_escaped(BodyId id);
 
   /// Calls meet(entry) for each entry of the level that overlaps e, once, out of those whose lo.x ≥ least_x.
   template <bool with_chains, class Meet>
-  void for_each_near(const Entry& e, float least_x, const Level& level, const Meet& meet) const;
+  void for_each_near(const CellBox& e, float least_x, const CellLevel& level, const Meet& meet) const;
 
   template <class Meet>
-  void for_each_in(const Level& level, const Meet& meet) const;
-  double rows(const Entry& e, const Level& level) const;
+  void for_each_in(const CellLevel& level, const Meet& meet) const;
 
-  Aabb domain_;  ///< where f is defined; bodies outside it make the grid anew
-  double units_per_metre_ = 0;
-  std::size_t configured_for_ = 0;
-  int rebuilds_ = 0;
-  std::vector<Level> levels_;
+  WrappedCells cells_;
+  std::size_t laid_out_for_ = 0;
+  int sorts_ = 0;  ///< since cells were laid out
+
+  std::vector<BodyPair> near_;         ///< fat boxes overlap, boxes do not
+  std::vector<BodyId> escaped_;        ///< ids whose fat box must be made anew, or that left
+  std::vector<std::uint8_t> escapes_;  ///< by id: whether it is one of them
 
   std::vector<BodyId> ids_;
   std::vector<std::uint32_t> start_;  ///< by place, over all levels
-  std::vector<Entry> entries_;        ///< in the order of places
+  std::vector<CellBox> entries_;      ///< in the order of places; then those in chains
   std::vector<std::uint32_t> slot_;   ///< by id: its entry
   std::vector<std::uint32_t> place_;  ///< by id
-  std::vector<BodyId> chain_;         ///< by place: the first body that came after the last rebuild
+  std::vector<BodyId> chain_;         ///< by place: the first body that came after the last sort
   std::vector<BodyId> next_;          ///< by id
-  std::size_t chained_ = 0;
+  std::size_t sorted_ = 0;            ///< entries that are in the order of places
 };
 
 }  // namespace touchstone::fast

@@ -64,7 +64,7 @@ std::vector<Entrant> entrants(const Options& options) {
 }
 
 void compare(const std::string& workload, std::size_t bodies, const Options& options) {
-  const std::size_t frames = bodies <= 1000 ? 64 : bodies <= 10000 ? 16 : 4;
+  const std::size_t frames = bodies <= 10000 ? 64 : 24;
   const Film film = shoot(workload, bodies, frames);
   const std::vector<Entrant> all = entrants(options);
   std::vector<Runner> runners;
