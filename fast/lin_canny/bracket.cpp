@@ -91,16 +91,17 @@ Vec3 witness(const Placed& P, const FeatureId& feature, const Vec3& p) {
 }  // namespace
 
 double rounding(const Placed& A, const Placed& B) {
-  const double reach = (A.turn_error + 10 * u) * A.hull->radius() + (B.turn_error + 10 * u) * B.hull->radius();
+  const double reach = (A.turn_error + 7 * u) * A.hull->radius() + (B.turn_error + 7 * u) * B.hull->radius();
   return reach + 8 * u * (B.t - A.t).norm() + A.shift_error + B.shift_error + 0x1p-900;
 }
 
 Bracket bracket(const Placed& A, const Placed& B, const Closest& c) {
   const double error = rounding(A, B);
+  const double error_of_hi = error + 7 * u * (A.hull->radius() + B.hull->radius()) - 6 * u * (B.t - A.t).norm();
   Bracket found;
   found.a = witness(A, c.features.a, c.a);
   found.b = witness(B, c.features.b, c.b);
-  found.hi = (found.b - found.a).norm() * (1 + 4 * u) + error;
+  found.hi = (found.b - found.a).norm() * (1 + 4 * u) + error_of_hi;
   Vec3 n;
   if (c.features.a.kind == Kind::face) {
     n = A.turned_out(A.hull->face(c.features.a.index).normal);

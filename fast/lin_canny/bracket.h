@@ -18,11 +18,16 @@ namespace touchstone::fast::lin_canny {
 /// turned into the hull's frame is off by turn_error, the edge's rounding is u, the product's 3.1u, |n| is 1
 /// within 1.5u. Where it is not sure, all vertices are asked.
 ///
-/// Rounding of lo, with ρ ≥ |x| for vertices x, t the shift: turn_error ρ + 3.1uρ each for n·x; the difference of
-/// shifts and its product with n, u + 3.1u, and three more operations on terms ≤ |Δt| + ρ_A + ρ_B: 8u|Δt| + (turn_error
-/// + 7u)ρ each, with 1.5u for |n|. Rounding of hi: turn_error ρ each for the vertices, 8uρ each for the combination and
-/// the sum with t and 3u|Δt|; and 4u of the length itself. So both are less than
-///     error = (turn_error + 10u)(ρ_A + ρ_B) + 8u|Δt| + shift errors + 2^-900,   and 4u of the length.
+/// Rounding, with ρ ≥ |x| for vertices x and Δt the difference of the shifts, per hull where ρ stands:
+///   lo   n·x: turn_error ρ, product 3.1uρ; |n| within 1.5u: 1.5uρ; n·Δt: 3.1u + 1.5u, Δt itself u; two more
+///   differences of terms
+///        ≤ |Δt| + ρ_A + ρ_B: 2u of them. Together (turn_error + 7u)ρ + 8u|Δt|.
+///   hi   a point of an edge, R tail + s R along, 0 < s < 1: R's own error 12uρ for the point as a whole; the two
+///   products
+///        5.2u(ρ + 2ρ); s times the second and their sum u(2ρ + ρ); + t: u(ρ + |t|). A point of a face, o + α(p − o) +
+///        β(q − o): differences, factors and sums 10uρ; R, 17.2uρ; + t. Together (turn_error + 14u)ρ + 2u|Δt|; and 4u
+///        of the length.
+/// To both come the errors of the shifts, and 2^-900 for what underflows.
 struct Bracket {
   double lo = 0;
   double hi = 0;
@@ -32,7 +37,8 @@ struct Bracket {
 
 Bracket bracket(const Placed& A, const Placed& B, const Closest& closest);
 
-/// `error` above: bracket's width is at most twice that when the features are the closest ones, and doubles see it.
+/// The bound for lo, about as large as that for hi: the width is at most twice that, and 5 % more, when the features
+/// are the closest ones and doubles see it.
 double rounding(const Placed& A, const Placed& B);
 
 }  // namespace touchstone::fast::lin_canny

@@ -155,10 +155,12 @@ Closest edge_face(const Placed& A, int e, const Placed& B, int f) {
     c.below = true;
     return c;
   }
-  const bool first = at_from < at_to;
-  const int side = first ? part.from_side : part.to_side;
-  if (side >= 0) return edge_edge(A, e, B, side);
-  return vertex_face(A, first ? ends.tail : ends.head, B, f);
+  // Heights are linear along the edge, so an end of the part is nearest, or where a side cut it off something at that
+  // side. Both ends are asked: where the part is short, rounding may tell their heights wrong.
+  const auto at_end = [&](int side, int v) { return side >= 0 ? edge_edge(A, e, B, side) : vertex_face(A, v, B, f); };
+  Closest best = at_end(part.from_side, ends.tail);
+  take_nearer(best, at_end(part.to_side, ends.head));
+  return best;
 }
 
 /// Only as a place to start from: a corner of one face over the other.
