@@ -64,10 +64,10 @@ void BroadPhase::remove(BodyId id) {
   --count_;
 }
 
-/// By a quarter at a time: doubling could take nearly twice the memory that is used.
+/// By an eighth at a time: doubling could take nearly twice the memory that is used.
 void BroadPhase::make_room(std::size_t ids) {
   if (ids > box_.capacity()) {
-    const std::size_t room = std::max(ids, box_.capacity() + box_.capacity() / 4);
+    const std::size_t room = std::max(ids, box_.capacity() + box_.capacity() / 8);
     box_.reserve(room);
     was_.reserve(room);
     has_moved_.reserve(room);
@@ -96,7 +96,7 @@ void BroadPhase::drop_ended() {
   std::size_t kept = 0;
   for (const BodyPair pair : pairs_) {
     if ((moved(pair.a) || moved(pair.b)) && !overlap(box_[pair.a], box_[pair.b]))
-      ended_.push_back(pair);
+      append(ended_, pair);
     else
       pairs_[kept++] = pair;
   }
@@ -105,8 +105,8 @@ void BroadPhase::drop_ended() {
 
 void BroadPhase::begin(BodyId a, BodyId b) {
   const BodyPair pair = a < b ? BodyPair{a, b} : BodyPair{b, a};
-  pairs_.push_back(pair);
-  begun_.push_back(pair);
+  append(pairs_, pair);
+  append(begun_, pair);
 }
 
 }  // namespace touchstone::fast

@@ -26,6 +26,12 @@ inline bool overlap(const Aabb& a, const Aabb& b) {
          a.lo.z() <= b.hi.z() && b.lo.z() <= a.hi.z();
 }
 
+/// By an eighth at a time: doubling could take nearly twice the memory that is used.
+inline void append(std::vector<BodyPair>& pairs, BodyPair pair) {
+  if (pairs.size() == pairs.capacity()) pairs.reserve(pairs.size() + pairs.size() / 8 + 16);
+  pairs.push_back(pair);
+}
+
 /// Which boxes overlap, kept from frame to frame. Changes are gathered by insert, move and remove; update() ends the
 /// frame.
 ///

@@ -44,6 +44,12 @@ void WrappedCells::lay_out(const std::vector<Aabb>& boxes, const std::vector<Bod
   }
 }
 
+void WrappedCells::expect(std::size_t pairs, std::size_t bodies) {
+  const double known = std::max(1.0, static_cast<double>(pairs));
+  const double borne = 0.4 * static_cast<double>(bodies) + 1.6 * known;
+  greatest_margin_ = (std::cbrt(borne / known) - 1) / 2;
+}
+
 /// As wide as bodies are apart on average, times a constant; not much less than a mean body is long.
 double WrappedCells::first_cell(const std::vector<Aabb>& boxes, const std::vector<BodyId>& ids) {
   domain_ = boxes[ids.front()];

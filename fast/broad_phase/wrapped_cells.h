@@ -52,6 +52,10 @@ class WrappedCells {
   /// allocated.
   void lay_out(const std::vector<Aabb>& boxes, const std::vector<BodyId>& ids, std::vector<std::uint32_t>& scratch);
 
+  /// Bounds the margins from here on, so that near pairs are some 0.4 a body and 0.6 a pair: in a world that is
+  /// evenly dense, boxes that are k times as long overlap k³ times as many.
+  void expect(std::size_t pairs, std::size_t bodies);
+
   /// Whether g is meant for it.
   bool fits(const Aabb& box) const;
 
@@ -62,6 +66,7 @@ class WrappedCells {
   bool holds(const CellBox& fat, const Aabb& box) const;
 
   CellLevel& level_of(const CellBox& e) { return levels[level_number(e)]; }
+  std::uint32_t place_of(const CellBox& e) const { return levels[level_number(e)].place_of(e); }
   std::uint32_t places() const { return levels.back().first_place + levels.back().places; }
 
  private:
@@ -76,6 +81,7 @@ class WrappedCells {
   Aabb domain_;
   double units_per_metre_ = 0;
   double least_cell_ = 0;
+  double greatest_margin_ = 0;  ///< as a share of the body's extent
 };
 
 /// The floor of x ≥ 0.
@@ -151,13 +157,14 @@ inline bool WrappedCells::holds(const CellBox& fat, const Aabb& box) const {
 }
 
 /// A body that keeps its pace leaves its margin after `frames` frames. Margins are bounded, since they cost pairs that
-/// are near and do not overlap (an eighth of a cell is 0.28 of the distance between bodies); where the bound is left
-/// within two frames, a margin does not pay.
+/// are near and do not overlap, in expect() and here (an eighth of a cell is 0.28 of the distance between bodies);
+/// where the bound is left within two frames, a margin does not pay.
 inline float WrappedCells::margin(const CellBox& e, const Aabb& box, const Aabb& was) const {
   constexpr double frames = 8;
-  const double bound = 0.125 * std::max(1.0, static_cast<double>(e.extent()));
-  const double step = units_per_metre_ * std::max((box.lo - was.lo).cwiseAbs().maxCoeff(),
-                                                  (box.hi - was.hi).cwiseAbs().maxCoeff());
+  const double extent = static_cast<double>(e.extent());
+  const double bound = std::min(0.125 * std::max(1.0, extent), greatest_margin_ * extent);
+  const double step =
+      units_per_metre_ * std::max((box.lo - was.lo).cwiseAbs().maxCoeff(), (box.hi - was.hi).cwiseAbs().maxCoeff());
   return 2 * step <= bound ? static_cast<float>(std::min(frames * step, bound)) : 0;
 }
 

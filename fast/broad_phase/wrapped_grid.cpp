@@ -6,13 +6,22 @@
 namespace touchstone::fast {
 namespace {
 
-// A body's place when it has none is `none`, and so is its slot.
+// A slot that there is not: of a body that is not there, or past a chain's end.
 constexpr std::uint32_t none = 0xffffffff;
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
 // After so many sorts the cells are laid out anew: bodies may have gathered or grown.
 constexpr int sorts_per_layout = 64;
+
+// So many steps of a list before it is needed, what it points at is asked for from memory.
+constexpr std::size_t look_ahead = 12;
+
+void prefetch([[maybe_unused]] const void* what) {
+#ifdef __GNUC__
+  __builtin_prefetch(what);
+#endif
+}
 
 /// max(0, a − b). If a float x ≥ 0 is ≤ a − b exactly, then x ≤ the result: rounding is monotone and keeps x.
 float below(float a, float b) { return std::max(0.0F, a - b); }
@@ -29,8 +38,6 @@ bool few_rows(const CellBox& e, const CellLevel& level) {
 
 void WrappedGrid::refresh() {
   slot_.resize(box_.size(), none);
-  place_.resize(box_.size(), none);
-  next_.resize(box_.size(), none);
   escapes_.resize(box_.size(), 0);
   list_escaped();
   if (must_rebuild()) {
@@ -45,9 +52,13 @@ void WrappedGrid::refresh() {
   for (const BodyId id : escaped_) escapes_[id] = 0;
 }
 
+/// Not to its end once it is clear that all will be filed anew.
 void WrappedGrid::list_escaped() {
   escaped_.clear();
-  for (const BodyId id : moved_) {
+  for (std::size_t i = 0; i < moved_.size() && !many_escaped(); ++i) {
+    const BodyId id = moved_[i];
+    const std::uint32_t ahead = slot_[moved_[std::min(i + look_ahead, moved_.size() - 1)]];
+    if (ahead != none) prefetch(&entries_[ahead]);
     const bool stays = present(id) && slot_[id] != none && cells_.holds(entries_[slot_[id]], box_[id]);
     if (stays) continue;
     escaped_.push_back(id);
@@ -56,17 +67,25 @@ void WrappedGrid::list_escaped() {
 }
 
 bool WrappedGrid::must_rebuild() const {
-  if (cells_.levels.empty() || 8 * escaped_.size() > count() || 16 * (entries_.size() - sorted_) > count()) return true;
+  if (cells_.levels.empty() || many_escaped() || 16 * (entries_.size() - sorted_) > count()) return true;
   return !std::all_of(escaped_.begin(), escaped_.end(),
                       [this](BodyId id) { return !present(id) || cells_.fits(box_[id]); });
 }
 
 // ---- the two lists
 
+inline void WrappedGrid::prefetch_boxes(std::size_t i) const {
+  const BodyPair ahead = near_[std::min(i + look_ahead, near_.size() - 1)];
+  prefetch(&box_[ahead.a]);
+  prefetch(&box_[ahead.b]);
+}
+
 /// Pairs of a body that escaped are dropped: it will be searched for anew.
 void WrappedGrid::look_through_near() {
   std::size_t kept = 0;
-  for (const BodyPair pair : near_) {
+  for (std::size_t i = 0; i < near_.size(); ++i) {
+    prefetch_boxes(i);
+    const BodyPair pair = near_[i];
     if (escapes_[pair.a] != 0 || escapes_[pair.b] != 0) continue;
     if ((moved(pair.a) || moved(pair.b)) && overlap(box_[pair.a], box_[pair.b]))
       begin(pair.a, pair.b);
@@ -79,26 +98,30 @@ void WrappedGrid::look_through_near() {
 void WrappedGrid::look_through_pairs() {
   drop_ended();
   for (const BodyPair pair : ended_)
-    if (escapes_[pair.a] == 0 && escapes_[pair.b] == 0) near_.push_back(pair);
+    if (escapes_[pair.a] == 0 && escapes_[pair.b] == 0) append(near_, pair);
 }
 
 // ---- all bodies
 
 void WrappedGrid::file_all() {
+  cells_.expect(pairs_.size(), count());
   for (const BodyPair pair : pairs_)
-    if (!overlap(box_[pair.a], box_[pair.b])) ended_.push_back(pair);
+    if (!overlap(box_[pair.a], box_[pair.b])) append(ended_, pair);
   pairs_.clear();
   near_.clear();
   sort_into_cells();
   find_all();
+  tell_apart();
 }
 
 void WrappedGrid::sort_into_cells() {
   list_present(ids_);
   std::fill(slot_.begin(), slot_.end(), none);
-  std::fill(place_.begin(), place_.end(), none);
-  entries_.reserve(ids_.size() + ids_.size() / 4 + 1);  // as many as chains may get until the next sort
+  const std::size_t in_chains = ids_.size() / 5 + 1;  // as many as there may be until the next sort
+  entries_.reserve(ids_.size() + in_chains);
   entries_.resize(ids_.size());
+  next_.reserve(in_chains);
+  next_.clear();
   sorted_ = ids_.size();
   if (ids_.empty()) return cells_.levels.clear();
   const bool still_fits = !cells_.levels.empty() && ++sorts_ < sorts_per_layout && 2 * ids_.size() > laid_out_for_ &&
@@ -116,8 +139,7 @@ void WrappedGrid::sort_into_cells() {
     const CellBox e = cells_.fat(id, box_[id], was(id));
     CellLevel& level = cells_.level_of(e);
     level.widen(e);
-    place_[id] = level.place_of(e);
-    ++start_[place_[id]];
+    ++start_[level.place_of(e)];
   }
   std::uint32_t end = 0;
   for (std::uint32_t& start : start_) {
@@ -125,8 +147,9 @@ void WrappedGrid::sort_into_cells() {
     start = end;
   }
   for (const BodyId id : ids_) {
-    slot_[id] = --start_[place_[id]];
-    entries_[slot_[id]] = cells_.fat(id, box_[id], was(id));
+    const CellBox e = cells_.fat(id, box_[id], was(id));
+    slot_[id] = --start_[cells_.place_of(e)];
+    entries_[slot_[id]] = e;
   }
 }
 
@@ -138,10 +161,7 @@ void WrappedGrid::find_all() {
     for (std::uint32_t i = start_[own.first_place]; i < last; ++i) {
       const CellBox& a = entries_[i];
       const auto meet = [&](const CellBox& b) {
-        const BodyPair pair{std::min(a.body(), b.body()), std::max(a.body(), b.body())};
-        const bool overlapping = overlap(box_[pair.a], box_[pair.b]);
-        (overlapping ? pairs_ : near_).push_back(pair);
-        if (overlapping && !overlap(was(pair.a), was(pair.b))) begun_.push_back(pair);
+        append(near_, {std::min(a.body(), b.body()), std::max(a.body(), b.body())});
       };
       // On its own level a body asks only for those that begin after it along x; ties go by the order of entries.
       for_each_near<false>(a, a.lo[0], own, [&](const CellBox& b) {
@@ -151,6 +171,22 @@ void WrappedGrid::find_all() {
         for_each_near<false>(a, below(a.lo[0], levels[m].reach[0]), levels[m], meet);
     }
   }
+}
+
+/// In a pass of its own, so that the boxes can be asked for ahead.
+void WrappedGrid::tell_apart() {
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < near_.size(); ++i) {
+    prefetch_boxes(i);
+    const BodyPair pair = near_[i];
+    if (overlap(box_[pair.a], box_[pair.b])) {
+      append(pairs_, pair);
+      if (!overlap(was(pair.a), was(pair.b))) append(begun_, pair);
+    } else {
+      near_[kept++] = pair;
+    }
+  }
+  near_.resize(kept);
 }
 
 template <bool with_chains, class Meet>
@@ -181,7 +217,7 @@ inline void WrappedGrid::for_each_near(const CellBox& e, float least_x, const Ce
         for (const CellBox* b = entries + start[from]; b != entries + start[to]; ++b) look_at(*b);
         if constexpr (with_chains) {
           for (std::uint32_t place = from; place < to; ++place)
-            for (BodyId b = chain_[place]; b != none; b = next_[b]) look_at(entries[slot_[b]]);
+            for (std::uint32_t b = chain_[place]; b != none; b = next(b)) look_at(entries[b]);
         }
       };
       const std::uint32_t from = row + static_cast<std::uint32_t>(first_x);
@@ -199,29 +235,27 @@ void WrappedGrid::refile(BodyId id) {
   CellLevel& level = cells_.level_of(e);
   level.widen(e);
   const std::uint32_t place = level.place_of(e);
-  if (place_[id] == place) {
+  if (slot_[id] != none && cells_.place_of(entries_[slot_[id]]) == place) {
     entries_[slot_[id]] = e;
     return;
   }
   leave(id);
-  place_[id] = place;
   slot_[id] = static_cast<std::uint32_t>(entries_.size());
   entries_.push_back(e);
-  next_[id] = chain_[place];
-  chain_[place] = id;
+  next_.push_back(chain_[place]);
+  chain_[place] = slot_[id];
 }
 
 /// Its entry stays until the next sort, but overlaps nothing.
 void WrappedGrid::leave(BodyId id) {
   if (slot_[id] == none) return;
   if (slot_[id] >= sorted_) {
-    BodyId* link = &chain_[place_[id]];
-    while (*link != id) link = &next_[*link];
-    *link = next_[id];
+    std::uint32_t* link = &chain_[cells_.place_of(entries_[slot_[id]])];
+    while (*link != slot_[id]) link = &next(*link);
+    *link = next(slot_[id]);
   }
   entries_[slot_[id]].lo = {infinity, infinity, infinity, 0};
   slot_[id] = none;
-  place_[id] = none;
 }
 
 template <class Meet>
@@ -229,7 +263,7 @@ void WrappedGrid::for_each_in(const CellLevel& level, const Meet& meet) const {
   const std::uint32_t past = level.first_place + level.places;
   for (std::uint32_t i = start_[level.first_place]; i < start_[past]; ++i) meet(entries_[i]);
   for (std::uint32_t place = level.first_place; place < past; ++place)
-    for (BodyId b = chain_[place]; b != none; b = next_[b]) meet(entries_[slot_[b]]);
+    for (std::uint32_t b = chain_[place]; b != none; b = next(b)) meet(entries_[b]);
 }
 
 void WrappedGrid::find_escaped(BodyId a) {
@@ -241,7 +275,7 @@ void WrappedGrid::find_escaped(BodyId a) {
     if (overlap(box_[pair.a], box_[pair.b]))
       offer(pair.a, pair.b);
     else
-      near_.push_back(pair);
+      append(near_, pair);
   };
   for (const CellLevel& level : cells_.levels) {
     if (few_rows(e, level))

@@ -15,13 +15,13 @@ namespace touchstone::fast {
 /// that left its fat box gets a new one and its near pairs are searched; if an eighth of the bodies left, all are filed
 /// anew by one counting sort.
 ///
-/// The grid: a body stands in the cell of its fat box's lo. Whom fat box a overlaps has its lo, on each axis, in [a.lo −
-/// reach, a.hi], reach the greatest extent of any fat box on that axis: 2 to 4 rows of neighbouring cells. The cell is
-/// as wide as bodies are apart on average (not as they are long), halved while cells are crowded; bodies longer than a
-/// cell go to a coarser level, cells 4 times as long, and each body asks its own level and the coarser ones. Cells are
-/// wrapped like a torus onto a table of about n/2 places, so that empty space costs nothing; neighbours in space stay
-/// neighbours in memory, and a row of cells is one run of entries. Bodies that changed their cell since the last sort
-/// stand in chains beside it.
+/// The grid: a body stands in the cell of its fat box's lo. Whom fat box a overlaps has its lo, on each axis, in [a.lo
+/// − reach, a.hi], reach the greatest extent of any fat box on that axis: 2 to 4 rows of neighbouring cells. The cell
+/// is as wide as bodies are apart on average (not as they are long), halved while cells are crowded; bodies longer than
+/// a cell go to a coarser level, cells 4 times as long, and each body asks its own level and the coarser ones. Cells
+/// are wrapped like a torus onto a table of about n/2 places, so that empty space costs nothing; neighbours in space
+/// stay neighbours in memory, and a row of cells is one run of entries. Bodies that changed their cell since the last
+/// sort stand in chains beside it.
 ///
 /// The grid works with floats (wrapped_cells.h says why nothing is missed); the boxes in doubles decide every pair.
 ///
@@ -32,11 +32,14 @@ class WrappedGrid final : public BroadPhase {
   void refresh() override;
 
   void list_escaped();
+  bool many_escaped() const { return 8 * escaped_.size() > count(); }
   bool must_rebuild() const;
 
   void file_all();
   void sort_into_cells();
   void find_all();
+  void tell_apart();
+  void prefetch_boxes(std::size_t i) const;
   void look_through_pairs();
   void look_through_near();
   void refile(BodyId id);
@@ -46,6 +49,9 @@ class WrappedGrid final : public BroadPhase {
   /// Calls meet(entry) for each entry of the level that overlaps e, once, out of those whose lo.x ≥ least_x.
   template <bool with_chains, class Meet>
   void for_each_near(const CellBox& e, float least_x, const CellLevel& level, const Meet& meet) const;
+
+  std::uint32_t& next(std::uint32_t slot) { return next_[slot - sorted_]; }
+  std::uint32_t next(std::uint32_t slot) const { return next_[slot - sorted_]; }
 
   template <class Meet>
   void for_each_in(const CellLevel& level, const Meet& meet) const;
@@ -62,9 +68,8 @@ class WrappedGrid final : public BroadPhase {
   std::vector<std::uint32_t> start_;  ///< by place, over all levels
   std::vector<CellBox> entries_;      ///< in the order of places; then those in chains
   std::vector<std::uint32_t> slot_;   ///< by id: its entry
-  std::vector<std::uint32_t> place_;  ///< by id
-  std::vector<BodyId> chain_;         ///< by place: the first body that came after the last sort
-  std::vector<BodyId> next_;          ///< by id
+  std::vector<std::uint32_t> chain_;  ///< by place: the slot of who came last after the last sort
+  std::vector<std::uint32_t> next_;   ///< in chains, by slot past those in order
   std::size_t sorted_ = 0;            ///< entries that are in the order of places
 };
 

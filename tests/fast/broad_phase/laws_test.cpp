@@ -6,6 +6,7 @@
 #include "fast/broad_phase/hierarchical_hash.h"
 #include "fast/broad_phase/strategies.h"
 #include "fast/broad_phase/sweep_and_prune.h"
+#include "fast/broad_phase/wrapped_grid.h"
 #include "tests/catch.h"
 #include "tests/fast/allocations.h"
 #include "tests/fast/broad_phase/sequence.h"
@@ -150,6 +151,36 @@ TEST_CASE("broad phase: a steady frame allocates nothing") {
       const std::size_t in_steady_frames = tests::allocations() - before;
       INFO(strategy.name << ", every " << step);
       CHECK(in_steady_frames == 0);
+    }
+  }
+}
+
+/// Bodies of radius 1 that fill some per cent of their cube, inserted one by one, then moving.
+TEST_CASE("wrapped grid: at most 200 bytes a body and 16 a pair") {
+  for (const BodyId bodies : {BodyId{3000}, BodyId{20000}}) {
+    for (const double room : {250.0, 25.0}) {
+      Dice dice(95);
+      std::vector<Aabb> boxes;
+      const double side = std::cbrt(room * bodies);
+      for (BodyId id = 0; id < bodies; ++id) {
+        const Vec3 lo = side / 2 * dice.in_cube();
+        boxes.push_back({lo, lo + Vec3(2, 2, 2)});
+      }
+      const std::size_t before = tests::bytes_held();
+      WrappedGrid grid;
+      for (BodyId id = 0; id < bodies; ++id) grid.insert(id, boxes[id]);
+      grid.update();
+      for (int frame = 0; frame < 20; ++frame) {
+        for (BodyId id = 0; id < bodies; ++id) {
+          const Vec3 by = 0.1 * std::cos(id) * Vec3(1, std::sin(id), 0.5);
+          boxes[id] = {boxes[id].lo + by, boxes[id].hi + by};
+          grid.move(id, boxes[id]);
+        }
+        grid.update();
+      }
+      const double bytes = static_cast<double>(tests::bytes_held() - before);
+      INFO(bodies << " bodies, " << grid.pairs().size() << " pairs, " << bytes << " bytes");
+      CHECK(bytes <= 200.0 * bodies + 16.0 * static_cast<double>(grid.pairs().size()));
     }
   }
 }

@@ -125,6 +125,38 @@ TEST_CASE("broad phase: many bodies, long lives") {
   }
 }
 
+/// Steps so short that a grid may keep what it found for several frames, until many bodies leave at once.
+TEST_CASE("broad phase: slow drift, and now and then a body that jumps, goes or comes") {
+  for (const Strategy& strategy : strategies()) {
+    for (const World world : {World::spread, World::sizes, World::cluster}) {
+      Dice dice(35);
+      Life life(strategy);
+      std::vector<Vec3> velocity;
+      for (BodyId id = 0; id < 250; ++id) {
+        life.insert(id, tests::box_in(world, dice));
+        velocity.push_back(0.01 * dice.unit() * dice.in_cube());
+      }
+      for (int frame = 0; frame < 60; ++frame) {
+        INFO(strategy.name << ", world " << static_cast<int>(world) << ", frame " << frame);
+        REQUIRE(life.end_frame());
+        for (BodyId id = 0; id < 250; ++id) {
+          const auto body = life.boxes.find(id);
+          const int what = dice.between(0, 400);
+          if (body == life.boxes.end()) {
+            if (what < 40) life.insert(id, tests::box_in(world, dice));
+          } else if (what == 0) {
+            life.remove(id);
+          } else if (what == 1) {
+            life.move(id, tests::box_in(world, dice));
+          } else if (id % 7 != 0) {
+            life.move(id, {body->second.lo + velocity[id], body->second.hi + velocity[id]});
+          }
+        }
+      }
+    }
+  }
+}
+
 TEST_CASE("broad phase: the same configuration reached by inserting and by moving gives the same pairs") {
   for (const Strategy& strategy : strategies()) {
     Dice dice(41);
