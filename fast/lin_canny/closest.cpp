@@ -102,64 +102,38 @@ Closest edge_edge(const Placed& A, int e, const Placed& B, int f) {
   return measured({a.feature, b.feature}, a.at, b.at);
 }
 
-/// The part of an edge, as tail + s·along with s in [from, to], that is over a face; and the side that cut each end
-/// off.
-struct Clipped {
-  double from = 0;
-  double to = 1;
-  int from_side = -1;
-  int to_side = -1;
-};
-
-Clipped over_face(const Hull& hull, int f, const Vec3& tail, const Vec3& head) {
-  Clipped part;
-  const Hull::Face& plane = hull.face(f);
-  for (int i = plane.first_corner; i < plane.first_corner + plane.corner_count; ++i) {
-    const double at_tail = outside(hull, f, i, tail);
-    const double at_head = outside(hull, f, i, head);
-    if (at_tail > 0 && at_head > 0) return {1, 0, -1, -1};
-    const double s = at_tail / (at_tail - at_head);
-    if (at_tail > 0 && s > part.from) {
-      part.from = s;
-      part.from_side = hull.side(i);
-    }
-    if (at_head > 0 && s < part.to) {
-      part.to = s;
-      part.to_side = hull.side(i);
-    }
-  }
-  return part;
-}
-
+/// The nearest point of an edge is an end of it over the face, or it is off the face, or where it leaves it: then a
+/// side that it is beyond, in part at least, has the nearest point of the face.
 Closest edge_face(const Placed& A, int e, const Placed& B, int f) {
   const Hull::Edge& ends = A.hull->edge(e);
   const Hull& hull = *B.hull;
   const Hull::Face& plane = hull.face(f);
   const Vec3 tail = B.in(A.vertex(ends.tail));
   const Vec3 head = B.in(A.vertex(ends.head));
-  const Clipped part = over_face(hull, f, tail, head);
-  if (!(part.from <= part.to)) {
-    Closest best = none();
-    for (int i = plane.first_corner; i < plane.first_corner + plane.corner_count; ++i) {
-      take_nearer(best, edge_edge(A, e, B, hull.side(i)));
-    }
-    return best;
+  Closest best = none();
+  double from = 0;  // tail + s·along is over the face for s in [from, to]
+  double to = 1;
+  for (int i = plane.first_corner; i < plane.first_corner + plane.corner_count; ++i) {
+    const double at_tail = outside(hull, f, i, tail);
+    const double at_head = outside(hull, f, i, head);
+    if (!(at_tail > 0) && !(at_head > 0)) continue;
+    take_nearer(best, edge_edge(A, e, B, hull.side(i)));
+    if (at_tail > 0) from = std::max(from, at_head > 0 ? 2.0 : at_tail / (at_tail - at_head));
+    if (at_head > 0) to = std::min(to, at_tail > 0 ? -1.0 : at_tail / (at_tail - at_head));
   }
+  if (!(from <= to)) return best;
   const double low = plane.normal.dot(tail) - plane.height;
   const double rise = plane.normal.dot(head - tail);
-  const double at_from = low + part.from * rise;
-  const double at_to = low + part.to * rise;
+  const double at_from = low + from * rise;
+  const double at_to = low + to * rise;
   if (!(at_from > 0) || !(at_to > 0)) {
     Closest c;
     c.features = {vertex(at_from < at_to ? ends.tail : ends.head), face(f)};
     c.below = true;
     return c;
   }
-  // Heights are linear along the edge, so an end of the part is nearest, or where a side cut it off something at that
-  // side. Both ends are asked: where the part is short, rounding may tell their heights wrong.
-  const auto at_end = [&](int side, int v) { return side >= 0 ? edge_edge(A, e, B, side) : vertex_face(A, v, B, f); };
-  Closest best = at_end(part.from_side, ends.tail);
-  take_nearer(best, at_end(part.to_side, ends.head));
+  if (from == 0) take_nearer(best, vertex_face(A, ends.tail, B, f));
+  if (to == 1) take_nearer(best, vertex_face(A, ends.head, B, f));
   return best;
 }
 

@@ -35,10 +35,10 @@ class Walk {
 
   Walked from(const FeaturePair& start) {
     now_ = closest(A_, B_, start);
-    if (now_.below && !rise(now_)) return {now_, true};
+    if (now_.below && !rise(now_)) return {now_, true, false};
     note();
     while (step()) note();
-    return {now_, inside_};
+    return {now_, inside_, has_started_anew_};
   }
 
  private:
@@ -75,11 +75,14 @@ class Walk {
   bool take(const FeaturePair& features) {
     if (inside_) return false;
     Closest next = closest(A_, B_, features);
-    if (next.below && !rise(next)) {
+    const bool through = next.below;
+    if (through && !rise(next)) {
       inside_ = true;
       return false;
     }
-    if (!(next.squared < now_.squared)) return false;
+    const bool nearer = next.squared < now_.squared;
+    if (!nearer && (!through || has_started_anew_)) return false;
+    has_started_anew_ = has_started_anew_ || !nearer;
     now_ = next;
     return true;
   }
@@ -102,6 +105,7 @@ class Walk {
   std::vector<Closest>* visited_;
   Closest now_;
   bool inside_ = false;
+  bool has_started_anew_ = false;
 };
 
 }  // namespace

@@ -18,11 +18,14 @@ namespace touchstone::fast::lin_canny {
 /// squared distances of the pairs visited decrease strictly; there are finitely many pairs, so the walk ends, whatever
 /// the rounding. It may end too early, where rounding hides a way down: the bracket (bracket.h) tells, not the walk.
 ///
-/// What lies below a face in its region is on the far side of the body, or in it: the face farthest below the point, of
-/// all faces, takes over; if there is none, the point is inside (`inside`).
+/// What lies below a face in its region is on the far side of the body, or in it: the face that sees the point from
+/// farthest outside, of all faces, takes over; if there is none, the point is inside (`inside`). Two edges that see
+/// each other through a body are a local minimum, the one that Lin and Canny's walk has on disjoint bodies: so the far
+/// face takes over even if it is no nearer, but only once a walk. The walk is then two strict descents at most.
 struct Walked {
   Closest closest;
-  bool inside = false;  ///< a vertex of one body is inside the other, as far as doubles see
+  bool inside = false;            ///< a vertex of one body is inside the other, as far as doubles see
+  bool has_started_anew = false;  ///< on the far side
 };
 
 /// `visited`, if given, gets all closest pairs the walk stood at, the first included.
