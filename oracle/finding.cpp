@@ -48,6 +48,8 @@ std::string name_of(Defect defect) {
       return "wrong_mass";
     case Defect::broken_enclosure:
       return "broken_enclosure";
+    case Defect::loose_enclosure:
+      return "loose_enclosure";
     case Defect::asymmetric:
       return "asymmetric";
     case Defect::moved_with_frame:
@@ -58,6 +60,8 @@ std::string name_of(Defect defect) {
       return "relabelled";
     case Defect::nondeterministic:
       return "nondeterministic";
+    case Defect::inconsistent:
+      return "inconsistent";
     case Defect::not_finite:
       return "not_finite";
     case Defect::threw:

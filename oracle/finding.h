@@ -32,11 +32,13 @@ enum class Defect {
   loose_box,         ///< box wider than allowed
   wrong_mass,        ///< mass, centre or inertia
   broken_enclosure,  ///< claimed interval does not hold the truth
+  loose_enclosure,   ///< claimed interval is wider than rounding explains
   asymmetric,        ///< changes when the bodies swap
   moved_with_frame,  ///< changes under a rigid motion of the world
   scaled,            ///< changes with a power-of-two change of unit
   relabelled,        ///< changes with the order of bodies, vertices or axes
   nondeterministic,  ///< the same question twice, two answers
+  inconsistent,      ///< parts of an answer, or two answers, that contradict each other
   not_finite,        ///< NaN or Inf in an answer
   threw,
   crashed,

@@ -60,6 +60,21 @@ Finding enclosure(const Scene& scene, Subject& subject) {
   });
 }
 
+// [0, ∞) holds every distance. Who computes as well as tolerance::distance says can enclose by that much on either
+// side.
+Finding enclosure_tight(const Scene& scene, Subject& subject) {
+  return of_answer(scene, subject, [&](const Distance& said) {
+    if (!said.enclosure) return judge::silent("an enclosure");
+    const Interval exact = truth::distance(scene).distance;
+    const double allowed = exact.hi - exact.lo + 2 * tolerance::distance(scene, subject.card().precision);
+    return judge::explained(judge::at_most(
+                                said.enclosure->hi - said.enclosure->lo, judge::in_ulps(scene, subject.card(), allowed),
+                                Defect::loose_enclosure, [&] { return words::text(*said.enclosure); },
+                                [&] { return "an interval hardly wider than " + words::text(exact); }),
+                            scene);
+  });
+}
+
 // Where bodies overlap no pair of points is closest, and a witness means nothing.
 template <class JudgeIt>
 Finding of_witnesses(const Scene& scene, Subject& subject, JudgeIt&& judge_it) {
@@ -231,6 +246,11 @@ std::vector<Property> distance_properties() {
        "the order of a polytope's vertices changes nothing",
        relabels},
       {"distance.enclosure", "distance", {"TS-DISTANCE-5"}, "the enclosure holds the exact distance", enclosure},
+      {"distance.enclosure_tight",
+       "distance",
+       {"TS-DISTANCE-13"},
+       "the enclosure is no wider than rounding explains",
+       enclosure_tight},
       {"distance.consistent",
        "distance",
        {"TS-DISTANCE-10"},

@@ -69,6 +69,10 @@ void narrow_enclosure(Subject&, const Scene&, Distance& said) {
   said.enclosure = Interval{wide, wide};
 }
 
+void wide_enclosure(Subject&, const Scene&, Distance& said) {
+  if (said.distance) said.enclosure = Interval{0, 2 * *said.distance};
+}
+
 struct Solid {
   std::vector<Vec3> vertices;
   std::vector<Vec3> normals;
@@ -153,6 +157,8 @@ std::vector<Canary> canaries_about_pairs_of_bodies() {
       lying("canary.feature_off_by_one", "counts A's vertices from 1", [] { return distances(feature_off_by_one); }),
       lying("canary.narrow_enclosure", "claims an enclosure just above the distance",
             [] { return distances(narrow_enclosure); }),
+      lying("canary.wide_enclosure", "claims an enclosure from 0 to twice the distance",
+            [] { return distances(wide_enclosure); }),
       lying("canary.face_normals_only", "takes the least depth over face normals, forgetting pairs of edges",
             [] { return penetrations(face_normals_only); }),
       lying("canary.shallow", "makes every depth too small by one part in a million",
