@@ -40,11 +40,11 @@ class Bullet final : public Contestant {
 
 std::vector<Entrant> bullet() {
   return {
-      {"bullet.dbvt", true, false,
+      {"bullet.dbvt", true, "",
        [](const auto& boxes, const Aabb&) {
          return std::make_unique<Bullet>(std::make_unique<btDbvtBroadphase>(), boxes);
        }},
-      {"bullet.axis_sweep", true, true,
+      {"bullet.axis_sweep", true, "",
        [](const auto& boxes, const Aabb& world) {
          const auto handles = static_cast<unsigned>(boxes.size() + 2);
          return std::make_unique<Bullet>(

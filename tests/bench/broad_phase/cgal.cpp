@@ -34,7 +34,7 @@ class Cgal final : public Contestant {
 }  // namespace
 
 std::vector<Entrant> cgal() {
-  return {{"cgal.box_intersection", true, false,
+  return {{"cgal.box_intersection", true, "",
            [](const auto& boxes, const Aabb&) { return std::make_unique<Cgal>(boxes); }}};
 }
 

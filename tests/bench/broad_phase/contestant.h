@@ -27,8 +27,8 @@ class Contestant {
 
 struct Entrant {
   std::string name;
-  bool peer = false;
-  bool quadratic = false;  ///< known to be hopeless at 100,000 bodies unless nearly all are still
+  bool peer = false;  ///< another library's
+  std::string law;    ///< how a frame's cost is claimed to grow at fixed density; of peers not known
   std::function<std::unique_ptr<Contestant>(const std::vector<Aabb>& boxes, const Aabb& world)> enter;
 };
 

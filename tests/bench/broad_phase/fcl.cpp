@@ -63,8 +63,8 @@ class Fcl final : public Contestant {
 };
 
 template <class M>
-Entrant entrant(const std::string& name, bool quadratic) {
-  return {name, true, quadratic,
+Entrant entrant(const std::string& name) {
+  return {name, true, "",
           [](const auto& boxes, const Aabb&) { return std::make_unique<Fcl>(std::make_unique<M>(), boxes); }};
 }
 
@@ -80,11 +80,11 @@ std::unique_ptr<Contestant> spatial_hash(const std::vector<Aabb>& boxes, const A
 
 /// Not entered: the naive manager, and SaPCollisionManager, whose update() does not come back on the coherent film.
 std::vector<Entrant> fcl_managers() {
-  return {entrant<::fcl::DynamicAABBTreeCollisionManagerd>("fcl.dynamic_tree", false),
-          entrant<::fcl::DynamicAABBTreeCollisionManager_Array<double>>("fcl.dynamic_tree_array", false),
-          entrant<::fcl::IntervalTreeCollisionManagerd>("fcl.interval_tree", true),
-          entrant<::fcl::SSaPCollisionManagerd>("fcl.ssap", true),
-          {"fcl.spatial_hash", true, true, spatial_hash}};
+  return {entrant<::fcl::DynamicAABBTreeCollisionManagerd>("fcl.dynamic_tree"),
+          entrant<::fcl::DynamicAABBTreeCollisionManager_Array<double>>("fcl.dynamic_tree_array"),
+          entrant<::fcl::IntervalTreeCollisionManagerd>("fcl.interval_tree"),
+          entrant<::fcl::SSaPCollisionManagerd>("fcl.ssap"),
+          {"fcl.spatial_hash", true, "", spatial_hash}};
 }
 
 }  // namespace touchstone::bench

@@ -49,9 +49,9 @@ struct Library {
 
 std::vector<Entrant> ode_spaces() {
   static const Library library;
-  return {{"ode.hash", true, true,
+  return {{"ode.hash", true, "",
            [](const auto& boxes, const Aabb&) { return std::make_unique<Ode>(dHashSpaceCreate(nullptr), boxes); }},
-          {"ode.sap", true, true, [](const auto& boxes, const Aabb&) {
+          {"ode.sap", true, "", [](const auto& boxes, const Aabb&) {
              return std::make_unique<Ode>(dSweepAndPruneSpaceCreate(nullptr, dSAP_AXES_XYZ), boxes);
            }}};
 }

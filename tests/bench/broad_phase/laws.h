@@ -1,0 +1,19 @@
+// How many swaps sweep and prune makes: counted, not timed.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace touchstone::bench {
+
+struct SwapLaw {
+  std::string workload;
+  std::size_t bodies = 0;
+  std::string law;  ///< of a frame's swaps, as derived in the literature notes
+  double swaps_per_body = 0;
+};
+
+/// Coherent motion and the settled layer at 500 to 4,000 bodies, mean of 8 frames.
+std::vector<SwapLaw> swap_laws();
+
+}  // namespace touchstone::bench
