@@ -29,6 +29,7 @@ Canary lying(const std::string& id, const std::string& says, std::function<Lies(
 
 /// The canaries by what they lie about.
 std::vector<Canary> canaries_about_pairs_of_bodies();
+std::vector<Canary> canaries_about_closest_features();
 std::vector<Canary> canaries_about_boxes();
 std::vector<Canary> canaries_about_mass();
 std::vector<Canary> canaries_about_anything();
