@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/wire_part.h"
+#include "model/film.h"
 #include "oracle/truth.h"
 
 namespace touchstone::app {
@@ -138,6 +139,7 @@ std::string witnesses(const Scene& scene, const View& view) {
 }  // namespace
 
 std::string picture(const Scene& scene) {
+  if (is_film(scene)) return picture(still(scene, scene.frames.size() - 1));
   const std::vector<WirePart> parts = wire_parts(scene);
   oracle::Point lo = oracle::Point::Constant(std::numeric_limits<Real>::infinity());
   oracle::Point hi = -lo;

@@ -1,32 +1,40 @@
 #include "fast/broad_phase.h"
 
 #include <algorithm>
-#include <numeric>
 
 #include "fast/bounds.h"
+#include "fast/broad_phase/wrapped_grid.h"
 
 namespace touchstone::fast {
 namespace {
 
-bool overlap_beyond_x(const Aabb& a, const Aabb& b) {
-  return a.lo.y() <= b.hi.y() && b.lo.y() <= a.hi.y() && a.lo.z() <= b.hi.z() && b.lo.z() <= a.hi.z();
+/// About where a grid that is used once begins to pay.
+constexpr std::size_t few = 32;
+
+PairSet each_with_each(const Bounds& boxes) {
+  PairSet pairs;
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    for (std::size_t j = i + 1; j < boxes.size(); ++j) {
+      if (overlap(boxes[i], boxes[j])) pairs.emplace_back(static_cast<int>(i), static_cast<int>(j));
+    }
+  }
+  return pairs;
+}
+
+bool served(const Aabb& box) {
+  return box.lo.cwiseAbs().maxCoeff() <= 0x1p1000 && box.hi.cwiseAbs().maxCoeff() <= 0x1p1000;
 }
 
 }  // namespace
 
 PairSet overlapping_pairs(const Bounds& boxes) {
-  std::vector<int> order(boxes.size());
-  std::iota(order.begin(), order.end(), 0);
-  const auto box = [&](int i) -> const Aabb& { return boxes[static_cast<std::size_t>(i)]; };
-  std::sort(order.begin(), order.end(), [&](int i, int j) { return box(i).lo.x() < box(j).lo.x(); });
-
+  if (boxes.size() <= few || !std::ranges::all_of(boxes, served)) return each_with_each(boxes);
+  WrappedGrid grid;
+  for (std::size_t i = 0; i < boxes.size(); ++i) grid.insert(static_cast<BodyId>(i), boxes[i]);
+  grid.update();
   PairSet pairs;
-  for (auto a = order.begin(); a != order.end(); ++a) {
-    for (auto b = a + 1; b != order.end() && box(*b).lo.x() <= box(*a).hi.x(); ++b) {
-      if (overlap_beyond_x(box(*a), box(*b))) pairs.emplace_back(std::minmax(*a, *b));
-    }
-  }
-  std::sort(pairs.begin(), pairs.end());
+  for (const auto& [a, b] : grid.pairs()) pairs.emplace_back(static_cast<int>(a), static_cast<int>(b));
+  std::ranges::sort(pairs);
   return pairs;
 }
 

@@ -1,4 +1,4 @@
-// Which bodies' boxes overlap: one sweep along an axis over sorted end points.
+// Which bodies' boxes overlap, asked once: the strategies of fast/broad_phase without their memory.
 #pragma once
 
 #include "model/answers.h"
@@ -10,8 +10,9 @@ namespace touchstone::fast {
 /// pairs whose boxes are apart by no more than the two boxes' widening.
 PairSet broad_phase(const Scene& scene);
 
-/// Boxes that share only a boundary point overlap. O(n log n + k), k pairs that overlap along x. Requires lo ≤ hi, no
-/// NaN.
+/// Boxes that share only a boundary point overlap. Few boxes are compared each with each; more go through the default
+/// strategy (fast/broad_phase/wrapped_grid.h), but for those with coordinates beyond what it serves, 2^1000. Requires
+/// lo ≤ hi, no NaN.
 PairSet overlapping_pairs(const Bounds& boxes);
 
 }  // namespace touchstone::fast

@@ -2,6 +2,17 @@
 
 namespace touchstone {
 
+std::vector<Pose*> poses(Scene& scene) {
+  std::vector<Pose*> all;
+  for (Body& body : scene.bodies) all.push_back(&body.X_WB);
+  for (Frame& frame : scene.frames) {
+    for (Placement& placement : frame) {
+      if (placement.X_WB) all.push_back(&*placement.X_WB);
+    }
+  }
+  return all;
+}
+
 std::vector<Places> places(const Scene& film) {
   std::vector<Places> all;
   Places now(film.bodies.size());
@@ -10,6 +21,17 @@ std::vector<Places> places(const Scene& film) {
     all.push_back(now);
   }
   return all;
+}
+
+Scene still(const Scene& film, std::size_t f) {
+  const Places there = places(film)[f];
+  Scene scene;
+  for (std::size_t i = 0; i < there.size(); ++i) {
+    if (!there[i]) continue;
+    scene.bodies.push_back(film.bodies[i]);
+    scene.bodies.back().X_WB = *there[i];
+  }
+  return scene;
 }
 
 }  // namespace touchstone

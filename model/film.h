@@ -13,7 +13,13 @@ using Places = std::vector<std::optional<Pose>>;
 
 inline bool is_film(const Scene& scene) { return !scene.frames.empty(); }
 
+/// Every pose of bodies in W: their own, and those of the film.
+std::vector<Pose*> poses(Scene& scene);
+
 /// One entry a frame. Requires that each placement names a body.
 std::vector<Places> places(const Scene& film);
+
+/// The bodies that are there after frame f, where they are. Requires that the film has this frame.
+Scene still(const Scene& film, std::size_t f);
 
 }  // namespace touchstone

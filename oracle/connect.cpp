@@ -12,6 +12,8 @@ namespace touchstone::oracle {
 namespace {
 
 constexpr std::string_view exec_prefix = "exec:";
+constexpr std::string_view by_name =
+    "by_name";  // for those that hang or crash so often that a run is about nothing else
 constexpr std::string_view program_prefix = "touchstone-subject-";
 
 /// WRDE_NOCMD: words and quotes, but nothing is run while they are read.
@@ -43,15 +45,18 @@ std::unique_ptr<Subject> connect(const std::string& connectable, const std::stri
   if (connectable.starts_with(exec_prefix)) {
     return std::make_unique<PipeSubject>(words_of(connectable.substr(exec_prefix.size())), limits);
   }
-  const std::vector<std::string> names = subjects_beside(folder);
-  if (std::find(names.begin(), names.end(), connectable) == names.end()) {
-    std::string known;
-    for (const std::string& name : names) known += name + ", ";
-    throw InputError("subject \"" + connectable + '"', "unknown; known are " + known + "exec:COMMAND LINE");
+  std::string known;
+  for (const std::filesystem::path& place : {std::filesystem::path(folder), std::filesystem::path(folder) / by_name}) {
+    for (const std::string& name : subjects_beside(place.string())) {
+      if (name != connectable) {
+        known += name + ", ";
+        continue;
+      }
+      const std::string program = (place / (std::string(program_prefix) + name)).string();
+      return std::make_unique<PipeSubject>(std::vector<std::string>{program}, limits);
+    }
   }
-  return std::make_unique<PipeSubject>(
-      std::vector<std::string>{(std::filesystem::path(folder) / (std::string(program_prefix) + connectable)).string()},
-      limits);
+  throw InputError("subject \"" + connectable + '"', "unknown; known are " + known + "exec:COMMAND LINE");
 }
 
 }  // namespace touchstone::oracle

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/film.h"
 #include "model/input_error.h"
 #include "oracle/scene_edit.h"
 #include "oracle/smaller.h"
@@ -67,14 +68,17 @@ class Search {
 
 const std::vector<smaller::Stage>& smaller::stages() {
   static const std::vector<Stage> all = {
-      tidy,           fewer_bodies,  fewer_parts,       many_vertices_less, plainer_shapes, plainer_poses,
-      facing_along_z, coarser_grids, few_vertices_less, fewer_bits,         plainer_units};
+      tidy,           fewer_frames,  fewer_bodies,       fewer_placements, plainer_places,
+      fewer_parts,    many_vertices_less, plainer_shapes,   plainer_poses,
+      facing_along_z, coarser_grids, few_vertices_less,  fewer_bits,       plainer_units};
   return all;
 }
 
 smaller::Cost smaller::cost(const Scene& scene) {
   Cost cost;
   cost.bodies = scene.bodies.size();
+  cost.frames = scene.frames.size();
+  for (const Frame& frame : scene.frames) cost.placements += frame.size();
   const std::vector<Slot> all = slots(scene);
   cost.parts = all.size();
   for (const Slot slot : all) cost.vertices += vertex_count(shape_at(scene, slot));
@@ -88,8 +92,8 @@ smaller::Cost smaller::cost(const Scene& scene) {
     }
   }
   cost.extras = !scene.name.empty() + !scene.gravity.isZero(0);
+  for (const Pose* X_WB : poses(numbers)) cost.turned += is_turned(X_WB->q_WB);
   for (const Body& body : scene.bodies) {
-    cost.turned += is_turned(body.X_WB.q_WB);
     cost.extras += extras(body);
     if (const auto* compound = std::get_if<Compound>(&body.shape)) {
       cost.extras += 1;

@@ -1,4 +1,4 @@
-// The smallest scene that still fails: fewest bodies, then vertices, then bits.
+// The smallest scene that still fails: fewest bodies, then frames of its film, then vertices, then bits.
 #pragma once
 
 #include <functional>

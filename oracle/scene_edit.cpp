@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <variant>
 
+#include "model/film.h"
+
 namespace touchstone::oracle {
 namespace {
 
@@ -27,6 +29,13 @@ void add(std::vector<double*>& numbers, Compound& compound) {
 
 void add(std::vector<double*>& numbers, Quaternion& q) {
   for (double* x : {&q.w, &q.x, &q.y, &q.z}) numbers.push_back(x);
+}
+
+/// The poses of a film.
+std::vector<Pose*> placed(Scene& scene) {
+  std::vector<Pose*> all = poses(scene);
+  all.erase(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(scene.bodies.size()));
+  return all;
 }
 
 }  // namespace
@@ -76,6 +85,7 @@ std::vector<double*> lengths(Scene& scene) {
     add(numbers, body.X_WB.p_WB);
     std::visit([&](auto& shape) { add(numbers, shape); }, body.shape);
   }
+  for (Pose* X_WB : placed(scene)) add(numbers, X_WB->p_WB);
   return numbers;
 }
 
@@ -87,6 +97,7 @@ std::vector<double*> quaternion_components(Scene& scene) {
       for (Part& part : compound->parts) add(numbers, part.X_BP.q_WB);
     }
   }
+  for (Pose* X_WB : placed(scene)) add(numbers, X_WB->q_WB);
   return numbers;
 }
 

@@ -22,6 +22,9 @@ const std::vector<Stage>& stages();
 
 std::vector<Move> tidy(const Scene& scene);          ///< velocities, materials, masses, gravity, names: the defaults
 std::vector<Move> fewer_bodies(const Scene& scene);  ///< halves, quarters, …, single bodies
+std::vector<Move> fewer_frames(const Scene& film);   ///< halves, quarters, …, single frames; two in one
+std::vector<Move> fewer_placements(const Scene& film);
+std::vector<Move> plainer_places(const Scene& film);  ///< a film's poses: none turned, at the origin, on an axis
 std::vector<Move> fewer_parts(const Scene& scene);   ///< a part for the compound, or a part less
 std::vector<Move> plainer_shapes(
     const Scene& scene);  ///< a box's corner, a polytope's bounding box, a box as a polytope
@@ -37,6 +40,8 @@ std::vector<Move> plainer_units(const Scene& scene);  ///< lengths and quaternio
 /// What is preferred: less in the first member that differs.
 struct Cost {
   std::size_t bodies = 0;
+  std::size_t frames = 0;
+  std::size_t placements = 0;
   std::size_t parts = 0;
   std::size_t vertices = 0;  ///< a box has 8, a sphere 1
   int bits_max = 0;          ///< significant bits of the worst number

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "model/film.h"
 #include "oracle/scene_edit.h"
 #include "oracle/smaller.h"
 #include "oracle/truth.h"
@@ -83,7 +84,8 @@ std::optional<Scene> facing(const Scene& before, int bits, int gap_bits) {
 
 }  // namespace
 
-std::vector<Move> facing_along_z(const Scene&) {
+std::vector<Move> facing_along_z(const Scene& scene) {
+  if (is_film(scene)) return {};
   std::vector<Move> moves;
   for (const int bits : {1, 2, 3, 4, 5, 6, 8, 12, 20}) {
     for (const int gap_bits : {1, 3}) {

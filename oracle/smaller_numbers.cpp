@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/film.h"
 #include "oracle/scene_edit.h"
 #include "oracle/smaller.h"
 
@@ -30,6 +31,7 @@ void work_in_rotations(Scene& scene) {
 
 /// All lengths as multiples of 2^-bits of the greatest's power of two.
 std::optional<Scene> on_grid(Scene scene, int bits, bool without_rotations) {
+  if (without_rotations && is_film(scene)) return std::nullopt;  // a film's bodies turn
   if (without_rotations) work_in_rotations(scene);
   drop_faces(scene);
   const std::vector<double*> numbers = lengths(scene);
@@ -74,8 +76,8 @@ std::optional<Scene> unit_lengths(Scene scene) {
 }
 
 std::optional<Scene> unit_quaternions(Scene scene) {
-  for (Body& body : scene.bodies) {
-    Quaternion& q = body.X_WB.q_WB;
+  for (Pose* X_WB : poses(scene)) {
+    Quaternion& q = X_WB->q_WB;
     const std::vector<double*> numbers = {&q.w, &q.x, &q.y, &q.z};
     times_power(numbers, -std::ilogb(greatest(numbers)));
   }

@@ -1,6 +1,7 @@
 // Plainer poses: at the origin, not turned, or turned by few bits.
 #include <cmath>
 
+#include "model/film.h"
 #include "oracle/scene_edit.h"
 #include "oracle/smaller.h"
 
@@ -56,6 +57,7 @@ std::optional<Scene> turned_by_few_bits(Scene scene, std::size_t i, int bits) {
 }  // namespace
 
 std::vector<Move> plainer_poses(const Scene& scene) {
+  if (is_film(scene)) return {};  // plainer_places has a film's
   std::vector<Move> moves = {none_turned};
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     moves.push_back([i](const Scene& s) { return body_at_origin(s, i); });

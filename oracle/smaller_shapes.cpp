@@ -85,6 +85,12 @@ std::optional<Scene> without_bodies(Scene scene, std::size_t from, std::size_t c
   if (from + count > scene.bodies.size() || count == scene.bodies.size()) return std::nullopt;
   const auto begin = scene.bodies.begin() + static_cast<std::ptrdiff_t>(from);
   scene.bodies.erase(begin, begin + static_cast<std::ptrdiff_t>(count));
+  for (Frame& frame : scene.frames) {
+    std::erase_if(frame, [=](const Placement& p) {
+      return static_cast<std::size_t>(p.body) >= from && static_cast<std::size_t>(p.body) < from + count;
+    });
+    for (Placement& p : frame) p.body -= static_cast<std::size_t>(p.body) < from ? 0 : static_cast<int>(count);
+  }
   return scene;
 }
 

@@ -6,12 +6,13 @@
 #include <iterator>
 #include <utility>
 
+#include "model/film.h"
 #include "oracle/tolerance.h"
 #include "oracle/truth.h"
 #include "oracle/words.h"
 #include "properties/asking.h"
 #include "properties/motion.h"
-#include "properties/pair_laws.h"
+#include "properties/pair_sets.h"
 #include "properties/stems.h"
 
 namespace touchstone::properties {
@@ -24,29 +25,17 @@ namespace judge = oracle::judge;
 namespace tolerance = oracle::tolerance;
 namespace truth = oracle::truth;
 namespace words = oracle::words;
-using Pair = std::pair<int, int>;
+
+// Films have properties of their own (properties/broad_phase_films.cpp).
+template <class Ask>
+Finding of_still(const Scene& scene, const Subject& subject, Ask&& ask) {
+  if (is_film(scene)) return judge::outside("a film");
+  return of_scene(scene, subject, std::forward<Ask>(ask));
+}
 
 template <class JudgeIt>
 Finding of_pairs(const Scene& scene, Subject& subject, JudgeIt&& judge_it) {
-  return of_scene(scene, subject, [&] { return judge::given(subject.broad_phase(scene), judge_it); });
-}
-
-// The same set, as a sorted list of i < j without the pairs that name no body: form is another property's business.
-PairSet as_set(PairSet pairs, const Scene& scene) {
-  const int n = static_cast<int>(scene.bodies.size());
-  for (auto& [i, j] : pairs) {
-    if (i > j) std::swap(i, j);
-  }
-  std::erase_if(pairs, [n](const Pair& pair) { return pair.first < 0 || pair.second >= n; });
-  std::ranges::sort(pairs);
-  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-  return pairs;
-}
-
-PairSet without(const PairSet& some, const PairSet& others) {
-  PairSet rest;
-  std::ranges::set_difference(some, others, std::back_inserter(rest));
-  return rest;
+  return of_still(scene, subject, [&] { return judge::given(subject.broad_phase(scene), judge_it); });
 }
 
 reference::Rational gap(const Scene& scene, const Pair& pair) {
@@ -93,9 +82,7 @@ Finding adds_none(const Scene& scene, Subject& subject) {
 
 Finding well_formed(const Scene& scene, Subject& subject) {
   return of_pairs(scene, subject, [&](const PairSet& said) {
-    if (said == as_set(said, scene) && std::ranges::all_of(said, [](const Pair& p) { return p.first < p.second; })) {
-      return judge::holds();
-    }
+    if (is_well_formed(said, scene)) return judge::holds();
     return judge::wrong(Defect::garbage, words::text(said), "pairs i < j of bodies, sorted, each once");
   });
 }
@@ -166,11 +153,11 @@ Finding relabels(const Scene& scene, Subject& subject) {
 
 Finding lives(const Scene& scene, Subject& subject) {
   const auto any_set_has_sense = [](const PairSet&) { return std::string(); };
-  return of_scene(scene, subject, [&] { return survives(&Subject::broad_phase, scene, subject, any_set_has_sense); });
+  return of_still(scene, subject, [&] { return survives(&Subject::broad_phase, scene, subject, any_set_has_sense); });
 }
 
 Finding again(const Scene& scene, Subject& subject) {
-  return of_scene(scene, subject, [&] { return repeats(&Subject::broad_phase, scene, swapped(scene), subject); });
+  return of_still(scene, subject, [&] { return repeats(&Subject::broad_phase, scene, swapped(scene), subject); });
 }
 
 }  // namespace

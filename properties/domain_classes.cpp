@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "model/film.h"
 #include "model/input_error.h"
 #include "oracle/precision.h"
 #include "oracle/tolerance.h"
@@ -130,7 +131,35 @@ void mass_classes(const Scene& scene, Names& names) {
   }
 }
 
+void film_classes(const Scene& film, Names& names) {
+  names.push_back("film");
+  const PairHistory& truth = oracle::truth::pair_history(film);
+  const std::vector<reference::FrameBoxes>& boxes = oracle::truth::film_bounds(film);
+  Places before(film.bodies.size());
+  const std::vector<Places> there = places(film);
+  for (std::size_t f = 0; f < truth.size(); ++f) {
+    if (film.frames[f].empty()) names.push_back("film: still frame");
+    if (!truth[f].begun->empty()) names.push_back("film: pairs begin");
+    if (!truth[f].ended->empty()) names.push_back("film: pairs end");
+    int gone = 0;
+    for (const Placement& placement : film.frames[f]) {
+      gone += placement.X_WB ? 0 : 1;
+      const std::optional<Pose>& was = before[static_cast<std::size_t>(placement.body)];
+      if (was && placement.X_WB == was) names.push_back("film: put where it is");
+    }
+    if (gone > 0) names.push_back("film: body taken away");
+    if (gone > 1) names.push_back("film: two taken away at once");
+    for (const auto& [i, j] : truth[f].pairs) {
+      const auto& a = boxes[f][static_cast<std::size_t>(i)];
+      const auto& b = boxes[f][static_cast<std::size_t>(j)];
+      if (reference::gap(*a, *b).sign() == 0) names.push_back("film: touching boxes");
+    }
+    before = there[f];
+  }
+}
+
 void broad_phase_classes(const Scene& scene, Names& names) {
+  if (is_film(scene)) return film_classes(scene, names);
   const std::size_t count = scene.bodies.size();
   names.push_back(count <= 2 ? "two bodies" : count <= 12 ? "3 to 12 bodies" : "more than 12 bodies");
   const std::vector<reference::ExactBox>& boxes = oracle::truth::bounds(scene);
@@ -207,9 +236,22 @@ const std::vector<Class>& classes(const std::string& stem) {
   static const std::vector<Class> mass =
       with_kinds_of_body({{"given", 0.005}, {"fixed", 0.005}, {"density", 0.02}, {"slender", 0.05}, {"compact", 0.2}});
   static const std::vector<Class> bounds = with_kinds_of_body({});
-  static const std::vector<Class> broad_phase = {
-      {"two bodies", 0.3},        {"3 to 12 bodies", 0.05}, {"more than 12 bodies", 0.01}, {"touching boxes", 0.08},
-      {"overlapping boxes", 0.2}, {"no pair", 0.05},        {"equal end points", 0.2},     {"binary32", 0.5}};
+  static const std::vector<Class> broad_phase = {{"two bodies", 0.3},
+                                                 {"3 to 12 bodies", 0.05},
+                                                 {"more than 12 bodies", 0.01},
+                                                 {"touching boxes", 0.08},
+                                                 {"overlapping boxes", 0.2},
+                                                 {"no pair", 0.05},
+                                                 {"equal end points", 0.2},
+                                                 {"binary32", 0.5},
+                                                 {"film", 0.1},
+                                                 {"film: still frame", 0.02},
+                                                 {"film: pairs begin", 0.08},
+                                                 {"film: pairs end", 0.05},
+                                                 {"film: put where it is", 0.01},
+                                                 {"film: body taken away", 0.05},
+                                                 {"film: two taken away at once", 0.01},
+                                                 {"film: touching boxes", 0.04}};
   static const std::vector<Class> distance = distance_classes();
   static const std::vector<Class> penetration = with_shapes({{"separated", 0.15},
                                                              {"touching", 0.15},

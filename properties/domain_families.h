@@ -17,6 +17,7 @@ std::vector<Family> mixed_families();
 std::vector<Family> contained_families();
 std::vector<Family> placed_families();
 std::vector<Family> crowd_families();
+std::vector<Family> film_families();
 std::vector<Family> mass_families();
 
 /// What a family is for: pairs of convex bodies are asked about everything, compounds have no depth.

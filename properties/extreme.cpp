@@ -130,6 +130,22 @@ Scene crowded_place(Random& random) {
   return scene;
 }
 
+/// Bodies that go from one end of the doubles to the other, next to bodies that are there already.
+Scene far_film(Random& random) {
+  Scene film;
+  const double half = random.pick({least, 0x1p-900, 1.0, 0x1p900});
+  film.bodies.assign(static_cast<std::size_t>(random.between(2, 8)), at_rest(Box{Vec3::Constant(half)}));
+  for (int f = random.between(2, 8); f > 0; --f) {
+    Frame& frame = film.frames.emplace_back();
+    for (std::size_t i = 0; i < film.bodies.size(); ++i) {
+      const double far = random.pick({0.0, least, 0x1p-900, 1.0, 1e300, 0x1p1020});
+      const Pose X_WB{far * small_vector(random, 1), {}};
+      if (!random.one_in(4)) frame.push_back({static_cast<int>(i), X_WB});
+    }
+  }
+  return film;
+}
+
 }  // namespace
 
 const std::vector<Family>& extremes() {
@@ -151,6 +167,11 @@ const std::vector<Family>& extremes() {
        {"bounds", "broad_phase"},
        false,
        crowded_place},
+      {"extreme.far_film",
+       "bodies at 0, the least double, 1e300 and beyond, in another place each frame",
+       {"broad_phase"},
+       false,
+       far_film},
   };
   return all;
 }

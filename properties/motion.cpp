@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/film.h"
 #include "oracle/tolerance.h"
 #include "properties/exact_sum.h"
 
@@ -10,10 +11,10 @@ namespace touchstone::properties {
 namespace {
 
 bool translate(Scene& scene, const Vec3& t) {
-  for (Body& body : scene.bodies) {
-    const std::optional<Vec3> p = exact_sum(body.X_WB.p_WB, t);
+  for (Pose* X_WB : poses(scene)) {
+    const std::optional<Vec3> p = exact_sum(X_WB->p_WB, t);
     if (!p) return false;
-    body.X_WB.p_WB = *p;
+    X_WB->p_WB = *p;
   }
   return true;
 }
@@ -67,6 +68,10 @@ bool scale(Compound& compound, int k) {
 
 Scene swapped(Scene scene) {
   std::ranges::reverse(scene.bodies);
+  const int last = static_cast<int>(scene.bodies.size()) - 1;
+  for (Frame& frame : scene.frames) {
+    for (Placement& placement : frame) placement.body = last - placement.body;
+  }
   return scene;
 }
 
@@ -101,10 +106,12 @@ std::optional<Pose> turned(const Pose& X) {
 
 std::optional<Scene> turned(const Scene& scene) {
   Scene moved = scene;
-  for (Body& body : moved.bodies) {
-    const std::optional<Pose> X = turned(body.X_WB);
+  for (Pose* X_WB : poses(moved)) {
+    const std::optional<Pose> X = turned(*X_WB);
     if (!X) return std::nullopt;
-    body.X_WB = *X;
+    *X_WB = *X;
+  }
+  for (Body& body : moved.bodies) {
     body.velocity = {turned(body.velocity.v_WBcm), turned(body.velocity.w_WB)};
   }
   moved.gravity = turned(moved.gravity);
@@ -113,9 +120,11 @@ std::optional<Scene> turned(const Scene& scene) {
 
 Scene half_turned(Scene scene) {
   const auto half = [](const Vec3& v) { return Vec3(v.x(), -v.y(), -v.z()); };
+  for (Pose* X_WB : poses(scene)) {
+    const Quaternion q = X_WB->q_WB;
+    *X_WB = {half(X_WB->p_WB), {-q.x, q.w, -q.z, q.y}};  // (0,1,0,0) q
+  }
   for (Body& body : scene.bodies) {
-    const Quaternion q = body.X_WB.q_WB;
-    body.X_WB = {half(body.X_WB.p_WB), {-q.x, q.w, -q.z, q.y}};  // (0,1,0,0) q
     body.velocity = {half(body.velocity.v_WBcm), half(body.velocity.w_WB)};
   }
   scene.gravity = half(scene.gravity);
@@ -123,8 +132,11 @@ Scene half_turned(Scene scene) {
 }
 
 std::optional<Scene> scaled(Scene scene, int k) {
+  for (Pose* X_WB : poses(scene)) {
+    if (!scale(X_WB->p_WB, k)) return std::nullopt;
+  }
   for (Body& body : scene.bodies) {
-    const bool exact = scale(body.X_WB.p_WB, k) && scale(body.velocity.v_WBcm, k) &&
+    const bool exact = scale(body.velocity.v_WBcm, k) &&
                        std::visit([k](auto& shape) { return scale(shape, k); }, body.shape);
     if (!exact) return std::nullopt;
   }

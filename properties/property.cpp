@@ -11,7 +11,8 @@ namespace {
 std::vector<Property> join() {
   std::vector<Property> joined;
   for (const auto& stem :
-       {mass_properties, bounds_properties, broad_phase_properties, distance_properties, penetration_properties}) {
+       {mass_properties, bounds_properties, broad_phase_properties, broad_phase_film_properties, distance_properties,
+        penetration_properties}) {
     for (Property& property : stem()) joined.push_back(std::move(property));
   }
   return joined;

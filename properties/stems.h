@@ -10,6 +10,7 @@ namespace touchstone::properties {
 std::vector<Property> mass_properties();
 std::vector<Property> bounds_properties();
 std::vector<Property> broad_phase_properties();
+std::vector<Property> broad_phase_film_properties();
 std::vector<Property> distance_properties();
 std::vector<Property> penetration_properties();
 

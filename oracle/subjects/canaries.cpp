@@ -11,7 +11,7 @@ const std::vector<Canary>& canaries() {
   static const std::vector<Canary> all = [] {
     std::vector<Canary> joined;
     for (const auto& some :
-         {canaries_about_mass, canaries_about_boxes, canaries_about_pairs_of_bodies,
+         {canaries_about_mass, canaries_about_boxes, canaries_about_films, canaries_about_pairs_of_bodies,
           canaries_about_closest_features, canaries_about_anything}) {
       for (Canary& canary : some()) joined.push_back(std::move(canary));
     }

@@ -23,16 +23,22 @@ void nudge(Bounds& said) {
 void nudge(PairSet& said) {
   if (!said.empty()) said.pop_back();
 }
+void nudge(PairHistory& said) {
+  for (PairFrame& frame : said) {
+    if (!frame.pairs.empty()) frame.pairs.pop_back();
+  }
+}
 void nudge(Distance& said) { said.distance = nudged(said.distance.value_or(0)); }
 void nudge(Penetration& said) { said.depth = nudged(said.depth.value_or(0)); }
 
-// One rule for all five queries.
+// One rule for all queries.
 template <class Rule>
 Lies all_queries(Rule rule) {
   Lies lies;
   lies.mass = rule;
   lies.bounds = rule;
   lies.broad_phase = rule;
+  lies.pair_history = rule;
   lies.distance = rule;
   lies.penetration = rule;
   return lies;

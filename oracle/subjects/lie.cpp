@@ -26,6 +26,9 @@ class Liar : public Subject {
   Answer<PairSet> broad_phase(const Scene& scene) override {
     return told(scene, &Subject::broad_phase, lies_.broad_phase);
   }
+  Answer<PairHistory> pair_history(const Scene& scene) override {
+    return told(scene, &Subject::pair_history, lies_.pair_history);
+  }
   Answer<Distance> distance(const Scene& scene) override { return told(scene, &Subject::distance, lies_.distance); }
   Answer<Penetration> penetration(const Scene& scene) override {
     return told(scene, &Subject::penetration, lies_.penetration);

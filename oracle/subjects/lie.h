@@ -18,6 +18,7 @@ struct Lies {
   Lie<Masses> mass;
   Lie<Bounds> bounds;
   Lie<PairSet> broad_phase;
+  Lie<PairHistory> pair_history;
   Lie<Distance> distance;
   Lie<Penetration> penetration;
   bool two_valued = false;  ///< does not know touching
@@ -31,6 +32,7 @@ Canary lying(const std::string& id, const std::string& says, std::function<Lies(
 std::vector<Canary> canaries_about_pairs_of_bodies();
 std::vector<Canary> canaries_about_closest_features();
 std::vector<Canary> canaries_about_boxes();
+std::vector<Canary> canaries_about_films();
 std::vector<Canary> canaries_about_mass();
 std::vector<Canary> canaries_about_anything();
 

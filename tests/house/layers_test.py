@@ -20,7 +20,7 @@ MAY_USE = {
 # Foreign headers that belong to some files only: (header, files that may include it).
 EXACT = r"CGAL/|gmp|mpfr|boost/multiprecision"
 BEHIND = [
-    (EXACT, r"reference/\w+\.cpp|reference/\w+_impl\.h|tests/.*"),
+    (EXACT, r"reference/\w+\.cpp|reference/\w+_impl\.h|oracle/subjects/cgal\.cpp|tests/.*"),
     (r"rapidcheck", r"properties/(domain|rapidcheck)\w*\.(h|cpp)|tests/.*"),
     (r"catch2/", r"tests/.*"),
     (r"benchmark/", r"tests/bench/.*"),

@@ -175,5 +175,34 @@ TEST_CASE("A budget of nothing asks nothing; a failure that needs everything kee
             scene, [](const Scene&) { return false; }, 50) == scene);
 }
 
+/// What a removal that is forgotten shows: a body that was there with another, and is not any more.
+TEST_CASE("a film comes down to the shortest sequence that fails") {
+  Scene film;
+  film.bodies.resize(7);
+  for (Body& body : film.bodies) body.shape = Box{{1, 2, 3}};
+  int counter = 0;
+  for (int f = 0; f < 9; ++f) {
+    Frame& frame = film.frames.emplace_back();
+    for (int body = f % 3; body < 7; body += 2) {
+      Pose X_WB{{number(counter), number(counter), number(counter)}, {number(counter), number(counter), 1, 0}};
+      frame.push_back({body, f == 6 && body == 4 ? std::nullopt : std::optional(X_WB)});
+    }
+  }
+  const auto goes = [](const Scene& s) {
+    for (const Frame& frame : s.frames) {
+      for (const Placement& placement : frame) {
+        if (!placement.X_WB && s.bodies.size() > 1) return true;
+      }
+    }
+    return false;
+  };
+  const Scene smallest = minimised(film, goes);
+  CHECK(smallest.bodies.size() == 2);
+  REQUIRE(smallest.frames.size() == 2);
+  REQUIRE(smallest.frames[0].size() == 1);
+  CHECK(smallest.frames[0][0].X_WB == Pose{});
+  CHECK(smallest.frames[1] == Frame{{smallest.frames[0][0].body, {}}});
+}
+
 }  // namespace
 }  // namespace touchstone::oracle

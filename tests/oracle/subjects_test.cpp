@@ -170,6 +170,26 @@ TEST_CASE("broad phase of a row of boxes") {
   }
 }
 
+/// The boxes come one after the other, one passes between two others, and one goes.
+TEST_CASE("a film of boxes: who comes, moves and goes") {
+  Scene film;
+  for (int i = 0; i < 3; ++i) film.bodies.push_back(body(Box{{1, 1, 1}}, {0, 0, 0}));
+  const auto at = [](double x) { return Pose{{x, 0.25, 0.5}, {}}; };
+  film.frames = {{{1, at(0)}}, {{0, at(9)}}, {{0, at(1.5)}, {2, at(3)}}, {}, {{1, {}}}, {{1, at(4.5)}}};
+  for (const auto& subject : answering("pair_history")) {
+    CAPTURE(subject->card().name);
+    const PairHistory history = said(subject->pair_history(film));
+    REQUIRE(history.size() == 6);
+    CHECK(history[0].pairs.empty());
+    CHECK(history[1].pairs.empty());
+    CHECK(history[2].pairs == PairSet{{0, 1}, {0, 2}});
+    CHECK(history[3].pairs == PairSet{{0, 1}, {0, 2}});
+    CHECK(history[4].pairs == PairSet{{0, 2}});
+    CHECK(history[5].pairs == PairSet{{0, 2}, {1, 2}});
+    if (history[4].ended) CHECK(history[4].ended == PairSet{{0, 1}});
+  }
+}
+
 TEST_CASE("mass of a dense box, of a sphere, and what is given or fixed") {
   Scene scene = pair(body(Box{{1, 2, 3}}, {7, 0, 0}), body(Sphere{2}, {0, 0, 0}));
   scene.bodies[0].mass = Density{0.5};

@@ -39,6 +39,16 @@ Body unmoved(Body body) {
   return body;
 }
 
+Pose at(double x, double y, double z) { return {{x, y, z}, {}}; }
+
+Scene film(const std::string& name, const std::vector<Shape>& shapes, std::vector<Frame> frames) {
+  Scene scene;
+  scene.name = name;
+  for (const Shape& shape : shapes) scene.bodies.push_back(body(shape, {0, 0, 0}));
+  scene.frames = std::move(frames);
+  return oracle::truth::completed(scene);
+}
+
 std::vector<Scene> build() {
   return {
       pair("cubes apart along y", body(cube, {0, 0, 0}), body(cube, {0.5, 2.25, 0.25})),
@@ -68,6 +78,25 @@ std::vector<Scene> build() {
       many("solids of several densities",
            {dense(body(tetrahedron, {1, 2, 3}, skew), 3), dense(body(wedge, {-4, 0, 0}, about_x), 0.5),
             unmoved(body(cube, {0, 0, 9}))}),
+      film("boxes that come, touch, part and go", {cube, cube, brick},
+           {{{0, at(0, 0, 0)}, {1, at(4, 0, 0)}},
+            {{1, at(2, 0, 0)}, {2, at(0, 0, 1.5)}},
+            {},
+            {{0, at(-3, 0, 0)}, {1, at(2, 0, 0)}},
+            {{0, {}}, {2, at(2, 0, 8)}},
+            {{0, at(2, 2, 0)}, {2, at(2, 0, 1.5)}},
+            {{1, {}}, {2, {}}}}),
+      film("boxes in boxes that pass", {cube, Box{Vec3::Constant(4)}, Box{Vec3::Constant(0.25)}, Sphere{1}},
+           {{{0, at(0, 0, 0)}, {1, at(9, 0, 1)}, {2, at(0, 0, -6)}, {3, at(0, 9, 0)}},
+            {{1, at(1, 0, 0)}, {2, at(0, 0, 0)}, {3, at(0, -2, 0)}},
+            {{1, at(-9, 0, 0)}, {2, at(0, 0, 6)}, {3, at(0, -1, 9)}},
+            {{1, at(0, 0, -9)}, {0, at(0, 0, -9)}, {3, at(2, 0, -9)}}}),
+      film("a row that one passes", {cube, cube, cube, cube},
+           {{{0, at(0, 0, 0)}, {1, at(3, 0, 0)}, {2, at(6, 0, 0)}, {3, at(-4, 0, 0)}},
+            {{3, at(-2, 0, 0)}},
+            {{3, at(4.5, 0, 0)}},
+            {{3, at(8, 0, 0)}, {0, at(0, 0, 0)}},
+            {{3, at(8, 0, 2)}, {1, at(6, 0, 2)}}}),
       many("a needle", {dense(body(needle, {1, 2, 3}, about_x), 2)}),
   };
 }
