@@ -2,106 +2,28 @@
 // it.
 //
 // touchstone_broad_phase_bench --sizes N[,N…] --workloads NAME[,NAME…] --rounds N
-// Contestants play a film, forward and backward without end, in turn: each a round of one film's length, or of as many
-// frames as fit a slice of time. The figure is the median of its rounds' CPU time a body and frame. What is timed:
-// telling the changed boxes, updating, seeing each pair once. Who cannot enter and play a frame within the budget is
-// left out and named.
-#include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
+// Contestants play a film in turn, a round at a time (seat.h); the figure is the median of the rounds' CPU time a body
+// and frame. What is timed: telling the changed boxes, updating, seeing each pair once. Who does not keep to the budget
+// of 2 CPU seconds, and half of one a round, is left out and named.
 #include <algorithm>
 #include <cstdio>
-#include <ctime>
 #include <exception>
 #include <sstream>
 #include <stdexcept>
 
 #include "tests/bench/broad_phase/contestant.h"
 #include "tests/bench/broad_phase/laws.h"
+#include "tests/bench/broad_phase/seat.h"
 #include "tests/bench/broad_phase/workload.h"
 
 namespace touchstone::bench {
 namespace {
-
-constexpr double slice_seconds = 0.25;
-constexpr unsigned budget_seconds = 2;
 
 struct Options {
   std::vector<std::size_t> sizes{1000, 10000, 100000};
   std::vector<std::string> workloads = bench::workloads();
   int rounds = 5;
 };
-
-double cpu_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-double median(std::vector<double> values) {
-  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
-  return values[values.size() / 2];
-}
-
-/// A contestant and where in the film it is.
-class Runner {
- public:
-  Runner(const Entrant& entrant, const Film& film)
-      : entrant_(entrant), film_(film), contestant_(entrant.enter(film.start, film.world)) {}
-
-  void play_frame() {
-    const std::size_t frames = film_.forward.size();
-    const Frame& frame = at_ < frames ? film_.forward[at_] : film_.backward[2 * frames - 1 - at_];
-    pairs_ += contestant_->pairs_after(frame);
-    at_ = (at_ + 1) % (2 * frames);
-    ++played_;
-  }
-
-  void play_round() {
-    const double start = cpu_seconds();
-    double used = 0;
-    double frames = 0;
-    while (frames < static_cast<double>(2 * film_.forward.size()) && used < slice_seconds) {
-      play_frame();
-      ++frames;
-      used = cpu_seconds() - start;
-    }
-    ns_.push_back(1e9 * used / frames / static_cast<double>(film_.start.size()));
-  }
-
-  const Entrant& entrant() const { return entrant_; }
-  double ns_per_body_and_frame() const { return median(ns_); }
-  double pairs_per_body() const {
-    return static_cast<double>(pairs_) / played_ / static_cast<double>(film_.start.size());
-  }
-
- private:
-  const Entrant& entrant_;
-  const Film& film_;
-  std::unique_ptr<Contestant> contestant_;
-  std::size_t at_ = 0;
-  double played_ = 0;
-  std::size_t pairs_ = 0;
-  std::vector<double> ns_;
-};
-
-/// Tried in a process of its own, which the system ends when the budget is used up.
-bool keeps_to_budget(const Entrant& entrant, const Film& film) {
-  const pid_t child = fork();
-  if (child < 0) throw std::runtime_error("cannot fork");
-  if (child == 0) {
-    const rlimit limit{budget_seconds, budget_seconds};
-    setrlimit(RLIMIT_CPU, &limit);
-    const rlimit no_core{0, 0};
-    setrlimit(RLIMIT_CORE, &no_core);
-    Runner(entrant, film).play_frame();
-    _exit(0);
-  }
-  int status = 0;
-  waitpid(child, &status, 0);
-  return WIFEXITED(status) && WEXITSTATUS(status) == 0;
-}
 
 std::vector<Entrant> everyone() {
   std::vector<Entrant> all = our_strategies();
@@ -113,24 +35,19 @@ std::vector<Entrant> everyone() {
 void compare(const std::string& workload, std::size_t bodies, int rounds) {
   const Film film = shoot(workload, bodies, bodies <= 10000 ? 64 : 24);
   const std::vector<Entrant> all = everyone();
-  const auto print = [&](const Entrant& entrant, const std::string& rest) {
-    std::printf("%s,%zu,%s,%s,%s,%s\n", workload.c_str(), bodies, entrant.name.c_str(), entrant.peer ? "peer" : "ours",
-                entrant.law.c_str(), rest.c_str());
-  };
-  std::vector<Runner> runners;
-  for (const Entrant& entrant : all) {
-    if (keeps_to_budget(entrant, film))
-      runners.emplace_back(entrant, film);
-    else
-      print(entrant, ",,could not enter and play one frame within " + std::to_string(budget_seconds) + " s");
-  }
+  const unsigned budget = 2 + static_cast<unsigned>(rounds) / 2;
+  std::vector<std::unique_ptr<Seat>> seats;
+  for (const Entrant& entrant : all) seats.push_back(std::make_unique<Seat>(entrant, film, budget));
   for (int round = 0; round < rounds; ++round)
-    for (Runner& runner : runners) runner.play_round();
-  for (const Runner& runner : runners) {
-    std::ostringstream figures;
-    figures.precision(4);
-    figures << runner.ns_per_body_and_frame() << ',' << runner.pairs_per_body() << ',';
-    print(runner.entrant(), figures.str());
+    for (const auto& seat : seats) seat->play_round();
+  for (const auto& seat : seats) {
+    const Entrant& entrant = seat->entrant();
+    std::printf("%s,%zu,%s,%s,%s,", workload.c_str(), bodies, entrant.name.c_str(), entrant.peer ? "peer" : "ours",
+                entrant.law.c_str());
+    if (seat->left_out())
+      std::printf(",,did not enter and play within %u CPU seconds\n", budget);
+    else
+      std::printf("%.1f,%.4f,\n", seat->ns_per_body_and_frame(), seat->pairs_per_body());
   }
   std::fflush(stdout);
 }
