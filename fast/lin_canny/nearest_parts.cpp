@@ -1,0 +1,43 @@
+#include "fast/lin_canny/nearest_parts.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace touchstone::fast::lin_canny {
+namespace {
+
+bool is_nearer(const Proximity& x, const Proximity& y) {
+  return x.verdict != y.verdict ? x.verdict > y.verdict : x.distance < y.distance;
+}
+
+/// The distance between the bodies' origins less what the parts reach from there, rounded down: 8u covers the norm and
+/// the sums.
+bool is_surely_farther(double origins_apart, const Convex& A, const Convex& B, double than) {
+  return origins_apart * (1 - 8 * u) - (A.reach + B.reach) * (1 + 8 * u) > than;
+}
+
+}  // namespace
+
+NearestParts nearest_parts(const Solid& A, const Station& at_A, const Solid& B, const Station& at_B,
+                           std::span<FeaturePair> memory) {
+  const double origins_apart = (at_B.X_WB.p_WB - at_A.X_WB.p_WB).stableNorm();
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  NearestParts nearest;
+  Interval enclosure{infinity, infinity};
+  auto place = memory.begin();
+  for (std::size_t i = 0; i < A.parts().size(); ++i) {
+    for (std::size_t j = 0; j < B.parts().size(); ++j, ++place) {
+      if (is_surely_farther(origins_apart, A.parts()[i], B.parts()[j], enclosure.hi)) continue;
+      Proximity found = proximity(A.parts()[i], at_A, B.parts()[j], at_B, *place);
+      const bool is_first = enclosure.hi == infinity;
+      enclosure = {std::min(enclosure.lo, found.enclosure.lo), std::min(enclosure.hi, found.enclosure.hi)};
+      if (!is_first && !is_nearer(found, nearest.proximity)) continue;
+      nearest = {std::move(found), static_cast<int>(i), static_cast<int>(j)};
+    }
+  }
+  nearest.proximity.enclosure = enclosure;
+  return nearest;
+}
+
+}  // namespace touchstone::fast::lin_canny
