@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/ask.h"
+#include "app/bench.h"
 #include "app/case_commands.h"
 #include "app/effort.h"
 #include "app/import.h"
@@ -60,6 +61,15 @@ Examples:
 Bodies 0 and 1 are A and B. Numbers are read as the exact rationals that they are; "exact" is a rational number,
 "nearest" the double next to it, an interval [lo, hi] holds the exact value. Exit code: 0 done, 2 bad input.)";
 
+constexpr const char* bench_footer = R"(
+Examples:
+  ./touchstone bench broad_phase                                  everything: several minutes
+  ./touchstone bench broad_phase --sizes 1000,10000 --workloads coherent,settled --rounds 9 --out coherent
+
+Ours and others' run in turn, in slices of CPU time; a figure is the median of the rounds. Who cannot play one frame
+within the budget is left out, and named. Written to the folder: the CSV, the table (.txt) and a plot (.svg).
+Exit code: 0 done, 2 bad input, or the comparison was not built.)";
+
 constexpr int largest_count = 1'000'000'000;
 
 struct Asked {
@@ -89,6 +99,7 @@ struct Options {
   Imported import;
   std::string list;
   Soaked soak;
+  BenchOptions bench;
   std::function<int()> chosen;
 };
 
@@ -235,6 +246,22 @@ void add_soak(CLI::App& program, Options& options) {
       [&options] { options.chosen = [&] { return soak(options.soak.pairs, options.soak.seed, options.soak.jobs); }; });
 }
 
+void add_bench(CLI::App& program, Options& options) {
+  auto* command = program.add_subcommand("bench", "Our speed beside that of other libraries: a table, CSV and a plot");
+  command->add_option("WHAT", options.bench.name, listed(benches()))->required()->check(CLI::IsMember(benches()));
+  command->add_option("--sizes", options.bench.sizes, "Numbers of bodies. Default: 1000,10000,100000")->delimiter(',');
+  command
+      ->add_option("--workloads", options.bench.workloads,
+                   "broad_phase: coherent, settled, ratio, clustered, teleport, still. Default: all")
+      ->delimiter(',');
+  command->add_option("--rounds", options.bench.rounds, "Of which the median is taken")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  command->add_option("--out", options.bench.out, "Folder of what is written")->capture_default_str();
+  command->footer(bench_footer);
+  command->callback([&options] { options.chosen = [&] { return bench(options.bench); }; });
+}
+
 std::vector<std::string> command_names(const CLI::App& program) {
   std::vector<std::string> names;
   for (const CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; })) {
@@ -254,7 +281,8 @@ int run_command(int argc, const char* const* argv) {
   CLI::App program("Touchstone: the reference that collision detection and impact code is tested against.",
                    "touchstone");
   Options options;
-  for (const auto add : {add_report, add_check, add_replay, add_minimise, add_ask, add_import, add_list, add_soak}) {
+  for (const auto add :
+       {add_report, add_check, add_replay, add_minimise, add_ask, add_import, add_list, add_soak, add_bench}) {
     add(program, options);
   }
   program.footer(program_footer);

@@ -16,6 +16,8 @@ std::string subjects_folder() {
   return (fs::is_directory(built) ? built : base_folder() / "libexec" / "touchstone").string();
 }
 
+std::string benches_folder() { return (base_folder() / "tests" / "bench").string(); }
+
 std::vector<std::string> mesh_folders() {
   return {(base_folder() / "dart-doc" / "usr/share/doc/dart/data").string(), "/usr/share/doc/dart/data"};
 }

@@ -1,0 +1,118 @@
+#include "app/bench.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <stdio.h>
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <memory>
+
+#include "app/bench_plot.h"
+#include "app/bench_table.h"
+#include "app/program_folder.h"
+#include "app/progress.h"
+#include "model/input_error.h"
+
+namespace touchstone::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A comparison: a program of its own, since it links the engines. It prints the CSV of bench_table.h.
+const std::map<std::string, std::string>& registry() {
+  static const std::map<std::string, std::string> programs{{"broad_phase", "touchstone_broad_phase_bench"}};
+  return programs;
+}
+
+std::string program_of(const std::string& name) {
+  const fs::path program = fs::path(benches_folder()) / registry().at(name);
+  if (!fs::exists(program)) {
+    throw InputError("bench " + name, "was not built (" + program.string() +
+                                          "). `./touchstone bench` builds it where Bullet, FCL, ODE and CGAL are "
+                                          "installed");
+  }
+  return program.string();
+}
+
+/// Words are numbers and names of letters by now, so no shell can be surprised by them.
+std::string command(const BenchOptions& options) {
+  std::string line = fmt::format("'{}' --rounds {}", program_of(options.name), options.rounds);
+  if (!options.sizes.empty()) line += fmt::format(" --sizes {}", fmt::join(options.sizes, ","));
+  if (!options.workloads.empty()) line += fmt::format(" --workloads {}", fmt::join(options.workloads, ","));
+  return line;
+}
+
+void check_words(const std::vector<std::string>& words, const std::string& place) {
+  for (const std::string& word : words) {
+    const bool plain = !word.empty() && std::ranges::all_of(word, [](char c) {
+      return ('a' <= c && c <= 'z') || ('0' <= c && c <= '9') || c == '_';
+    });
+    if (!plain) throw InputError(place, "expected a word of a-z, 0-9 and _, found \"" + word + "\"");
+  }
+}
+
+struct Output {
+  std::string text;
+  int exit_code = 0;
+};
+
+/// What the program prints; a step for each group of lines about one workload and size.
+Output run(const std::string& line, int groups) {
+  Progress progress("measuring", groups);
+  FILE* pipe = popen(line.c_str(), "r");
+  if (pipe == nullptr) throw std::runtime_error("cannot start " + line);
+  Output output;
+  std::string group;
+  std::array<char, 4096> buffer{};
+  while (fgets(buffer.data(), buffer.size(), pipe) != nullptr) {
+    const std::string text = buffer.data();
+    output.text += text;
+    const auto second_comma = text.find(',', text.find(',') + 1);
+    const std::string here = text.substr(0, second_comma);
+    if (!group.empty() && here != group) progress.step(here);
+    group = here;
+  }
+  const int status = pclose(pipe);
+  output.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 3;
+  return output;
+}
+
+void write(const fs::path& path, const std::string& text) {
+  std::ofstream file(path);
+  file << text;
+  if (!file.flush()) throw InputError(path.string(), "cannot be written");
+}
+
+}  // namespace
+
+std::vector<std::string> benches() {
+  std::vector<std::string> names;
+  for (const auto& [name, program] : registry()) names.push_back(name);
+  return names;
+}
+
+int bench(const BenchOptions& options) {
+  check_words(options.sizes, "--sizes");
+  check_words(options.workloads, "--workloads");
+  const auto count = [](const auto& words, int fallback) {
+    return words.empty() ? fallback : static_cast<int>(words.size());
+  };
+  const Output output = run(command(options), count(options.sizes, 3) * count(options.workloads, 6));
+  if (output.exit_code != 0) return output.exit_code;
+  const std::vector<BenchRow> rows = bench_rows(output.text);
+  const std::string table = bench_table(rows);
+  const fs::path folder = options.out;
+  fs::create_directories(folder);
+  write(folder / (options.name + ".csv"), output.text);
+  write(folder / (options.name + ".txt"), table);
+  write(folder / (options.name + ".svg"), bench_plot(rows));
+  fmt::print("{}\nWritten to {}: {}.csv, .txt, .svg\n", table, options.out, options.name);
+  return 0;
+}
+
+}  // namespace touchstone::app
