@@ -55,7 +55,7 @@ class PipeSubject : public Subject {
 /// The names of the subjects whose programs (`touchstone-subject-NAME`) stand in `folder`, sorted.
 std::vector<std::string> subjects_beside(const std::string& folder);
 
-/// `NAME` (a program in `folder`, or in its `by_name`, whose subjects are on trial only when they are named) or `exec:COMMAND LINE` (quoting as in a shell). Throws InputError; for an unknown
+/// `NAME` (a program in `folder`) or `exec:COMMAND LINE` (quoting as in a shell). Throws InputError; for an unknown
 /// name it lists those that there are.
 std::unique_ptr<Subject> connect(const std::string& connectable, const std::string& folder, PipeLimits limits = {});
 

@@ -15,6 +15,7 @@
 #include "model/input_error.h"
 #include "oracle/subjects/broad_phase_world.h"
 #include "oracle/subjects/fcl_input.h"
+#include "oracle/tolerance.h"
 
 namespace touchstone::oracle::subjects {
 namespace {
@@ -42,14 +43,14 @@ class FclWorld : public World {
     const Geometry geometry = std::visit(MakeGeometry{}, scene_.bodies[i].shape);
     objects_[i] = std::make_unique<Object>(geometry, transform(X_WB));
     objects_[i]->setUserData(&names_[i]);
-    manager_->registerObject(objects_[i].get());
+    new_.push_back(objects_[i].get());
   }
 
   void move(int body, const Pose& X_WB) override {
     Object* object = objects_[static_cast<std::size_t>(body)].get();
     object->setTransform(transform(X_WB));
     object->computeAABB();
-    moved_.push_back(object);
+    moved_ = true;
   }
 
   void take(int body) override {
@@ -59,9 +60,11 @@ class FclWorld : public World {
   }
 
   PairFrame end_frame() override {
+    if (!new_.empty()) manager_->registerObjects(new_);
     manager_->setup();
-    if (!moved_.empty()) manager_->update(moved_);
-    moved_.clear();
+    if (moved_) manager_->update();
+    new_.clear();
+    moved_ = false;
     PairFrame frame;
     manager_->collide(&frame.pairs, note_pair);
     std::ranges::sort(frame.pairs);
@@ -73,23 +76,35 @@ class FclWorld : public World {
   const Scene& scene_;
   std::vector<int> names_;
   std::vector<std::unique_ptr<Object>> objects_;
-  std::vector<Object*> moved_;
+  std::vector<Object*> new_;  ///< this frame
+  bool moved_ = false;
 };
 
 template <class M>
-Manager made() {
+Manager made(const Scene&) {
   return std::make_unique<M>();
 }
 
-/// Its cell and its world are its user's choice.
-Manager spatial_hash() {
-  return std::make_unique<::fcl::SpatialHashingCollisionManager<double>>(8.0, Vec3::Constant(-2048),
-                                                                         Vec3::Constant(2048));
+/// Its cell and its world are for the user to choose: a cell as large as the largest body, a world that holds them all.
+Manager spatial_hash(const Scene& scene) {
+  double radius = 0, furthest = 0;
+  for (const Body& body : scene.bodies) {
+    radius = std::max(radius, tolerance::radius(body));
+    furthest = std::max(furthest, body.X_WB.p_WB.cwiseAbs().maxCoeff());
+  }
+  for (const Frame& frame : scene.frames) {
+    for (const Placement& placement : frame) {
+      if (placement.X_WB) furthest = std::max(furthest, placement.X_WB->p_WB.cwiseAbs().maxCoeff());
+    }
+  }
+  const double cell = radius > 0 ? 2 * radius : 1;
+  const Vec3 corner = Vec3::Constant(furthest + cell);
+  return std::make_unique<::fcl::SpatialHashingCollisionManager<double>>(cell, -corner, corner);
 }
 
 struct Entry {
   std::string about;
-  Manager (*make)();
+  Manager (*make)(const Scene&);
 };
 
 const std::map<std::string, Entry>& managers() {
@@ -98,7 +113,7 @@ const std::map<std::string, Entry>& managers() {
       {"sap", {"SaPCollisionManager", made<::fcl::SaPCollisionManagerd>}},
       {"ssap", {"SSaPCollisionManager", made<::fcl::SSaPCollisionManagerd>}},
       {"interval_tree", {"IntervalTreeCollisionManager", made<::fcl::IntervalTreeCollisionManagerd>}},
-      {"spatial_hash", {"SpatialHashingCollisionManager, cells of 8 m, world ±2048 m", spatial_hash}},
+      {"spatial_hash", {"SpatialHashingCollisionManager, a cell as large as the largest body", spatial_hash}},
       {"dynamic_tree", {"DynamicAABBTreeCollisionManager", made<::fcl::DynamicAABBTreeCollisionManagerd>}},
       {"dynamic_tree_array",
        {"DynamicAABBTreeCollisionManager_Array", made<::fcl::DynamicAABBTreeCollisionManager_Array<double>>}}};
@@ -113,12 +128,13 @@ std::unique_ptr<Subject> make_fcl_manager(const std::string& name) {
   Card card;
   card.name = "fcl." + name;
   card.version = FCL_VERSION;
-  card.about = found->second.about + ", FCL's own settings; setup() and update(moved) at the end of a frame";
+  card.about =
+      found->second.about + ", FCL's own settings; a frame ends with registerObjects(new), setup() and update()";
   card.homepage = "https://github.com/flexible-collision-library/fcl";
   card.deviations = {{"TS-BROAD-PHASE-2", "a rotated object's box is that of its bounding sphere",
                       "https://github.com/flexible-collision-library/fcl/issues/509"}};
   return broad_phase_subject(std::move(card), [make = found->second.make](const Scene& scene) {
-    return std::make_unique<FclWorld>(make(), scene);
+    return std::make_unique<FclWorld>(make(scene), scene);
   });
 }
 
