@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "fast/lin_canny/settle.h"
+#include "fast/lin_canny/surround.h"
 #include "fast/lin_canny/walk.h"
 
 namespace touchstone::fast::lin_canny {
@@ -45,10 +46,14 @@ Proximity proximity(const Convex& A, const Station& body_A, const Convex& B, con
   memory = walked.closest.features;
   Proximity answer;
   answer.features = memory;
-  if (walked.inside) return settle(A, body_A, B, body_B, memory);
-  const Bracket cores = bracket(placed_A, placed_B, walked.closest);
-  if (!decide(cores, A.radius + B.radius, rounding(placed_A, placed_B), answer)) {
-    return settle(A, body_A, B, body_B, memory);
+  Bracket cores;
+  if (!walked.inside) cores = bracket(placed_A, placed_B, walked.closest);
+  if (walked.inside || !decide(cores, A.radius + B.radius, rounding(placed_A, placed_B), answer)) {
+    const std::optional<Vec3> common = common_point(placed_A, placed_B);
+    if (!common) return settle(A, body_A, B, body_B, memory);
+    answer.verdict = Verdict::overlapping;
+    answer.p_WCa = answer.p_WCb = p_WO + *common;
+    return answer;
   }
   const Vec3 d = cores.b - cores.a;
   const double length = d.norm();

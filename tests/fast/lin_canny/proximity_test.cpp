@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "fast/distance.h"
+#include "fast/lin_canny/surround.h"
 #include "reference/distance.h"
 #include "tests/catch.h"
 #include "tests/fast/allocations.h"
@@ -112,6 +113,32 @@ TEST_CASE("the width of generic enclosures") {
   CHECK(widths.back() <= 53);
   INFO("median " << widths[widths.size() / 2] << ", greatest " << widths.back());
   CHECK(widths[widths.size() / 2] <= 40);
+}
+
+TEST_CASE("clear overlap is proved in doubles, by a point of both; contact and gaps never are") {
+  Dice dice(27);
+  int proved = 0;
+  int overlapping = 0;
+  for (int i = 0; i < 30 * tests::hard_families; ++i) {
+    const Scene scene = tests::hard_pair(i % tests::hard_families, dice);
+    if (scene.bodies[0].shape.index() == 3 || scene.bodies[1].shape.index() == 3) continue;
+    const Solid A(scene.bodies[0].shape);
+    const Solid B(scene.bodies[1].shape);
+    const Vec3& p_WA = scene.bodies[0].X_WB.p_WB;
+    const Placed placed_A = placed(A.parts()[0], Station(scene.bodies[0].X_WB), p_WA);
+    const Placed placed_B = placed(B.parts()[0], Station(scene.bodies[1].X_WB), p_WA);
+    const std::optional<Vec3> common = common_point(placed_A, placed_B);
+    const reference::DistanceTruth truth = reference::distance(scene);
+    overlapping += truth.certificate.cores == Verdict::overlapping;
+    if (!common) continue;
+    ++proved;
+    REQUIRE(truth.certificate.cores == Verdict::overlapping);
+    const double allowed = 256 * u * (p_WA.norm() + A.parts()[0].reach + B.parts()[0].reach);
+    REQUIRE(reference::distance_to_body(scene.bodies[0], p_WA + *common).lo <= allowed);
+    REQUIRE(reference::distance_to_body(scene.bodies[1], p_WA + *common).lo <= allowed);
+  }
+  CHECK(overlapping > 50);
+  CHECK(2 * proved > overlapping);
 }
 
 TEST_CASE("a tracked query asks for no memory") {
