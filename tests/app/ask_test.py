@@ -161,7 +161,7 @@ class Words(Test):
         self.assertIn("distance.value", properties)
         clauses = self.succeeds("list", "clauses")
         self.assertRegex(clauses, r"(?m)^TS-DISTANCE-1 ")
-        checked = set(re.findall(r"[a-z_]+\.[a-z_]+", " ".join(re.findall(r"checked by (.*)", clauses))))
+        checked = set(re.findall(r"[a-z_]+(?:\.[a-z_]+)+", " ".join(re.findall(r"checked by (.*)", clauses))))
         self.assertEqual(checked, set(properties))
         families = self.succeeds("list", "families")
         for stem in ("mass", "bounds", "broad_phase", "distance", "penetration"):
