@@ -8,6 +8,7 @@
 #include "reference/bounds.h"
 #include "reference/broad_phase.h"
 #include "tests/catch.h"
+#include "tests/fast/box_law.h"
 #include "tests/reference/hard_pairs.h"
 
 namespace touchstone::fast {
@@ -16,31 +17,7 @@ namespace {
 using reference::Rational;
 using tests::body;
 using tests::Dice;
-
-double reach(const Sphere& sphere) { return sphere.radius; }
-double reach(const Box& box) { return box.half_extents.lpNorm<1>(); }
-double reach(const Polytope& polytope) {
-  double greatest = 0;
-  for (const Vec3& v : polytope.vertices) greatest = std::max(greatest, v.lpNorm<1>());
-  return greatest;
-}
-double reach(const Compound& compound) {
-  double greatest = 0;
-  for (const Part& part : compound.parts) {
-    const double own = std::visit([](const auto& shape) { return reach(shape); }, part.shape);
-    greatest = std::max(greatest, 2 * (own + part.X_BP.p_WB.lpNorm<1>()));
-  }
-  return greatest;
-}
-
-/// 2E of fast/bounds.h, as a rational (a double's sum could overflow); 1 part in 2^40 more for the sums above.
-Rational widening(const Body& b) {
-  const double size = std::visit([](const auto& shape) { return reach(shape); }, b.shape);
-  const double parts = std::holds_alternative<Compound>(b.shape) ? 2 : 1;
-  return Rational(0x1p-48 * (1 + 0x1p-40)) *
-             (Rational(size) + Rational(parts * b.X_WB.p_WB.lpNorm<Eigen::Infinity>())) +
-         Rational(0x1p-1058);
-}
+using tests::widening;
 
 void check_law(const Scene& scene) {
   const Bounds boxes = bounds(scene);

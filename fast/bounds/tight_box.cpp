@@ -1,0 +1,69 @@
+#include "fast/bounds/tight_box.h"
+
+#include <array>
+#include <variant>
+
+#include "fast/bounds/outward.h"
+#include "fast/lin_canny/rotation.h"
+
+namespace touchstone::fast {
+namespace {
+
+using outward::Grower;
+using outward::Motion;
+
+void list_climbs(const Compound& compound, std::vector<Climb>& climbs);
+
+template <class Solid>
+void list_climbs(const Solid&, std::vector<Climb>&) {}
+
+void list_climbs(const Polytope& polytope, std::vector<Climb>& climbs) {
+  climbs.emplace_back(std::make_shared<const lin_canny::Hull>(polytope));
+}
+
+void list_climbs(const Compound& compound, std::vector<Climb>& climbs) {
+  for (const Part& part : compound.parts)
+    std::visit([&](const auto& solid) { list_climbs(solid, climbs); }, part.shape);
+}
+
+/// Posed by X; `poses` and R are the same for the climb.
+struct Stance {
+  Motion X;
+  std::span<const Pose> poses;
+  Mat3 R;
+};
+
+template <class Solid>
+void grow_next(Grower& grower, const Solid& solid, const Stance& stance, std::vector<Climb>::iterator&) {
+  grow(grower, solid, stance.X);
+}
+
+void grow_next(Grower& grower, const Polytope&, const Stance& stance, std::vector<Climb>::iterator& next) {
+  for (const int v : next->climb(stance.poses, stance.R)) grow(grower, next->hull().vertex(v), stance.X);
+  ++next;
+}
+
+void grow_next(Grower& grower, const Compound& compound, const Stance& body, std::vector<Climb>::iterator& next) {
+  for (const Part& part : compound.parts) {
+    const std::array<Pose, 2> poses{body.poses.front(), part.X_BP};
+    const Stance stance{composed(body.X, outward::motion(part.X_BP)), poses,
+                        body.R * lin_canny::rotation(part.X_BP.q_WB)};
+    std::visit([&](const auto& solid) { grow_next(grower, solid, stance, next); }, part.shape);
+  }
+}
+
+}  // namespace
+
+TightBox::TightBox(const Shape& shape) : shape_(shape) {
+  std::visit([&](const auto& solid) { list_climbs(solid, climbs_); }, shape_);
+}
+
+Aabb TightBox::at(const Pose& X_WB) {
+  const Stance stance{outward::motion(X_WB), {&X_WB, 1}, lin_canny::rotation(X_WB.q_WB)};
+  Grower grower;
+  auto next = climbs_.begin();
+  std::visit([&](const auto& solid) { grow_next(grower, solid, stance, next); }, shape_);
+  return grower.box();
+}
+
+}  // namespace touchstone::fast
