@@ -15,6 +15,7 @@
 #include "app/effort.h"
 #include "app/import.h"
 #include "app/list.h"
+#include "app/plan.h"
 #include "app/report_command.h"
 #include "app/soak.h"
 #include "app/version.h"
@@ -61,6 +62,14 @@ Examples:
 Bodies 0 and 1 are A and B. Numbers are read as the exact rationals that they are; "exact" is a rational number,
 "nearest" the double next to it, an interval [lo, hi] holds the exact value. Exit code: 0 done, 2 bad input.)";
 
+constexpr const char* plan_footer = R"(
+Examples:
+  touchstone plan docs/scenes/swarm.json
+  touchstone plan scene.json --json
+
+Few bodies are compared each with each, spheres and boxes have no vertices to climb, a scene that stands needs no memory.
+Leaving out changes no pair. Exit code: 0 done, 2 bad input.)";
+
 constexpr const char* bench_footer = R"(
 Examples:
   ./touchstone bench broad_phase                                  everything: several minutes
@@ -74,6 +83,11 @@ constexpr int largest_count = 1'000'000'000;
 
 struct Asked {
   std::string query;
+  std::string scene;
+  bool json = false;
+};
+
+struct Planned {
   std::string scene;
   bool json = false;
 };
@@ -96,6 +110,7 @@ struct Options {
   CaseCommand replay;
   CaseCommand minimise;
   Asked ask;
+  Planned plan;
   Imported import;
   std::string list;
   Soaked soak;
@@ -208,6 +223,20 @@ void add_ask(CLI::App& program, Options& options) {
   });
 }
 
+void add_plan(CLI::App& program, Options& options) {
+  auto* command =
+      program.add_subcommand("plan", "What the optimised broad phase does about a scene, what it leaves out, and why");
+  command->add_option("SCENE", options.plan.scene, "A scene file (docs/scene.schema.json)")->required();
+  command->add_flag("--json", options.plan.json, "As JSON");
+  command->footer(plan_footer);
+  command->callback([&options] {
+    options.chosen = [&] {
+      plan(options.plan.scene, options.plan.json);
+      return 0;
+    };
+  });
+}
+
 void add_import(CLI::App& program, Options& options) {
   auto* command = program.add_subcommand("import", "The convex hull of a mesh (OBJ, OFF, STL, PLY) as a scene");
   command->add_option("MESH", options.import.mesh, "A mesh file")->required();
@@ -281,8 +310,8 @@ int run_command(int argc, const char* const* argv) {
   CLI::App program("Touchstone: the reference that collision detection and impact code is tested against.",
                    "touchstone");
   Options options;
-  for (const auto add :
-       {add_report, add_check, add_replay, add_minimise, add_ask, add_import, add_list, add_soak, add_bench}) {
+  for (const auto add : {add_report, add_check, add_replay, add_minimise, add_ask, add_plan, add_import, add_list,
+                         add_soak, add_bench}) {
     add(program, options);
   }
   program.footer(program_footer);

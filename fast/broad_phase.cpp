@@ -8,9 +8,6 @@
 namespace touchstone::fast {
 namespace {
 
-/// About where a grid that is used once begins to pay.
-constexpr std::size_t few = 32;
-
 PairSet each_with_each(const Bounds& boxes) {
   PairSet pairs;
   for (std::size_t i = 0; i < boxes.size(); ++i) {
@@ -28,7 +25,7 @@ bool served(const Aabb& box) {
 }  // namespace
 
 PairSet overlapping_pairs(const Bounds& boxes) {
-  if (boxes.size() <= few || !std::ranges::all_of(boxes, served)) return each_with_each(boxes);
+  if (boxes.size() <= few_bodies || !std::ranges::all_of(boxes, served)) return each_with_each(boxes);
   WrappedGrid grid;
   for (std::size_t i = 0; i < boxes.size(); ++i) grid.insert(static_cast<BodyId>(i), boxes[i]);
   grid.update();

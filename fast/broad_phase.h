@@ -6,6 +6,9 @@
 
 namespace touchstone::fast {
 
+/// Up to here a grid costs more than each with each (measured, docs/design/broad_phase.md: they meet at 16 to 24).
+inline constexpr std::size_t few_bodies = 16;
+
 /// The pairs whose closed boxes (fast/bounds.h) share a point: every pair whose exact boxes do, and beyond those only
 /// pairs whose boxes are apart by no more than the two boxes' widening.
 PairSet broad_phase(const Scene& scene);

@@ -5,7 +5,8 @@
 #include "fast/bounds.h"
 #include "fast/broad_phase.h"
 #include "fast/distance.h"
-#include "oracle/subjects/fast_strategies.h"
+#include "fast/plan.h"
+#include "model/input_error.h"
 
 namespace touchstone::oracle::subjects {
 namespace {
@@ -15,7 +16,13 @@ class Fast : public Subject {
   const Card& card() const override { return card_; }
   Answer<Bounds> bounds(const Scene& scene) override { return fast::bounds(scene); }
   Answer<PairSet> broad_phase(const Scene& scene) override { return fast::broad_phase(scene); }
-  Answer<PairHistory> pair_history(const Scene& scene) override { return pair_history_in(default_world_, scene); }
+  Answer<PairHistory> pair_history(const Scene& scene) override {
+    try {
+      return fast::pair_history(scene, fast::plan(scene));
+    } catch (const InputError& beyond) {
+      return Abstains{beyond.what()};
+    }
+  }
   Answer<Distance> distance(const Scene& scene) override {
     try {
       return fast::distance(scene);
@@ -25,13 +32,12 @@ class Fast : public Subject {
   }
 
  private:
-  const MakeWorld default_world_ = world_of_fast_strategy("wrapped_grid");
   const Card card_{
       .name = "fast",
       .version = "0.1.0",
       .answers = {"bounds", "broad_phase", "pair_history", "distance"},
       .knows_touching = true,
-      .about = "Touchstone's optimised algorithms, default strategy; Lin-Canny from a corner, exact verdicts",
+      .about = "Touchstone's optimised algorithms, as planned for each film; Lin-Canny from a corner, exact verdicts",
       .homepage = "",
       .deviations = {}};
 };

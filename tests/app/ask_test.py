@@ -143,7 +143,7 @@ class Words(Test):
         run = ["--subjects", "--stems", "--properties", "--cases", "--effort", "quick", "standard", "soak", "--seed",
                "--jobs", "--out", "--json", "--junit", "--time-limit", "--meshes"]
         expected = {"report": run, "check": run, "replay": ["CASE", "--subject", "--json"],
-                    "minimise": ["CASE", "--subject", "--budget", "--out"], "ask": ["QUERY", "SCENE", "--json", "distance"],
+                    "minimise": ["CASE", "--subject", "--budget", "--out"], "ask": ["QUERY", "SCENE", "--json", "distance"], "plan": ["SCENE", "--json"],
                     "import": ["MESH", "--out"], "list": ["subjects", "properties", "clauses", "families"],
                     "soak": ["--pairs", "--seed", "--jobs"]}
         overview = self.succeeds("--help")

@@ -1,0 +1,50 @@
+#include "app/plan.h"
+
+#include <fmt/format.h>
+
+#include "fast/plan.h"
+#include "model/input_error.h"
+#include "model/json.h"
+#include "reference/validity.h"
+
+namespace touchstone::app {
+namespace {
+
+Scene completed(const std::string& path) {
+  try {
+    return reference::completed(read_scene(path));
+  } catch (const InputError& error) {
+    throw InputError(path, error.what());
+  }
+}
+
+Json json_of(const std::vector<fast::Choice>& choices) {
+  Json list = Json::array();
+  for (const auto& [what, why] : choices) list.push_back({{"what", what}, {"why", why}});
+  return list;
+}
+
+void print(const char* title, const std::vector<fast::Choice>& choices) {
+  if (choices.empty()) return;
+  fmt::print("{}\n", title);
+  for (const auto& [what, why] : choices) fmt::print("  {}: {}\n", what, why);
+}
+
+}  // namespace
+
+void plan(const std::string& scene_path, bool as_json) {
+  const Scene scene = completed(scene_path);
+  const fast::Plan plan = fast::plan(scene);
+  if (as_json) {
+    const Json json = {{"scene", scene.name},
+                       {"strategy", plan.strategy},
+                       {"used", json_of(plan.used)},
+                       {"left_out", json_of(plan.left_out)}};
+    fmt::print("{}", text_of(json));
+    return;
+  }
+  print("used", plan.used);
+  print("left out", plan.left_out);
+}
+
+}  // namespace touchstone::app

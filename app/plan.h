@@ -1,0 +1,11 @@
+// What the optimised broad phase does about a scene, and what it leaves out.
+#pragma once
+
+#include <string>
+
+namespace touchstone::app {
+
+/// Reads the scene, prints the plan to stdout, as words or as JSON. Throws InputError.
+void plan(const std::string& scene_path, bool as_json);
+
+}  // namespace touchstone::app
