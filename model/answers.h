@@ -1,6 +1,7 @@
 // What a subject answers: one plain type a stem, wrapped in Answer<T> = T | Abstains | Breaks.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <utility>
@@ -65,6 +66,40 @@ using Bounds = std::vector<Aabb>;
 
 /// One entry a body, in the scene's order; a fixed body has none.
 using Masses = std::vector<std::optional<MassProperties>>;
+
+/// "What does the impact at the scene's contact do?"
+struct Impulse {
+  std::array<Velocity, 2> after;  ///< of bodies 0 (A) and 1 (B)
+  std::optional<Vec3> P_A_W;      ///< impulse on A at C (N s); B takes its opposite
+  std::optional<double>
+      error;  ///< claimed: sqrt((P − P*)ᵀ K (P − P*)) is at most this (sqrt(J)), K as in docs/spec/impulse.md
+  std::optional<double> ambiguous;  ///< the law itself jumps within this relative distance of the scene
+
+  bool operator==(const Impulse&) const = default;
+};
+
+/// Pixels of a raster: a string a row, the lowest first; '1' for a pixel that is in, '0' for one that is not.
+using Mask = std::vector<std::string>;
+
+/// Of two masks, the second moved by the raster's shift: how many pixels are in both, and the first of them by row,
+/// then column.
+struct MaskOverlap {
+  int count = 0;
+  std::optional<std::pair<int, int>> first;  ///< column, row
+
+  bool operator==(const MaskOverlap&) const = default;
+};
+
+/// "Which pixels of the raster do the bodies cover, and in which do bodies 0 (A) and 1 (B) meet?" Bodies are closed.
+struct Pixels {
+  std::vector<Mask> sampled;       ///< by body: the pixel's centre is in its picture
+  std::vector<Mask> conservative;  ///< by body: holds every pixel whose closed square meets its picture
+  MaskOverlap overlap;             ///< of A's and B's sampled masks
+  Mask meet_sampled;               ///< A and B share a point above the pixel's centre
+  Mask meet_conservative;          ///< holds every pixel above whose closed square A and B share a point
+
+  bool operator==(const Pixels&) const = default;
+};
 
 /// The subject does not answer this; never a pass.
 struct Abstains {

@@ -18,6 +18,7 @@ namespace touchstone {
 using Json = nlohmann::ordered_json;
 
 Json json_of(const Vec3& v);
+Json json_of(const Velocity& velocity);
 Json json_of(const Scene& scene);
 Json json_of(const Masses& answer);
 Json json_of(const Bounds& answer);
@@ -25,6 +26,8 @@ Json json_of(const PairSet& answer);
 Json json_of(const PairHistory& answer);
 Json json_of(const Distance& answer);
 Json json_of(const Penetration& answer);
+Json json_of(const Impulse& answer);
+Json json_of(const Pixels& answer);
 
 /// T is any type that json_of writes. `place` is the JSON path that messages start with. Throws InputError.
 template <class T>
@@ -45,6 +48,10 @@ template <>
 Distance read<Distance>(const Json& json, const std::string& place);
 template <>
 Penetration read<Penetration>(const Json& json, const std::string& place);
+template <>
+Impulse read<Impulse>(const Json& json, const std::string& place);
+template <>
+Pixels read<Pixels>(const Json& json, const std::string& place);
 
 /// Parses text; an InputError says the line and column. `place` is the file's name or the like.
 Json parse(std::string_view text, const std::string& place);
@@ -59,8 +66,8 @@ Scene scene_from(std::string_view text, const std::string& place);
 std::string read_text(const std::string& path);
 Scene read_scene(const std::string& path);
 
-/// Writes beside `path` and renames: a reader sees the old file or the whole new one, never a part. Throws InputError, and
-/// the old file stays. (A device or a pipe is written in place.)
+/// Writes beside `path` and renames: a reader sees the old file or the whole new one, never a part. Throws InputError,
+/// and the old file stays. (A device or a pipe is written in place.)
 void write_text(const std::string& path, std::string_view text);
 
 }  // namespace touchstone

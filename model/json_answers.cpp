@@ -68,6 +68,21 @@ PairSet read_pairs(const Node& node) {
   return pairs;
 }
 
+Mask read_mask(const Node& node) {
+  Mask mask;
+  for (int i = 0; i < node.size(); ++i) {
+    mask.push_back(node[i].text());
+    if (mask.back().find_first_not_of("01") != std::string::npos) node[i].refuse("expected nothing but 0 and 1");
+  }
+  return mask;
+}
+
+std::vector<Mask> read_masks(const Node& node) {
+  std::vector<Mask> masks;
+  for (int i = 0; i < node.size(); ++i) masks.push_back(read_mask(node[i]));
+  return masks;
+}
+
 template <class T>
 void read_if_said(const Node& node, const char* key, T (*read_value)(const Node&), std::optional<T>& value) {
   if (const auto said = node.find(key)) value = read_value(*said);
@@ -91,7 +106,16 @@ MassProperties read_mass_properties(const Node& node) {
   return {node.at("mass").number(), read_vec3(node.at("p_BBcm")), read_mat3(node.at("I_BBcm_B"))};
 }
 
+Velocity read_velocity(const Node& node) {
+  node.expect_object({"v_WBcm", "w_WB"});
+  return {read_vec3(node.at("v_WBcm")), read_vec3(node.at("w_WB"))};
+}
+
 Json json_of(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
+
+Json json_of(const Velocity& velocity) {
+  return {{"v_WBcm", json_of(velocity.v_WBcm)}, {"w_WB", json_of(velocity.w_WB)}};
+}
 
 Json json_of(const Masses& answer) {
   Json json = Json::array();
@@ -139,6 +163,24 @@ Json json_of(const Penetration& answer) {
   write_if_said(json, "depth", answer.depth);
   write_if_said(json, "nhat_BA_W", answer.nhat_BA_W);
   return json;
+}
+
+Json json_of(const Impulse& answer) {
+  Json json = {{"after", {json_of(answer.after[0]), json_of(answer.after[1])}}};
+  write_if_said(json, "P_A_W", answer.P_A_W);
+  write_if_said(json, "error", answer.error);
+  write_if_said(json, "ambiguous", answer.ambiguous);
+  return json;
+}
+
+Json json_of(const Pixels& answer) {
+  Json overlap = {{"count", answer.overlap.count}};
+  if (answer.overlap.first) overlap["first"] = {answer.overlap.first->first, answer.overlap.first->second};
+  return {{"sampled", answer.sampled},
+          {"conservative", answer.conservative},
+          {"overlap", std::move(overlap)},
+          {"meet_sampled", answer.meet_sampled},
+          {"meet_conservative", answer.meet_conservative}};
 }
 
 template <>
@@ -212,6 +254,38 @@ Penetration read<Penetration>(const Json& json, const std::string& place) {
   read_if_said(node, "verdict", read_verdict, answer.verdict);
   read_if_said(node, "depth", read_number, answer.depth);
   read_if_said(node, "nhat_BA_W", read_vec3, answer.nhat_BA_W);
+  return answer;
+}
+
+template <>
+Impulse read<Impulse>(const Json& json, const std::string& place) {
+  const Node node(json, place);
+  node.expect_object({"after", "P_A_W", "error", "ambiguous"});
+  const Node after = node.at("after");
+  after.expect_size(2);
+  Impulse answer{{read_velocity(after[0]), read_velocity(after[1])}, {}, {}, {}};
+  read_if_said(node, "P_A_W", read_vec3, answer.P_A_W);
+  read_if_said(node, "error", read_number, answer.error);
+  read_if_said(node, "ambiguous", read_number, answer.ambiguous);
+  return answer;
+}
+
+template <>
+Pixels read<Pixels>(const Json& json, const std::string& place) {
+  const Node node(json, place);
+  node.expect_object({"sampled", "conservative", "overlap", "meet_sampled", "meet_conservative"});
+  Pixels answer;
+  answer.sampled = read_masks(node.at("sampled"));
+  answer.conservative = read_masks(node.at("conservative"));
+  const Node overlap = node.at("overlap");
+  overlap.expect_object({"count", "first"});
+  answer.overlap.count = overlap.at("count").index();
+  if (const auto first = overlap.find("first")) {
+    first->expect_size(2);
+    answer.overlap.first = {(*first)[0].index(), (*first)[1].index()};
+  }
+  answer.meet_sampled = read_mask(node.at("meet_sampled"));
+  answer.meet_conservative = read_mask(node.at("meet_conservative"));
   return answer;
 }
 

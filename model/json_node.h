@@ -1,4 +1,5 @@
-// A JSON value together with the way to it, so that every complaint names the place. Other readers (the pipe, cases) use it too.
+// A JSON value together with the way to it, so that every complaint names the place. Other readers (the pipe, cases)
+// use it too.
 #pragma once
 
 #include <initializer_list>
@@ -27,6 +28,7 @@ class Node {
   Node operator[](int index) const { return Node(json_[static_cast<std::size_t>(index)], this, {}, index); }
 
   bool is_null() const { return json_.is_null(); }
+  bool is_text() const { return json_.is_string(); }
   double number() const;  ///< an integer counts when a double holds it exactly
   int index() const;      ///< an integer from 0 to the greatest int
   std::string text() const;
@@ -49,5 +51,6 @@ class Node {
 Vec3 read_vec3(const Node& node);
 Mat3 read_mat3(const Node& node);
 MassProperties read_mass_properties(const Node& node);
+Velocity read_velocity(const Node& node);
 
 }  // namespace touchstone

@@ -1,4 +1,8 @@
 // Scenes as JSON: docs/scene.schema.json in code.
+#include <array>
+#include <cmath>
+#include <limits>
+
 #include "model/json_node.h"
 #include "model/limits.h"
 
@@ -8,6 +12,9 @@ namespace {
 using touchstone::json_of;
 
 constexpr const char* scene_format = "scene/1";
+constexpr const char* sticking = "sticking";
+constexpr std::array<std::pair<Law, const char*>, 3> law_words = {
+    {{Law::poisson, "poisson"}, {Law::stronge, "stronge"}, {Law::newton, "newton"}}};
 
 Json json_of(const Quaternion& q) { return {{"w", q.w}, {"x", q.x}, {"y", q.y}, {"z", q.z}}; }
 Json json_of(const Pose& X) { return {{"p", json_of(X.p_WB)}, {"q", json_of(X.q_WB)}}; }
@@ -46,7 +53,7 @@ Json json_of(const Body& body) {
   if (!body.name.empty()) json["name"] = body.name;
   json["shape"] = std::visit([](const auto& kind) { return json_of(kind); }, body.shape);
   json["X_WB"] = json_of(body.X_WB);
-  json["velocity"] = {{"v_WBcm", json_of(body.velocity.v_WBcm)}, {"w_WB", json_of(body.velocity.w_WB)}};
+  json["velocity"] = json_of(body.velocity);
   json["material"] = {{"restitution", body.material.restitution}, {"friction", body.material.friction}};
   json["mass"] = std::visit([](const auto& kind) { return json_of(kind); }, body.mass);
   return json;
@@ -54,6 +61,20 @@ Json json_of(const Body& body) {
 
 Json json_of(const Placement& placement) {
   return {{"body", placement.body}, {"X_WB", placement.X_WB ? json_of(*placement.X_WB) : Json()}};
+}
+
+Json json_of(const Contact& contact) {
+  return {{"p_WC", json_of(contact.p_WC)},
+          {"nhat_BA_W", json_of(contact.nhat_BA_W)},
+          {"law", law_words[static_cast<std::size_t>(contact.law)].second},
+          {"restitution", contact.restitution},
+          {"friction", std::isinf(contact.friction) ? Json(sticking) : Json(contact.friction)}};
+}
+
+Json json_of(const Raster& raster) {
+  return {{"x", raster.x},         {"y", raster.y},
+          {"pixel", raster.pixel}, {"columns", raster.columns},
+          {"rows", raster.rows},   {"shift", {raster.shift_x, raster.shift_y}}};
 }
 
 Quaternion read_quaternion(const Node& node) {
@@ -123,11 +144,6 @@ Shape read_shape(const Node& node) {
   node.at("type").refuse("expected \"sphere\", \"box\", \"polytope\" or \"compound\", found " + Json(type).dump());
 }
 
-Velocity read_velocity(const Node& node) {
-  node.expect_object({"v_WBcm", "w_WB"});
-  return {read_vec3(node.at("v_WBcm")), read_vec3(node.at("w_WB"))};
-}
-
 Material read_material(const Node& node) {
   node.expect_object({"restitution", "friction"});
   return {node.at("restitution").number(), node.at("friction").number()};
@@ -176,6 +192,53 @@ Frame read_frame(const Node& node) {
   return frame;
 }
 
+Law read_law(const Node& node) {
+  const std::string word = node.text();
+  for (const auto& [law, name] : law_words) {
+    if (word == name) return law;
+  }
+  node.refuse("expected \"poisson\", \"stronge\" or \"newton\", found " + Json(word).dump());
+}
+
+double read_friction(const Node& node) {
+  if (!node.is_text()) return node.number();
+  if (node.text() != sticking) node.refuse("expected a number or \"sticking\", found " + Json(node.text()).dump());
+  return std::numeric_limits<double>::infinity();
+}
+
+Contact read_contact(const Node& node) {
+  node.expect_object({"p_WC", "nhat_BA_W", "law", "restitution", "friction"});
+  Contact contact;
+  contact.p_WC = read_vec3(node.at("p_WC"));
+  contact.nhat_BA_W = read_vec3(node.at("nhat_BA_W"));
+  if (const auto law = node.find("law")) contact.law = read_law(*law);
+  contact.restitution = node.at("restitution").number();
+  contact.friction = read_friction(node.at("friction"));
+  return contact;
+}
+
+int read_whole(const Node& node) {
+  const double number = node.number();
+  if (number != std::trunc(number) || std::abs(number) > 1e9) node.refuse("expected an integer of at most 1e9");
+  return static_cast<int>(number);
+}
+
+Raster read_raster(const Node& node) {
+  node.expect_object({"x", "y", "pixel", "columns", "rows", "shift"});
+  Raster raster;
+  raster.x = node.at("x").number();
+  raster.y = node.at("y").number();
+  raster.pixel = node.at("pixel").number();
+  raster.columns = node.at("columns").index();
+  raster.rows = node.at("rows").index();
+  if (const auto shift = node.find("shift")) {
+    shift->expect_size(2);
+    raster.shift_x = read_whole((*shift)[0]);
+    raster.shift_y = read_whole((*shift)[1]);
+  }
+  return raster;
+}
+
 }  // namespace
 
 Json json_of(const Scene& scene) {
@@ -189,13 +252,15 @@ Json json_of(const Scene& scene) {
     for (const Placement& placement : frame) placements.push_back(json_of(placement));
     json["frames"].push_back(std::move(placements));
   }
+  if (scene.contact) json["contact"] = json_of(*scene.contact);
+  if (scene.raster) json["raster"] = json_of(*scene.raster);
   return json;
 }
 
 template <>
 Scene read<Scene>(const Json& json, const std::string& place) {
   const Node node(json, place);
-  node.expect_object({"touchstone", "name", "gravity", "bodies", "frames"});
+  node.expect_object({"touchstone", "name", "gravity", "bodies", "frames", "contact", "raster"});
   const std::string format = node.at("touchstone").text();
   if (format != scene_format) {
     node.at("touchstone").refuse("expected \"" + std::string(scene_format) + "\", found " + Json(format).dump());
@@ -208,6 +273,8 @@ Scene read<Scene>(const Json& json, const std::string& place) {
   if (const auto frames = node.find("frames")) {
     for (int i = 0; i < frames->size(); ++i) scene.frames.push_back(read_frame((*frames)[i]));
   }
+  if (const auto contact = node.find("contact")) scene.contact = read_contact(*contact);
+  if (const auto raster = node.find("raster")) scene.raster = read_raster(*raster);
   return scene;
 }
 

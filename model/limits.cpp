@@ -123,11 +123,13 @@ void validate(const MassProperties& given, const std::string& place) {
   validate_inertia(given.I_BBcm_B, place + ".I_BBcm_B");
 }
 
+void validate_restitution(double e, const std::string& place) {
+  finite(e, place);
+  if (e < 0 || e > 1) throw InputError(place, "expected a number from 0 to 1");
+}
+
 void validate(const Material& material, const std::string& place) {
-  finite(material.restitution, place + ".restitution");
-  if (material.restitution < 0 || material.restitution > 1) {
-    throw InputError(place + ".restitution", "expected a number from 0 to 1");
-  }
+  validate_restitution(material.restitution, place + ".restitution");
   finite(material.friction, place + ".friction");
   if (material.friction < 0) throw InputError(place + ".friction", "expected a number that is not negative");
 }
@@ -160,6 +162,45 @@ void validate(const Frame& frame, std::vector<bool>& there, const std::string& p
   }
 }
 
+/// A normal n/|n| rounded to doubles has | |n|² − 1 | < 2⁻⁵⁰ with room to spare: 3 components, each off by at most 2⁻⁵³
+/// relatively after a square root and a division.
+void validate_normal(const Vec3& n, const std::string& place) {
+  finite(n, place);
+  if (n == Vec3::Zero()) throw InputError(place, "zero; expected a direction of length 1");
+  const double length = n.stableNorm();
+  if (std::abs(length - 1) > std::ldexp(1.0, -50)) {
+    throw InputError(place, "of length " + std::to_string(length) + "; expected 1 (within rounding)");
+  }
+}
+
+void validate(const Contact& contact, const Scene& scene, const std::string& place) {
+  if (scene.bodies.size() != 2) {
+    throw InputError(place, "expected two bodies, found " + std::to_string(scene.bodies.size()));
+  }
+  finite(contact.p_WC, place + ".p_WC");
+  validate_normal(contact.nhat_BA_W, place + ".nhat_BA_W");
+  validate_restitution(contact.restitution, place + ".restitution");
+  const double mu = contact.friction;
+  if (std::isnan(mu)) throw InputError(place + ".friction", "NaN; expected a number");
+  if (mu < 0) throw InputError(place + ".friction", "expected a number that is not negative");
+  const auto is_fixed = [](const Body& body) { return std::holds_alternative<Fixed>(body.mass); };
+  if (is_fixed(scene.bodies[0]) && is_fixed(scene.bodies[1])) {
+    throw InputError(place, "both bodies are fixed; expected one that an impulse moves");
+  }
+}
+
+void validate(const Raster& raster, const std::string& place) {
+  finite(raster.x, place + ".x");
+  finite(raster.y, place + ".y");
+  positive(raster.pixel, place + ".pixel");
+  if (raster.columns < 1) throw InputError(place + ".columns", "expected at least 1");
+  if (raster.rows < 1) throw InputError(place + ".rows", "expected at least 1");
+  constexpr int most = 1 << 24;  // pixels: an answer of some 100 MB
+  if (raster.columns > most / raster.rows) {
+    throw InputError(place, "expected at most " + std::to_string(most) + " pixels");
+  }
+}
+
 }  // namespace
 
 void validate(const Scene& scene) {
@@ -167,6 +208,8 @@ void validate(const Scene& scene) {
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) validate(scene.bodies[i], item("bodies", i));
   std::vector<bool> there(scene.bodies.size(), false);
   for (std::size_t i = 0; i < scene.frames.size(); ++i) validate(scene.frames[i], there, item("frames", i));
+  if (scene.contact) validate(*scene.contact, scene, "contact");
+  if (scene.raster) validate(*scene.raster, "raster");
 }
 
 }  // namespace touchstone

@@ -74,6 +74,38 @@ struct Placement {
 /// Each body at most once; whom it does not name stays as it is.
 using Frame = std::vector<Placement>;
 
+/// How restitution is ruled. P_n: normal impulse, u_n: normal velocity of A's point against B's, W_n: work of P_n.
+enum class Law {
+  poisson,  ///< P_n of restitution = e · P_n of compression
+  stronge,  ///< W_n of restitution = −e² · W_n of compression
+  newton    ///< u_n after = −e · u_n before; with friction it can create energy
+};
+
+/// An impact at one point: bodies 0 (A) and 1 (B) meet at C.
+struct Contact {
+  Vec3 p_WC = Vec3::Zero();        ///< m
+  Vec3 nhat_BA_W = Vec3(0, 0, 1);  ///< from B to A; of length 1 within rounding, read as n/|n| exactly
+  Law law = Law::poisson;
+  double restitution = 0;  ///< e in [0, 1]
+  double friction = 0;     ///< mu ≥ 0; infinity: sticks
+
+  bool operator==(const Contact& other) const {
+    return p_WC == other.p_WC && nhat_BA_W == other.nhat_BA_W && law == other.law && restitution == other.restitution &&
+           friction == other.friction;
+  }
+};
+
+/// A picture's grid in W's xy-plane, looked at along −z without perspective: square (i, j), column i of row j, is
+/// [x + i·pixel, x + (i+1)·pixel] × [y + j·pixel, y + (j+1)·pixel].
+struct Raster {
+  double x = 0, y = 0;  ///< m
+  double pixel = 1;     ///< side of a square (m), > 0
+  int columns = 1, rows = 1;
+  int shift_x = 0, shift_y = 0;  ///< whole pixels by which B's picture is moved before it is laid over A's
+
+  bool operator==(const Raster&) const = default;
+};
+
 struct Scene {
   std::string name;
   std::vector<Body> bodies;
@@ -83,8 +115,12 @@ struct Scene {
   /// Other queries do not see it.
   std::vector<Frame> frames = {};
 
+  std::optional<Contact> contact = {};  ///< for queries about an impact
+  std::optional<Raster> raster = {};    ///< for queries about pixels
+
   bool operator==(const Scene& other) const {
-    return name == other.name && bodies == other.bodies && gravity == other.gravity && frames == other.frames;
+    return name == other.name && bodies == other.bodies && gravity == other.gravity && frames == other.frames &&
+           contact == other.contact && raster == other.raster;
   }
 };
 

@@ -85,6 +85,11 @@ bool finite(const Distance& answer) {
   return finite(answer.distance) && finite(answer.p_WCa) && finite(answer.p_WCb) && finite(answer.enclosure);
 }
 bool finite(const Penetration& answer) { return finite(answer.depth) && finite(answer.nhat_BA_W); }
+bool finite(const Impulse& answer) {
+  return finite(answer.P_A_W) && finite(answer.error) && finite(answer.ambiguous) &&
+         std::ranges::all_of(answer.after, [](const Velocity& v) { return finite(v.v_WBcm) && finite(v.w_WB); });
+}
+bool finite(const Pixels&) { return true; }
 
 Finding holds() { return {}; }
 

@@ -18,6 +18,8 @@ bool finite(const PairSet& answer);
 bool finite(const PairHistory& answer);
 bool finite(const Distance& answer);
 bool finite(const Penetration& answer);
+bool finite(const Impulse& answer);
+bool finite(const Pixels& answer);
 
 /// A bound and the unit that errors against it are counted in.
 struct Allowance {

@@ -46,6 +46,8 @@ Answer<PairSet> PipeSubject::broad_phase(const Scene& scene) { return ask<PairSe
 Answer<PairHistory> PipeSubject::pair_history(const Scene& scene) { return ask<PairHistory>("pair_history", scene); }
 Answer<Distance> PipeSubject::distance(const Scene& scene) { return ask<Distance>("distance", scene); }
 Answer<Penetration> PipeSubject::penetration(const Scene& scene) { return ask<Penetration>("penetration", scene); }
+Answer<Impulse> PipeSubject::impulse(const Scene& scene) { return ask<Impulse>("impulse", scene); }
+Answer<Pixels> PipeSubject::pixel(const Scene& scene) { return ask<Pixels>("pixel", scene); }
 
 void PipeSubject::restart() {
   if (child_) child_->say(protocol::stop(++seq_));

@@ -35,6 +35,8 @@ class PipeSubject : public Subject {
   Answer<PairHistory> pair_history(const Scene& scene) override;
   Answer<Distance> distance(const Scene& scene) override;
   Answer<Penetration> penetration(const Scene& scene) override;
+  Answer<Impulse> impulse(const Scene& scene) override;
+  Answer<Pixels> pixel(const Scene& scene) override;
 
   /// Ends the process; the next question is asked of a fresh one.
   void restart();

@@ -168,5 +168,7 @@ template Answer<PairSet> read_answer<PairSet>(std::string_view, Seq);
 template Answer<PairHistory> read_answer<PairHistory>(std::string_view, Seq);
 template Answer<Distance> read_answer<Distance>(std::string_view, Seq);
 template Answer<Penetration> read_answer<Penetration>(std::string_view, Seq);
+template Answer<Impulse> read_answer<Impulse>(std::string_view, Seq);
+template Answer<Pixels> read_answer<Pixels>(std::string_view, Seq);
 
 }  // namespace touchstone::oracle::protocol

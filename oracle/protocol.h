@@ -19,7 +19,8 @@ struct Request {
   enum class Op { start, ask, stop };
   Op op = Op::start;
   Seq seq = 0;
-  std::string query;  ///< of ask: "mass", "bounds", "broad_phase", "pair_history", "distance", "penetration"
+  std::string query;  ///< of ask: "mass", "bounds", "broad_phase", "pair_history", "distance", "penetration",
+                      ///< "impulse", "pixel"
   Scene scene;
 };
 

@@ -58,6 +58,8 @@ std::string answer_to(const protocol::Request& request, Subject& subject) try {
   if (request.query == "pair_history") return answered(&Subject::pair_history);
   if (request.query == "distance") return answered(&Subject::distance);
   if (request.query == "penetration") return answered(&Subject::penetration);
+  if (request.query == "impulse") return answered(&Subject::impulse);
+  if (request.query == "pixel") return answered(&Subject::pixel);
   return protocol::answer(request.seq, Abstains{"no " + request.query + " query"});
 } catch (const std::exception& error) {
   return protocol::answer(request.seq, Breaks{Breaks::Kind::threw, error.what()});

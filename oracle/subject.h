@@ -43,6 +43,8 @@ class Subject {
   virtual Answer<PairHistory> pair_history(const Scene&) { return Abstains{"no broad phase over frames"}; }
   virtual Answer<Distance> distance(const Scene&) { return Abstains{"no distance query"}; }
   virtual Answer<Penetration> penetration(const Scene&) { return Abstains{"no penetration query"}; }
+  virtual Answer<Impulse> impulse(const Scene&) { return Abstains{"no impulse query"}; }
+  virtual Answer<Pixels> pixel(const Scene&) { return Abstains{"no pixel query"}; }
 };
 
 }  // namespace touchstone::oracle

@@ -33,6 +33,8 @@ class Liar : public Subject {
   Answer<Penetration> penetration(const Scene& scene) override {
     return told(scene, &Subject::penetration, lies_.penetration);
   }
+  Answer<Impulse> impulse(const Scene& scene) override { return told(scene, &Subject::impulse, lies_.impulse); }
+  Answer<Pixels> pixel(const Scene& scene) override { return told(scene, &Subject::pixel, lies_.pixel); }
 
  private:
   template <class T>

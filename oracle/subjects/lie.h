@@ -21,6 +21,8 @@ struct Lies {
   Lie<PairHistory> pair_history;
   Lie<Distance> distance;
   Lie<Penetration> penetration;
+  Lie<Impulse> impulse;
+  Lie<Pixels> pixel;
   bool two_valued = false;  ///< does not know touching
   bool breaks = false;      ///< answers every query by Breaks
 };

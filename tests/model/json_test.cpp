@@ -63,6 +63,8 @@ TEST_CASE("answers survive text") {
     CHECK(through_text(distance) == distance);
     const Penetration penetration{static_cast<Verdict>(i % 3), bits.finite(), bits.vec3()};
     CHECK(through_text(penetration) == penetration);
+    const Impulse impulse{{tests::random_velocity(bits), tests::random_velocity(bits)}, bits.vec3(), bits.finite(), {}};
+    CHECK(through_text(impulse) == impulse);
     const Bounds bounds{{bits.vec3(), bits.vec3()}, {bits.vec3(), bits.vec3()}};
     CHECK(through_text(bounds) == bounds);
     const Masses masses{tests::random_mass_properties(bits), std::nullopt};
@@ -78,6 +80,10 @@ TEST_CASE("answers survive text") {
   const PairHistory history{{{{0, 1}}, PairSet{{0, 1}}, PairSet{}}, {{}, {}, {}}, {{{1, 2}}, {}, PairSet{{0, 2}}}};
   CHECK(through_text(history) == history);
   CHECK(through_text(PairHistory{}).empty());
+  const Mask mask{"010", "111"};
+  const Pixels pixels{{mask, mask}, {mask}, {4, std::pair{1, 0}}, mask, {"000", "000"}};
+  CHECK(through_text(pixels) == pixels);
+  CHECK(through_text(Pixels{}) == Pixels{});
 }
 
 TEST_CASE("what is not an answer is refused by place") {
@@ -102,6 +108,9 @@ TEST_CASE("what is not an answer is refused by place") {
   CHECK(complaint<PairHistory>(R"([{"begun": []}])") == "result[0]: the key \"pairs\" is missing");
   CHECK(complaint<PairHistory>(R"([{"pairs": [], "ended": [[1, 0]]}])") ==
         "result[0].ended[0]: expected the smaller index first");
+  CHECK(complaint<Impulse>("{}") == "result: the key \"after\" is missing");
+  CHECK(complaint<Impulse>(R"({"after": []})") == "result.after: expected 2 items, found 0");
+  CHECK(complaint<Pixels>(R"({"sampled": [["012"]]})").starts_with("result"));
   CHECK(complaint<PairSet>("[[0, 1.5]]") == "result[0][1]: expected an integer, found 1.5");
   CHECK(complaint<PairSet>("[[0, 4294967297]]") ==
         "result[0][1]: expected an integer from 0 to 2147483647, found 4294967297");

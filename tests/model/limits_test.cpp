@@ -113,5 +113,44 @@ TEST_CASE("a thin plate's inertia is a limit case and legal, turned or not") {
   CHECK(complaint([&](Body& b) { b.mass = MassProperties{1, Vec3::Zero(), plate}; }) != "accepted");
 }
 
+/// `spoil` gets the contact of two balls.
+template <class Spoil>
+std::string impact_complaint(Spoil spoil) {
+  Scene scene;
+  for (int i = 0; i < 2; ++i) scene.bodies.emplace_back().shape = Sphere{1};
+  scene.contact = Contact{};
+  spoil(scene);
+  try {
+    validate(scene);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST_CASE("an impact that has no meaning is refused by place") {
+  CHECK(impact_complaint([](Scene&) {}) == "accepted");
+  CHECK(impact_complaint([](Scene& s) { s.contact->friction = inf; }) == "accepted");
+  CHECK(impact_complaint([](Scene& s) { s.contact->nhat_BA_W = Vec3(1, 2, 3).normalized(); }) == "accepted");
+  CHECK(impact_complaint([](Scene& s) { s.contact->nhat_BA_W = Vec3(0, 0, 0); }) ==
+        "contact.nhat_BA_W: zero; expected a direction of length 1");
+  CHECK(impact_complaint([](Scene& s) { s.contact->nhat_BA_W = Vec3(0, 0, 2); }) ==
+        "contact.nhat_BA_W: of length 2.000000; expected 1 (within rounding)");
+  CHECK(impact_complaint([](Scene& s) { s.contact->nhat_BA_W = Vec3(0, nan, 1); }) ==
+        "contact.nhat_BA_W[1]: NaN; expected a finite number");
+  CHECK(impact_complaint([](Scene& s) { s.contact->p_WC[2] = nan; }) ==
+        "contact.p_WC[2]: NaN; expected a finite number");
+  CHECK(impact_complaint([](Scene& s) { s.contact->restitution = 1.5; }) ==
+        "contact.restitution: expected a number from 0 to 1");
+  CHECK(impact_complaint([](Scene& s) { s.contact->restitution = nan; }) ==
+        "contact.restitution: NaN; expected a finite number");
+  CHECK(impact_complaint([](Scene& s) { s.contact->friction = -1; }) ==
+        "contact.friction: expected a number that is not negative");
+  CHECK(impact_complaint([](Scene& s) { s.contact->friction = nan; }) == "contact.friction: NaN; expected a number");
+  CHECK(impact_complaint([](Scene& s) { s.bodies[0].mass = s.bodies[1].mass = Fixed{}; }) ==
+        "contact: both bodies are fixed; expected one that an impulse moves");
+  CHECK(impact_complaint([](Scene& s) { s.bodies.pop_back(); }) == "contact: expected two bodies, found 1");
+}
+
 }  // namespace
 }  // namespace touchstone

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 #include "model/scene.h"
 
@@ -79,6 +80,8 @@ inline Mass random_mass(Bits& bits) {
   }
 }
 
+inline Velocity random_velocity(Bits& bits) { return {bits.vec3(), bits.vec3()}; }
+
 /// Well formed, but a valid scene only by luck.
 inline Scene random_scene(std::uint64_t seed) {
   Bits bits(seed);
@@ -87,7 +90,7 @@ inline Scene random_scene(std::uint64_t seed) {
     scene.bodies.push_back({bits.below(2) ? "" : "body",
                             random_shape(bits),
                             random_pose(bits),
-                            {bits.vec3(), bits.vec3()},
+                            random_velocity(bits),
                             {bits.finite(), bits.finite()},
                             random_mass(bits)});
   }
@@ -96,6 +99,14 @@ inline Scene random_scene(std::uint64_t seed) {
     for (int body = 0; body < static_cast<int>(scene.bodies.size()); ++body) {
       if (bits.below(3)) frame.push_back({body, bits.below(4) ? std::optional(random_pose(bits)) : std::nullopt});
     }
+  }
+  if (bits.below(2)) {
+    scene.contact = {bits.vec3(), bits.vec3(), static_cast<Law>(bits.below(3)), bits.finite(),
+                     bits.below(4) ? bits.finite() : std::numeric_limits<double>::infinity()};
+  }
+  if (bits.below(2)) {
+    scene.raster = {bits.finite(),  bits.finite(),       bits.finite(),      bits.below(99),
+                    bits.below(99), bits.below(99) - 50, bits.below(99) - 50};
   }
   return scene;
 }

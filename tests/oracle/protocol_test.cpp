@@ -58,7 +58,8 @@ std::vector<std::string> conversation(const std::vector<std::string>& command) {
   };
   protocol::Seq seq = 0;
   exchange(protocol::start(++seq));
-  for (const char* query : {"mass", "bounds", "broad_phase", "pair_history", "distance", "penetration"}) {
+  for (const char* query :
+       {"mass", "bounds", "broad_phase", "pair_history", "distance", "penetration", "impulse", "pixel"}) {
     exchange(protocol::ask(++seq, query, json_of(scene()).dump()));
   }
   lines.push_back(protocol::stop(++seq));
@@ -110,6 +111,8 @@ TEST_CASE("every kind of answer that we write fits the schema") {
       protocol::answer(5, json_of(PairSet{{0, 1}})),
       protocol::answer(6, json_of(Bounds{Aabb{}})),
       protocol::answer(8, json_of(PairHistory{{{{0, 1}}, PairSet{{0, 1}}, PairSet{}}, {{}, {}, {}}})),
+      protocol::answer(9, json_of(Impulse{{}, Vec3(1, 2, 3), 1e-16, 1e-12})),
+      protocol::answer(10, json_of(Pixels{{{"01"}, {"11"}}, {{"11"}, {"11"}}, {1, std::pair{1, 0}}, {"01"}, {"11"}})),
       protocol::answer(7, json_of(Penetration{Verdict::overlapping, 1.0, Vec3(0, 0, 1)}))};
   for (std::string& line : lines) line.pop_back();
   CHECK(by_schema(lines) == std::vector<std::string>(lines.size(), "ok"));
