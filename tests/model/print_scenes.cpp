@@ -26,8 +26,26 @@ void legalise(MassProperties& given) {
   given.I_BBcm_B = Mat3::Identity() * given.mass;
 }
 
+void legalise(Contact& contact) {
+  contact.nhat_BA_W = contact.p_WC.x() > 0 ? Vec3(0, -1, 0) : Vec3(0.6, 0, 0.8);
+  contact.restitution = contact.restitution > 0 ? 5e-324 : 1;
+  contact.friction = std::abs(contact.friction);
+}
+
+void legalise(Raster& raster) {
+  raster.pixel = above_zero(raster.pixel);
+  ++raster.columns;
+  ++raster.rows;
+}
+
 Scene legal_scene(std::uint64_t seed) {
   Scene scene = tests::random_scene(seed);
+  if (scene.bodies.size() != 2) scene.contact.reset();
+  if (scene.contact) {
+    legalise(*scene.contact);
+    scene.bodies[0].mass = Density{};
+  }
+  if (scene.raster) legalise(*scene.raster);
   for (Body& body : scene.bodies) {
     std::visit([](auto& shape) { legalise(shape); }, body.shape);
     std::visit([](auto& mass) { legalise(mass); }, body.mass);
