@@ -9,6 +9,7 @@
 #include <array>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <map>
 #include <memory>
 
@@ -16,6 +17,7 @@
 #include "app/bench_table.h"
 #include "app/program_folder.h"
 #include "app/progress.h"
+#include "app/work_precision.h"
 #include "model/input_error.h"
 
 namespace touchstone::app {
@@ -23,17 +25,36 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A comparison: a program of its own, since it links the engines. It prints the CSV of bench_table.h.
-const std::map<std::string, std::string>& registry() {
-  static const std::map<std::string, std::string> programs{{"broad_phase", "touchstone_broad_phase_bench"}};
-  return programs;
+/// A comparison: a program of its own, since it links the engines. It prints CSV.
+struct Comparison {
+  std::string program;
+  int sizes = 0;      ///< how many it measures if none are named
+  int workloads = 0;  ///< likewise
+  std::function<std::string(const std::string& csv)> table;
+  std::function<std::string(const std::string& csv)> plot;
+};
+
+Comparison of_errors(const std::string& program, int sizes, int workloads, const WorkPrecisionWords& words) {
+  return {program, sizes, workloads,
+          [words](const std::string& csv) { return work_precision_table(work_precision_rows(csv), words); },
+          [words](const std::string& csv) { return work_precision_plot(work_precision_rows(csv), words); }};
+}
+
+const std::map<std::string, Comparison>& registry() {
+  static const std::map<std::string, Comparison> comparisons{
+      {"broad_phase",
+       {"touchstone_broad_phase_bench", 3, 6, [](const std::string& csv) { return bench_table(bench_rows(csv)); },
+        [](const std::string& csv) { return bench_plot(bench_rows(csv)); }}},
+      {"distance", of_errors("touchstone_distance_bench", 5, 2, {"vertices a body", "ulps of the scene's scale"})},
+  };
+  return comparisons;
 }
 
 std::string program_of(const std::string& name) {
-  const fs::path program = fs::path(benches_folder()) / registry().at(name);
+  const fs::path program = fs::path(benches_folder()) / registry().at(name).program;
   if (!fs::exists(program)) {
     throw InputError("bench " + name, "was not built (" + program.string() +
-                                          "). `./touchstone bench` builds it where Bullet, FCL, ODE and CGAL are "
+                                          "). `./touchstone bench` builds it where the engines that it compares are "
                                           "installed");
   }
   return program.string();
@@ -92,7 +113,7 @@ void write(const fs::path& path, const std::string& text) {
 
 std::vector<std::string> benches() {
   std::vector<std::string> names;
-  for (const auto& [name, program] : registry()) names.push_back(name);
+  for (const auto& [name, comparison] : registry()) names.push_back(name);
   return names;
 }
 
@@ -102,15 +123,16 @@ int bench(const BenchOptions& options) {
   const auto count = [](const auto& words, int fallback) {
     return words.empty() ? fallback : static_cast<int>(words.size());
   };
-  const Output output = run(command(options), count(options.sizes, 3) * count(options.workloads, 6));
+  const Comparison& comparison = registry().at(options.name);
+  const Output output =
+      run(command(options), count(options.sizes, comparison.sizes) * count(options.workloads, comparison.workloads));
   if (output.exit_code != 0) return output.exit_code;
-  const std::vector<BenchRow> rows = bench_rows(output.text);
-  const std::string table = bench_table(rows);
+  const std::string table = comparison.table(output.text);
   const fs::path folder = options.out;
   fs::create_directories(folder);
   write(folder / (options.name + ".csv"), output.text);
   write(folder / (options.name + ".txt"), table);
-  write(folder / (options.name + ".svg"), bench_plot(rows));
+  write(folder / (options.name + ".svg"), comparison.plot(output.text));
   fmt::print("{}\nWritten to {}: {}.csv, .txt, .svg\n", table, options.out, options.name);
   return 0;
 }

@@ -74,6 +74,7 @@ constexpr const char* bench_footer = R"(
 Examples:
   ./touchstone bench broad_phase                                  everything: several minutes
   ./touchstone bench broad_phase --sizes 1000,10000 --workloads coherent,settled --rounds 9 --out coherent
+  ./touchstone bench distance                                     and the error that each engine's time buys
 
 Ours and others' run in turn, in slices of CPU time; a figure is the median of the rounds. Who cannot play one frame
 within the budget is left out, and named. Written to the folder: the CSV, the table (.txt) and a plot (.svg).
@@ -278,10 +279,14 @@ void add_soak(CLI::App& program, Options& options) {
 void add_bench(CLI::App& program, Options& options) {
   auto* command = program.add_subcommand("bench", "Our speed beside that of other libraries: a table, CSV and a plot");
   command->add_option("WHAT", options.bench.name, listed(benches()))->required()->check(CLI::IsMember(benches()));
-  command->add_option("--sizes", options.bench.sizes, "Numbers of bodies. Default: 1000,10000,100000")->delimiter(',');
+  command
+      ->add_option("--sizes", options.bench.sizes,
+                   "Numbers of bodies (broad_phase) or of vertices a body (distance). Default: the comparison's own")
+      ->delimiter(',');
   command
       ->add_option("--workloads", options.bench.workloads,
-                   "broad_phase: coherent, settled, ratio, clustered, teleport, still. Default: all")
+                   "broad_phase: coherent, settled, ratio, clustered, teleport, still; distance: coherent, cold. "
+                   "Default: all")
       ->delimiter(',');
   command->add_option("--rounds", options.bench.rounds, "Of which the median is taken")
       ->check(CLI::Range(1, 1000))

@@ -63,6 +63,7 @@ void Row::count(Example example) {
     return;
   }
   ++grades[static_cast<std::size_t>(oracle::grade(example.finding))];
+  errors.count(example.finding);
   if (outcome == Outcome::holds) {
     ++holds;
     return;
@@ -84,6 +85,7 @@ void Row::merge(Row later) {
   for (std::size_t g = 0; g < grades.size(); ++g) grades[g] += later.grades[g];
   for (const auto& [defect, count] : later.defects) defects[defect] += count;
   if (why_abstains.empty()) why_abstains = later.why_abstains;
+  errors.merge(later.errors);
   widen(largest_error, unit, later.largest_error, later.unit);
   if (later.worst) keep(worst, *later.worst, worse);
   if (later.smallest) keep(smallest, *later.smallest, handier);

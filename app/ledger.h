@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "app/error_histogram.h"
 #include "app/meshes.h"
 #include "model/scene.h"
 #include "oracle/case.h"
@@ -40,6 +41,7 @@ struct Row {
   std::string why_abstains;                   ///< the first reason
   double largest_error = 0;                   ///< of what is wrong and has a size
   std::string unit;                           ///< of it; empty if nothing is
+  ErrorHistogram errors;                      ///< of all that was answered
   std::optional<Example> worst;               ///< the worst grade, then the largest error, then the first
   std::optional<Example> smallest;            ///< in usual units, the worst grade, the smallest: what is cut down
   std::optional<oracle::Case> smallest_case;  ///< after cutting down

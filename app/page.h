@@ -17,6 +17,9 @@ std::string table(const Ledger& ledger);
 /// A card a subject.
 std::string subjects(const Ledger& ledger);
 
+/// How large the errors were, property by property.
+std::string errors(const Ledger& ledger);
+
 /// Failing rows, subject by subject; each opens to its smallest failing scene.
 std::string failures(const Ledger& ledger);
 

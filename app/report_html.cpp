@@ -50,7 +50,8 @@ std::string header(const Ledger& ledger) {
   return fmt::format(
       "<header><h1>Who is wrong, by how much, on what</h1>{}{}<nav aria-label=\"Contents\"><a href=\"#glance\">At a "
       "glance</a>"
-      "<a href=\"#table\">Table</a><a href=\"#subjects\">Subjects</a><a href=\"#failures\">Failing rows</a>"
+      "<a href=\"#table\">Table</a><a href=\"#subjects\">Subjects</a><a href=\"#errors\">Errors</a><a "
+      "href=\"#failures\">Failing rows</a>"
       "<a href=\"#asked\">What was asked</a><a href=\"#limits\">Limits</a></nav></header>",
       lead(ledger),
       ledger.interrupted ? "<p class=\"partial\"><b>Interrupted: this report is partial.</b> What was not asked is not "
@@ -65,6 +66,7 @@ std::string report_html(const Ledger& ledger) {
          "<h2 id=\"glance\">At a glance</h2>" + page::gallery(ledger) +           //
          "<h2 id=\"table\">Properties and subjects</h2>" + page::table(ledger) +  //
          "<h2 id=\"subjects\">Subjects</h2>" + page::subjects(ledger) +           //
+         "<h2 id=\"errors\">Errors</h2>" + page::errors(ledger) +                 //
          "<h2 id=\"failures\">Failing rows</h2>" + page::failures(ledger) +       //
          "<h2 id=\"asked\">What was asked</h2>" + page::what_was_asked(ledger) +  //
          "<h2 id=\"limits\">Limits</h2>" + limitations + "</main></body></html>\n";

@@ -30,6 +30,15 @@ Json grades_of(const Row& row) {
 /// JSON has no infinity.
 Json number(double x) { return std::isfinite(x) ? Json(x) : Json("inf"); }
 
+/// "2^3": how many are above 2^2 and at most 2^3.
+Json json_of(const ErrorHistogram& errors) {
+  Json json = {{"unit", errors.unit}, {"largest", number(errors.largest)}};
+  if (errors.exact > 0) json["at_most"]["0"] = errors.exact;
+  for (const auto& [power, count] : errors.powers) json["at_most"]["2^" + std::to_string(power)] = count;
+  if (errors.infinite > 0) json["at_most"]["inf"] = errors.infinite;
+  return json;
+}
+
 Json json_of(const Row& row) {
   Json json = {{"property", row.property}, {"subject", row.subject},    {"holds", row.holds},
                {"fails", row.fails},       {"abstains", row.abstains},  {"breaks", row.breaks},
@@ -39,6 +48,7 @@ Json json_of(const Row& row) {
     json["grades"] = grades_of(row);
     if (!row.unit.empty()) json["largest_error"] = {{"error", number(row.largest_error)}, {"unit", row.unit}};
   }
+  if (row.errors.total() > 0) json["errors"] = json_of(row.errors);
   if (!row.why_abstains.empty()) json["why_abstains"] = row.why_abstains;
   if (!row.failing()) return json;
   for (const auto& [defect, count] : row.defects) json["defects"][oracle::name_of(defect)] = count;

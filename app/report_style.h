@@ -25,6 +25,7 @@ tbody tr:last-child>*{border-bottom:0}thead th{background:var(--card);vertical-a
 tbody th{font-weight:500;position:sticky;left:0;background:var(--card);z-index:1;border-right:1px solid var(--line)}
 tr.stem th,tr.stem td{font-weight:700;background:var(--none)}td a{display:block;color:inherit}
 .A{background:var(--a)}.B{background:var(--b)}.C{background:var(--c)}.D{background:var(--d)}.F{background:var(--f)}
+td.share{background:color-mix(in srgb,var(--link) calc(var(--share)*70%),transparent)}
 td.none{background:var(--none);color:var(--soft)}
 .g{color:var(--ink);display:inline-block;min-width:1.6em;text-align:center;font-weight:700;border-radius:.3rem;padding:0 .3rem;margin-right:.35rem}
 .bar{display:flex;height:.7rem;border-radius:.35rem;overflow:hidden;margin:.5rem 0 .3rem;background:var(--none)}

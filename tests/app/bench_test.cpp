@@ -2,6 +2,7 @@
 
 #include "app/bench_plot.h"
 #include "app/bench_table.h"
+#include "app/work_precision.h"
 #include "tests/catch.h"
 
 namespace touchstone::app {
@@ -38,6 +39,31 @@ TEST_CASE("bench: the plot has a line and a name for all that were measured, and
   for (const char* name : {">wrapped_grid<", ">engine.tree<", ">engine.hash<", ">coherent<"})
     CHECK_THAT(plot, Catch::Contains(name));
   CHECK_THAT(plot, !Catch::Contains("sweep_and_prune"));
+}
+
+// Made up: ours is exact, the peer is faster and errs, another peer gives no error to judge.
+const std::string work_precision_csv =
+    "workload,size,name,whose,ns,median_error,worst_error,left_out\n"
+    "coherent,8,fast,ours,100,0,0,\n"
+    "coherent,20,fast,ours,150,0.5,2,\n"
+    "coherent,8,engine.gjk,peer,50,10,1000,\n"
+    "coherent,20,engine.gjk,peer,,,,hung\n"
+    "coherent,8,other,peer,300,nan,nan,\n";
+
+TEST_CASE("bench: error against time as a table, losses and who was left out with it") {
+  const std::string table = work_precision_table(work_precision_rows(work_precision_csv), {"vertices a body", "ulps"});
+  CHECK_THAT(table, Catch::Contains("coherent, by vertices a body"));
+  CHECK_THAT(table, Catch::Contains("1.50x"));
+  CHECK_THAT(table, Catch::Contains("0.50 engine.gjk  3.00 other"));
+  CHECK_THAT(table, Catch::Contains("20  engine.gjk: hung"));
+}
+
+TEST_CASE("bench: error against time as a plot, an exact answer below the axis") {
+  const std::string plot = work_precision_plot(work_precision_rows(work_precision_csv), {"vertices a body", "ulps"});
+  CHECK_THAT(plot, Catch::Contains("<title>fast, 8: 100 ns, 0</title>"));
+  CHECK_THAT(plot, Catch::Contains(">engine.gjk<"));
+  CHECK_THAT(plot, !Catch::Contains(">other<"));
+  CHECK_THAT(plot, !Catch::Contains("nan"));
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 // The books of a run: what counts, what is kept, and that the order of merging is the order of asking.
 #include "app/ledger.h"
 
+#include <cmath>
+
 #include "tests/catch.h"
 
 namespace touchstone::app {
@@ -53,6 +55,21 @@ TEST_CASE("The largest error is kept, and of equal ones the first") {
   row.count(example(Outcome::fails, Defect::too_far, 9, 3));
   CHECK(row.worst->index == 2);
   CHECK(row.largest_error == 9);
+}
+
+TEST_CASE("Errors are counted by powers of two, of right answers too, in one unit") {
+  Row row;
+  for (const double error : {0.0, 0.5, 0.51, 1.0, 45.0}) row.count(example(Outcome::holds, Defect::none, error));
+  row.count(example(Outcome::fails, Defect::too_far, HUGE_VAL));
+  Example other = example(Outcome::holds, Defect::none, 3);
+  other.finding.unit = "radians";
+  row.count(other);
+  row.count(example(Outcome::outside));
+  CHECK(row.errors.unit == "ulps");
+  CHECK(row.errors.exact == 1);
+  CHECK(row.errors.powers == std::map<int, long>{{-1, 1}, {0, 2}, {6, 1}});
+  CHECK(row.errors.infinite == 1);
+  CHECK(row.errors.total() == 6);
 }
 
 TEST_CASE("Counting in two halves and merging is counting at once") {

@@ -1,28 +1,20 @@
 // Our distance query and others', side by side: CSV of nanoseconds a query, and the error that they buy.
 //
-// touchstone_distance_bench [vertices …] [-w workload]… [-e name-part]… [-r rounds]
 // A contestant plays a film of poses, a round at a time, in turn with the others; the figure is the median of its
 // rounds' CPU time. Errors are against the exact distance of 200 frames, in ulps (2^-52) of the scene's scale 1 + 3 +
 // 1; NaN where a contestant says no distance.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <ctime>
 #include <string>
 
 #include "reference/distance.h"
+#include "tests/bench/command_line.h"
 #include "tests/bench/distance/contestant.h"
 
 namespace touchstone::bench {
 namespace {
-
-struct Options {
-  std::vector<int> vertices;
-  std::vector<std::string> workloads;
-  std::vector<std::string> entrants;
-  int rounds = 7;
-};
 
 struct Runner {
   Entrant entrant;
@@ -47,15 +39,10 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-std::vector<Runner> runners(const Options& options, const Film& film) {
+std::vector<Runner> runners(const Film& film) {
   std::vector<Runner> all;
   for (const auto& some : {ours(), bullet(), fcl_solvers(), libccd()}) {
-    for (const Entrant& entrant : some) {
-      const bool wanted = options.entrants.empty() ||
-                          std::any_of(options.entrants.begin(), options.entrants.end(),
-                                      [&](const auto& part) { return entrant.name.find(part) != std::string::npos; });
-      if (wanted) all.push_back({entrant, entrant.enter(film.A, film.B), {}, 0, 0});
-    }
+    for (const Entrant& entrant : some) all.push_back({entrant, entrant.enter(film.A, film.B), {}, 0, 0});
   }
   return all;
 }
@@ -76,49 +63,31 @@ void judge(Runner& runner, const Film& film) {
   runner.median_error = median(errors);
 }
 
-void compare(const std::string& workload, int vertices, const Options& options) {
+void compare(const std::string& workload, int vertices, int rounds) {
   const Film film = shoot(workload, vertices, frame_count);
-  std::vector<Runner> all = runners(options, film);
+  std::vector<Runner> all = runners(film);
   double unused = 0;
   for (Runner& runner : all) judge(runner, film);
-  for (int round = 0; round < options.rounds; ++round) {
+  for (int round = 0; round < rounds; ++round) {
     for (Runner& runner : all) {
       const double before = cpu_seconds();
       unused += play(*runner.contestant, film);
       runner.ns.push_back(1e9 * (cpu_seconds() - before) / static_cast<double>(film.frames.size()));
     }
   }
-  double best_peer = 0;
   for (const Runner& runner : all) {
-    if (runner.entrant.peer && (best_peer == 0 || median(runner.ns) < best_peer)) best_peer = median(runner.ns);
-  }
-  for (const Runner& runner : all) {
-    const double ns = median(runner.ns);
-    std::printf("%s,%d,%s,%.0f,%.2f,%.2g,%.2g\n", workload.c_str(), vertices, runner.entrant.name.c_str(), ns,
-                best_peer / ns, runner.median_error, runner.worst_error);
+    std::printf("%s,%d,%s,%s,%.1f,%.3g,%.3g,\n", workload.c_str(), vertices, runner.entrant.name.c_str(),
+                runner.entrant.whose.c_str(), median(runner.ns), runner.median_error, runner.worst_error);
   }
   std::fflush(stdout);
   if (unused == 1) std::puts("");  // the compiler must not know that nobody reads the answers
 }
 
-Options read(const std::vector<std::string>& words) {
-  Options options;
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    const bool takes_value = words[i] == "-w" || words[i] == "-e" || words[i] == "-r";
-    if (takes_value && i + 1 == words.size()) continue;
-    if (words[i] == "-w") {
-      options.workloads.push_back(words[++i]);
-    } else if (words[i] == "-e") {
-      options.entrants.push_back(words[++i]);
-    } else if (words[i] == "-r") {
-      options.rounds = std::max(1, std::atoi(words[++i].c_str()));
-    } else {
-      options.vertices.push_back(std::max(4, std::atoi(words[i].c_str())));
-    }
+void run(const Options& options) {
+  std::printf("workload,size,name,whose,ns,median_error,worst_error,left_out\n");
+  for (const std::string& workload : options.workloads) {
+    for (const int vertices : options.sizes) compare(workload, std::max(vertices, 4), options.rounds);
   }
-  if (options.vertices.empty()) options.vertices = {8, 20, 50, 200, 1000};
-  if (options.workloads.empty()) options.workloads = workloads();
-  return options;
 }
 
 }  // namespace
@@ -126,9 +95,10 @@ Options read(const std::vector<std::string>& words) {
 
 int main(int argc, char** argv) {
   using namespace touchstone::bench;
-  const Options options = read({argv + 1, argv + argc});
-  std::printf("workload,vertices,name,ns_per_query,times_faster_than_best_peer,median_error_ulps,worst_error_ulps\n");
-  for (const std::string& workload : options.workloads) {
-    for (const int vertices : options.vertices) compare(workload, vertices, options);
-  }
+  return run_comparison(argc, argv,
+                        {"Our distance query and others', side by side, and the error that each buys.",
+                         "vertices a body",
+                         {{8, 20, 50, 200, 1000}, workloads(), 7},
+                         workloads()},
+                        run);
 }

@@ -48,7 +48,7 @@ class Bullet : public Contestant {
 }  // namespace
 
 std::vector<Entrant> bullet() {
-  return {{"Bullet double", true, [](const Polytope& A, const Polytope& B) { return std::make_unique<Bullet>(A, B); }}};
+  return {{"Bullet double", "peer", [](const Polytope& A, const Polytope& B) { return std::make_unique<Bullet>(A, B); }}};
 }
 
 }  // namespace touchstone::bench

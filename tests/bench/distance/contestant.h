@@ -20,7 +20,7 @@ class Contestant {
 
 struct Entrant {
   std::string name;
-  bool peer = false;  ///< another engine's distance query: who is compared with
+  std::string whose;  ///< "ours"; "peer": another engine's distance query; "other": another query
   std::function<std::unique_ptr<Contestant>(const Polytope& A, const Polytope& B)> enter;
 };
 

@@ -43,7 +43,7 @@ class Fcl : public Contestant {
 };
 
 Entrant entrant(const std::string& name, fcl::GJKSolverType solver) {
-  return {name, true, [solver](const Polytope& A, const Polytope& B) { return std::make_unique<Fcl>(A, B, solver); }};
+  return {name, "peer", [solver](const Polytope& A, const Polytope& B) { return std::make_unique<Fcl>(A, B, solver); }};
 }
 
 }  // namespace

@@ -57,7 +57,7 @@ class Libccd : public Contestant {
 }  // namespace
 
 std::vector<Entrant> libccd() {
-  return {{"libccd (yes or no)", false,
+  return {{"libccd (yes or no)", "other",
            [](const Polytope& A, const Polytope& B) { return std::make_unique<Libccd>(A, B); }}};
 }
 

@@ -30,7 +30,7 @@ std::vector<Entrant> ours() {
   const auto enter = [](bool tracks) {
     return [tracks](const Polytope& A, const Polytope& B) { return std::make_unique<LinCanny>(A, B, tracks); };
   };
-  return {{"fast", false, enter(true)}, {"fast, from a corner", false, enter(false)}};
+  return {{"fast", "ours", enter(true)}, {"fast from a corner", "ours", enter(false)}};
 }
 
 }  // namespace touchstone::bench

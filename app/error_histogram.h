@@ -1,0 +1,25 @@
+// How large the errors of all answers were, the right ones' too: a bound that holds says little, the spread says the
+// rest.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "oracle/finding.h"
+
+namespace touchstone::app {
+
+struct ErrorHistogram {
+  std::string unit;            ///< of the first error counted; others are left out. Empty: nothing was
+  long exact = 0;              ///< errors of 0
+  std::map<int, long> powers;  ///< k -> errors in (2^(k−1), 2^k]
+  long infinite = 0;
+  double largest = 0;
+
+  /// Of an answer whose error has a size.
+  void count(const oracle::Finding& finding);
+  void merge(const ErrorHistogram& later);
+  long total() const;
+};
+
+}  // namespace touchstone::app
