@@ -17,7 +17,7 @@ void ErrorHistogram::count(const oracle::Finding& finding) {
   } else {
     int power = 0;
     const double fraction = std::frexp(finding.error, &power);  // in [1/2, 1)
-    ++powers[fraction == 0.5 ? power - 1 : power];
+    ++powers[std::max(least_power, fraction == 0.5 ? power - 1 : power)];
   }
 }
 

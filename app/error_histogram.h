@@ -10,9 +10,11 @@
 namespace touchstone::app {
 
 struct ErrorHistogram {
+  static constexpr int least_power = -10;  ///< who errs by a thousandth of a unit errs by nothing
+
   std::string unit;            ///< of the first error counted; others are left out. Empty: nothing was
   long exact = 0;              ///< errors of 0
-  std::map<int, long> powers;  ///< k -> errors in (2^(k−1), 2^k]
+  std::map<int, long> powers;  ///< k -> errors in (2^(k−1), 2^k]; of the least k all smaller ones too
   long infinite = 0;
   double largest = 0;
 

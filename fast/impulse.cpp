@@ -1,0 +1,147 @@
+#include "fast/impulse.h"
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <limits>
+
+#include "fast/lin_canny/rotation.h"
+#include "fast/mass.h"
+#include "model/input_error.h"
+
+namespace touchstone::fast {
+namespace {
+
+constexpr double u = 0x1p-53;
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// A body as the impact sees it, in W. Of a fixed one only the velocity counts.
+struct Side {
+  double inverse_mass = 0;
+  Mat3 inverse_inertia = Mat3::Zero();
+  Vec3 r = Vec3::Zero();  ///< from the centre of mass to C
+  Vec3 velocity = Vec3::Zero();
+  double speed_error = 0;  ///< of the velocity at C, m/s
+};
+
+Side side_of(const Body& body, const Vec3& p_WC) {
+  const std::optional<MassProperties> given = mass(body);
+  const Mat3 R = lin_canny::rotation(body.X_WB.q_WB);
+  const Vec3 p_WBcm = body.X_WB.p_WB + (given ? Vec3(R * given->p_BBcm) : Vec3::Zero());
+  Side side;
+  side.r = p_WC - p_WBcm;
+  side.velocity = body.velocity.v_WBcm + body.velocity.w_WB.cross(side.r);
+  const double arm_error =
+      2 * u * (p_WC.norm() + body.X_WB.p_WB.norm()) + (given ? lin_canny::turn_error * given->p_BBcm.norm() : 0.0);
+  const double w = body.velocity.w_WB.norm();
+  side.speed_error = w * arm_error + 8 * u * (body.velocity.v_WBcm.norm() + w * side.r.norm());
+  if (given) {
+    side.inverse_mass = 1 / given->mass;
+    const Mat3 inverse = given->I_BBcm_B.inverse();
+    side.inverse_inertia = R * inverse * R.transpose();
+  }
+  return side;
+}
+
+Mat3 skew(const Vec3& r) {
+  Mat3 S;
+  S << 0, -r.z(), r.y(), r.z(), 0, -r.x(), -r.y(), r.x(), 0;
+  return S;
+}
+
+/// 1/m + (a × r)·I⁻¹(b × r) is aᵀ K b: sums of squares where a = b.
+Mat3 collision_matrix(const Side& side) {
+  const Mat3 S = skew(side.r);
+  Mat3 K = S * side.inverse_inertia * S.transpose();
+  K = (K + K.transpose().eval()) / 2;
+  K.diagonal().array() += side.inverse_mass;
+  return K;
+}
+
+/// Two tangents and the normal as columns, right-handed; exact where the normal is an axis. Source: Duff et al. 2017,
+/// "Building an orthonormal basis, revisited".
+Mat3 contact_frame(const Vec3& n) {
+  const double s = std::copysign(1.0, n.z()), a = -1 / (s + n.z()), b = n.x() * n.y() * a;
+  Mat3 R;
+  R.col(0) = Vec3(1 + s * n.x() * n.x() * a, s * b, -s * n.x());
+  R.col(1) = Vec3(b, s + n.y() * n.y() * a, -n.y());
+  R.col(2) = n;
+  return R;
+}
+
+/// Turns the tangents so that K's tangential block is diagonal: one Jacobi rotation.
+void diagonalise(const Mat3& K, Mat3& R) {
+  const double off = R.col(0).dot(K * R.col(1));
+  if (off == 0) return;
+  const double tau = (R.col(1).dot(K * R.col(1)) - R.col(0).dot(K * R.col(0))) / (2 * off);
+  const double t = std::copysign(1.0, tau) / (std::abs(tau) + std::sqrt(1 + tau * tau));
+  const double c = 1 / std::sqrt(1 + t * t), s = t * c;
+  const Vec3 first = R.col(0), second = R.col(1);
+  R.col(0) = c * first - s * second;
+  R.col(1) = s * first + c * second;
+}
+
+struct Stated {
+  Side A, B;
+  Mat3 K = Mat3::Zero();
+  Mat3 R = Mat3::Identity();  ///< axes 1, 2, n in W
+  impulse::Impact impact;
+};
+
+Stated stated(const Scene& scene) {
+  if (!scene.contact) throw InputError("contact", "is missing: an impulse query needs one");
+  const Contact& contact = *scene.contact;
+  Stated all{side_of(scene.bodies[0], contact.p_WC), side_of(scene.bodies[1], contact.p_WC), {}, {}, {}};
+  all.K = collision_matrix(all.A) + collision_matrix(all.B);
+  all.R = contact_frame(contact.nhat_BA_W.stableNormalized());
+  diagonalise(all.K, all.R);
+  const Mat3 K = all.R.transpose() * all.K * all.R;
+  const Vec3 v = all.R.transpose() * (all.A.velocity - all.B.velocity);
+  all.impact = {K(0, 0),         K(1, 1), K(0, 2), K(1, 2),     K(2, 2),
+                v.x(),           v.y(),   v.z(),   contact.law, contact.restitution,
+                contact.friction};
+  return all;
+}
+
+Velocity pushed(const Body& body, const Side& side, const Vec3& P) {
+  return {body.velocity.v_WBcm + side.inverse_mass * P, body.velocity.w_WB + side.inverse_inertia * side.r.cross(P)};
+}
+
+/// The solver's error, and what rounding u and K on the way there adds: δu in the norm of K⁻¹.
+double error_of(const Stated& stated, const Vec3& velocity) {
+  const Eigen::SelfAdjointEigenSolver<Mat3> eigen(stated.K);
+  const double least = eigen.eigenvalues()[0], greatest = eigen.eigenvalues()[2];
+  if (!(least > 0)) return infinity;
+  const Vec3 parts = eigen.eigenvectors().transpose() * velocity;
+  const double norm = std::sqrt((parts.array().square() / eigen.eigenvalues().array()).sum());
+  const double rounding = (stated.A.speed_error + stated.B.speed_error) / std::sqrt(least);
+  return impulse::error_bound(greatest / least) * norm + 4 * rounding;
+}
+
+}  // namespace
+
+Impacted impact(const Scene& scene) {
+  const Stated all = stated(scene);
+  Impacted done;
+  done.after = {scene.bodies[0].velocity, scene.bodies[1].velocity};
+  done.outcome = impulse::solve(all.impact);
+  if (!done.outcome.regime.approached) return done;
+  const impulse::Outcome& out = done.outcome;
+  done.P_A_W = all.R * Vec3(out.P1, out.P2, out.p);
+  done.after = {pushed(scene.bodies[0], all.A, done.P_A_W), pushed(scene.bodies[1], all.B, -done.P_A_W)};
+  const Vec3 velocity = all.A.velocity - all.B.velocity;
+  done.error = error_of(all, velocity);
+  done.energy_change = done.P_A_W.dot(velocity) + done.P_A_W.dot(all.K * done.P_A_W) / 2;
+  if (std::isfinite(all.impact.mu)) {
+    done.cone_excess = std::sqrt(out.P1 * out.P1 + out.P2 * out.P2) - all.impact.mu * out.p;
+  }
+  return done;
+}
+
+Impulse impulse_of(const Scene& scene) {
+  const Impacted done = impact(scene);
+  Impulse answer{done.after, done.P_A_W, done.error, {}};
+  if (done.outcome.miss < 1e-9) answer.ambiguous = done.outcome.miss;
+  return answer;
+}
+
+}  // namespace touchstone::fast

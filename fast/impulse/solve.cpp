@@ -1,0 +1,143 @@
+#include "fast/impulse/solve.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fast/impulse/curve.h"
+#include "fast/impulse/restart.h"
+#include "fast/impulse/straight.h"
+
+namespace touchstone::fast::impulse {
+namespace {
+
+/// Rounding leaves u_n this far from 0, relative to |u|, when it should be 0.
+constexpr double noise = 64 * 0x1p-53;
+
+class Journey {
+ public:
+  explicit Journey(const Impact& impact)
+      : i_(impact), speeds_(std::abs(impact.u1) + std::abs(impact.u2) + std::abs(impact.un)) {
+    const double greater = std::max(std::abs(impact.u1), std::abs(impact.u2));
+    if (greater > 0) {  // by ratios: the square of a slip of 1e-170 underflows
+      const double x = impact.u1 / greater, y = impact.u2 / greater, length = std::sqrt(x * x + y * y);
+      at_.s = greater * length;
+      at_.c = x / length;
+      at_.d = y / length;
+    }
+    if (std::isinf(impact.mu)) stick_at_once();
+  }
+
+  Outcome run() {
+    if (!(i_.un < 0)) return outcome_;
+    outcome_.regime.approached = true;
+    do {
+      const double before = at_.p;
+      at_.work = 0;
+      go({Goal::Of::speed, 0});
+      if (before == 0) outcome_.compression = at_.p;
+      restore(at_.p - before);
+    } while (approaches_again());
+    outcome_.P1 = at_.P1;
+    outcome_.P2 = at_.P2;
+    outcome_.p = at_.p;
+    outcome_.miss = closest_miss_ / speeds_;
+    return outcome_;
+  }
+
+ private:
+  void stick_at_once() {
+    at_.P1 = -i_.u1 / i_.l1;
+    at_.P2 = -i_.u2 / i_.l2;
+    at_.s = 0;
+  }
+
+  void restore(double compression) {
+    if (i_.e == 0) return;
+    switch (i_.law) {
+      case Law::poisson:
+        return go({Goal::Of::impulse, at_.p + i_.e * compression});
+      case Law::stronge:
+        return go({Goal::Of::work, (1 - i_.e) * (1 + i_.e) * at_.work});
+      case Law::newton:
+        return go({Goal::Of::speed, -i_.e * i_.un});
+    }
+  }
+
+  /// Only where sliding can press the bodies together: u_n falls on some line.
+  bool approaches_again() {
+    const double mu_k = std::isinf(i_.mu) ? 0 : i_.mu * std::sqrt(i_.k1 * i_.k1 + i_.k2 * i_.k2);
+    if (!(mu_k > i_.b)) return false;
+    const double u = normal_speed(i_, at_);
+    if (i_.e > 0) closest_miss_ = std::min(closest_miss_, std::abs(u));
+    if (!(u < -noise * speeds_) || ++compressions_ > most_compressions) return false;
+    outcome_.regime.compressed_again = true;
+    return true;
+  }
+
+  void go(const Goal& goal) {
+    while (true) {
+      if (i_.mu == 0) {
+        go_straight(i_, {0, 0, i_.b, 0}, goal, at_);
+        return;
+      }
+      if (at_.s == 0) {
+        outcome_.regime.stopped = true;
+        const Restart from = restart(i_);
+        if (!from.sticks) {
+          outcome_.regime.slid_off = true;
+          at_.c = from.c;
+          at_.d = from.d;
+        }
+        go_straight(i_, from.line, goal, at_);
+        return;
+      }
+      if (is_straight(i_, at_)) {
+        if (go_straight(i_, sliding(i_, at_.c, at_.d), goal, at_) == Reached::goal) return;
+      } else {
+        outcome_.regime.curved = true;
+        if (go_round(i_, goal, at_, closest_miss_) == CurveEnd::goal) return;
+      }
+    }
+  }
+
+  static constexpr int most_compressions = 16;  ///< one more was enough in all cases ever met
+
+  Impact i_;
+  double speeds_;
+  Course at_;
+  Outcome outcome_;
+  double closest_miss_ = 1e300;
+  int compressions_ = 0;
+};
+
+double power_of_two(double x) {
+  int exponent = 0;
+  std::frexp(x, &exponent);
+  return std::ldexp(1.0, std::clamp(exponent, -1000, 1000));
+}
+
+/// Beyond these, squares overflow or lose bits.
+bool is_moderate(double x) { return 0x1p-200 < x && x < 0x1p200; }
+
+}  // namespace
+
+Outcome solve(const Impact& impact) {
+  const double u = std::max({std::abs(impact.u1), std::abs(impact.u2), std::abs(impact.un)});
+  const double K = std::max({impact.l1, impact.l2, impact.b});
+  if (is_moderate(u) && is_moderate(K)) return Journey(impact).run();
+  if (u == 0) return {};
+  const double a = power_of_two(u), b = power_of_two(K);
+  Impact scaled = impact;
+  for (double* x : {&scaled.u1, &scaled.u2, &scaled.un}) *x /= a;
+  for (double* x : {&scaled.l1, &scaled.l2, &scaled.k1, &scaled.k2, &scaled.b}) *x /= b;
+  Outcome outcome = Journey(scaled).run();
+  for (double* x : {&outcome.P1, &outcome.P2, &outcome.p, &outcome.compression}) *x = *x / b * a;
+  return outcome;
+}
+
+double error_bound(double condition) {
+  constexpr double u = 0x1p-53;
+  return condition <= 10 ? 256 * u : 1024 * u * condition;
+}
+
+}  // namespace touchstone::fast::impulse
