@@ -60,16 +60,28 @@ Step step_from(const Impact& i, const Course& at) {
   step.s[0] = at.s;
   step.P1[0] = step.P2[0] = step.p[0] = 0;
   for (std::size_t n = 0; n < order; ++n) {
-    const double cd = product(step.c, step.d, n), cc = product(step.c, step.c, n);
+    double cd = 0, cc = 0;  // Cauchy products; side by side, since one sum alone waits for its own additions
+    for (std::size_t j = 0; j <= n; ++j) {
+      cd += step.c[j] * step.d[n - j];
+      cc += step.c[j] * step.c[n - j];
+    }
     eta[n] = k2 * step.c[n] - k1 * step.d[n] + (m1 - m2) * cd;
     g[n] = k1 * step.c[n] + k2 * step.d[n] - (m1 - m2) * cc - (n == 0 ? m2 : 0);
+    double d_eta = 0, c_eta = 0, s_g = 0, s_c = 0, s_d = 0;
+    for (std::size_t j = 0; j <= n; ++j) {
+      d_eta += step.d[j] * eta[n - j];
+      c_eta += step.c[j] * eta[n - j];
+      s_g += step.s[j] * g[n - j];
+      s_c += step.s[j] * step.c[n - j];
+      s_d += step.s[j] * step.d[n - j];
+    }
     const double next = 1 / static_cast<double>(n + 1);
-    step.c[n + 1] = -product(step.d, eta, n) * next;
-    step.d[n + 1] = product(step.c, eta, n) * next;
-    step.s[n + 1] = product(step.s, g, n) * next;
+    step.c[n + 1] = -d_eta * next;
+    step.d[n + 1] = c_eta * next;
+    step.s[n + 1] = s_g * next;
     step.p[n + 1] = step.s[n] * next * unit;
-    step.P1[n + 1] = -i.mu * product(step.s, step.c, n) * next * unit;
-    step.P2[n + 1] = -i.mu * product(step.s, step.d, n) * next * unit;
+    step.P1[n + 1] = -i.mu * s_c * next * unit;
+    step.P2[n + 1] = -i.mu * s_d * next * unit;
   }
   const auto last = [&](std::size_t n) {
     return std::max({std::abs(step.c[n]), std::abs(step.d[n]), std::abs(step.s[n]) / at.s});
@@ -87,10 +99,10 @@ Series speed(const Impact& i, const Course& at, const Step& step) {
 }
 
 /// W_n along the step; dW/dτ = s u_n.
-Series work(const Impact& i, const Course& at, const Step& step, const Series& u) {
+Series work(const Impact& i, const Step& step, const Series& u) {
   const double unit = 1 / rate(i);
   Series W;
-  W[0] = at.work;
+  W[0] = 0;
   for (std::size_t n = 0; n < order; ++n) W[n + 1] = product(step.s, u, n) / static_cast<double>(n + 1) * unit;
   return W;
 }
@@ -128,7 +140,7 @@ std::optional<double> reached(const Series& x, double target, double length, dou
   return miss >= 0 ? std::optional(crossing(x, target, 0, top)) : std::nullopt;
 }
 
-void advance(const Step& step, const Series& W, double tau, Course& at) {
+void advance(const Step& step, double W, double tau, Course& at) {
   const double c = value(step.c, tau), d = value(step.d, tau), length = std::sqrt(c * c + d * d);
   at.c = c / length;
   at.d = d / length;
@@ -136,7 +148,7 @@ void advance(const Step& step, const Series& W, double tau, Course& at) {
   at.P1 += value(step.P1, tau);
   at.P2 += value(step.P2, tau);
   at.p += value(step.p, tau);
-  at.work = value(W, tau);
+  at.work += W;
 }
 
 /// Slip stops before the goal: from the series for the impulse that is left, if it says so.
@@ -172,12 +184,12 @@ CurveEnd go_round(const Impact& i, const Goal& goal, Course& at, double& closest
     if (stops(i, goal, at)) return CurveEnd::stop;
     const Step step = step_from(i, at);
     const Series u = speed(i, at, step);
-    const Series W = work(i, at, step, u);
-    Series p = step.p;
-    p[0] = at.p;
-    const Series& x = goal.of == Goal::Of::speed ? u : goal.of == Goal::Of::work ? W : p;
-    const auto here = reached(x, goal.value, step.length, closest_miss);
-    advance(step, W, here.value_or(step.length), at);
+    const Series W = i.law == Law::stronge ? work(i, step, u) : Series{};
+    const Series& x = goal.of == Goal::Of::speed ? u : goal.of == Goal::Of::work ? W : step.p;
+    const double before = goal.of == Goal::Of::work ? at.work : goal.of == Goal::Of::impulse ? at.p : 0;
+    const auto here = reached(x, goal.value - before, step.length, closest_miss);
+    const double tau = here.value_or(step.length);
+    advance(step, value(W, tau), tau, at);
     if (here && goal.of == Goal::Of::impulse) at.p = goal.value;
     if (here) return CurveEnd::goal;
   }

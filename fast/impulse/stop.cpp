@@ -6,8 +6,8 @@
 namespace touchstone::fast::impulse {
 namespace {
 
-constexpr double farthest = 0.125;
-constexpr std::size_t terms = 48;
+constexpr double farthest = 0.5;
+constexpr std::size_t terms = 64;
 
 struct Direction {
   double c = 1, d = 0;

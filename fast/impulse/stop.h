@@ -7,10 +7,10 @@
 
 namespace touchstone::fast::impulse {
 
-/// 2 atan(1/8), rounded up: how far from its last direction the series starts.
-constexpr double widest_arc = 0.2488;
+/// 2 atan(1/2), rounded up: how far from its last direction the series starts.
+constexpr double widest_arc = 0.9273;
 
-/// None: slip does not stop from here, or is too far from its last direction for the series (|tan(δ/2)| > 1/8).
+/// None: slip does not stop from here, or is too far from its last direction for the series (|tan(δ/2)| > 1/2).
 ///
 /// With θ the direction, s dθ/dp = η(θ) and ds/dp = g(θ). What is left is s Φ(θ) with η Φ' + g Φ = −1. At a root θ* of
 /// η with η' < 0 and g < 0, Φ is a power series in t = tan((θ − θ*)/2): its recurrence divides by n η'(θ*) + g(θ*) < 0.
