@@ -1,0 +1,71 @@
+#include "fast/pixel/bit_mask.h"
+
+#include <algorithm>
+#include <bit>
+
+namespace touchstone::fast::pixels {
+namespace {
+
+/// Bits 64w + from … 64w + from + 63 of a row of `words` words; none beyond its ends. 0 ≤ from < 64.
+std::uint64_t bits_at(const std::uint64_t* row, int words, std::int64_t w, int from) {
+  const std::uint64_t low = w >= 0 && w < words ? row[w] >> from : 0;
+  const std::uint64_t high = from != 0 && w + 1 >= 0 && w + 1 < words ? row[w + 1] << (64 - from) : 0;
+  return low | high;
+}
+
+}  // namespace
+
+BitMask::BitMask(int columns, int rows)
+    : columns_(columns),
+      rows_(rows),
+      words_((columns - 1) / 64 + 1),
+      bits_(static_cast<std::size_t>(words_) * static_cast<std::size_t>(rows)) {}
+
+Mask BitMask::text() const {
+  Mask rows;
+  for (int j = 0; j < rows_; ++j) {
+    std::string& row = rows.emplace_back(static_cast<std::size_t>(columns_), '0');
+    for (int i = 0; i < columns_; ++i) {
+      if (at(i, j)) row[static_cast<std::size_t>(i)] = '1';
+    }
+  }
+  return rows;
+}
+
+MaskOverlap overlap(const BitMask& A, const BitMask& B, int shift_x, int shift_y) {
+  MaskOverlap found;
+  const std::int64_t first_row = std::max<std::int64_t>(0, shift_y);
+  const std::int64_t end_row = std::min<std::int64_t>(A.rows(), std::int64_t{B.rows()} + shift_y);
+  const std::int64_t start = -std::int64_t{shift_x};  // B's column under A's column 0
+  const int from = static_cast<int>(start & 63);
+  const std::int64_t offset = (start - from) / 64;
+  const auto first_word = static_cast<int>(std::clamp<std::int64_t>(-offset - 1, 0, A.words()));
+  const auto end_word = static_cast<int>(std::clamp<std::int64_t>(B.words() - offset, 0, A.words()));
+  // Where both of B's words exist there is nothing to ask: the loop that matters is a straight line.
+  const auto inner = static_cast<int>(std::clamp<std::int64_t>(-offset, first_word, end_word));
+  const auto inner_end = static_cast<int>(std::clamp<std::int64_t>(B.words() - 1 - offset, inner, end_word));
+  for (std::int64_t j = first_row; j < end_row; ++j) {
+    const std::uint64_t* const a = A.row(static_cast<int>(j));
+    const std::uint64_t* const b = B.row(static_cast<int>(j - shift_y));
+    const auto common = [&](int w) { return a[w] & bits_at(b, B.words(), w + offset, from); };
+    int in_row = 0;
+    for (int w = first_word; w < inner; ++w) in_row += std::popcount(common(w));
+    if (from == 0) {
+      for (int w = inner; w < inner_end; ++w) in_row += std::popcount(a[w] & b[w + offset]);
+    } else {
+      for (int w = inner; w < inner_end; ++w) {
+        in_row += std::popcount(a[w] & (b[w + offset] >> from | b[w + offset + 1] << (64 - from)));
+      }
+    }
+    for (int w = inner_end; w < end_word; ++w) in_row += std::popcount(common(w));
+    if (in_row > 0 && !found.first) {
+      int w = first_word;
+      while (common(w) == 0) ++w;
+      found.first = {64 * w + std::countr_zero(common(w)), static_cast<int>(j)};
+    }
+    found.count += in_row;
+  }
+  return found;
+}
+
+}  // namespace touchstone::fast::pixels

@@ -1,0 +1,250 @@
+#include "reference/pixel.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+#include <variant>
+
+#include "reference/balls_impl.h"
+#include "reference/common_points_impl.h"
+#include "reference/picture_impl.h"
+#include "reference/rational_impl.h"
+
+namespace touchstone::reference {
+namespace {
+
+/// One convex part in half pixels: a ball, or a hull and its picture.
+struct Seen {
+  std::optional<Ball> ball;
+  Hull hull;
+  std::optional<Picture> picture;
+};
+
+/// From W to half pixels.
+struct Grid {
+  explicit Grid(const Raster& raster)
+      : corner{mpq_class(raster.x), mpq_class(raster.y), 0}, per_metre(2 / mpq_class(raster.pixel)) {}
+
+  Triple operator()(const Triple& p_W) const {
+    const Triple p = minus(p_W, corner);
+    return {mpq_class(per_metre * p[0]), mpq_class(per_metre * p[1]), mpq_class(per_metre * p[2])};
+  }
+
+  Triple corner;
+  mpq_class per_metre;
+};
+
+Triple cross(const Triple& a, const Triple& b) {
+  return {mpq_class(a[1] * b[2] - a[2] * b[1]), mpq_class(a[2] * b[0] - a[0] * b[2]),
+          mpq_class(a[0] * b[1] - a[1] * b[0])};
+}
+
+Seen seen(const Sphere& sphere, const Motion& X_WP, const Grid& grid) {
+  const mpq_class radius = grid.per_metre * mpq_class(sphere.radius);
+  Seen made;
+  made.ball = Ball{grid(X_WP.translation), radius * radius};
+  return made;
+}
+
+Seen seen(const Polytope& polytope, const Motion& X_WP, const Grid& grid) {
+  std::vector<Triple> vertices;
+  for (const Vec3& v : polytope.vertices) vertices.push_back(grid(X_WP(triple(v))));
+  const auto at = [&](int i) -> const Triple& { return vertices[static_cast<std::size_t>(i)]; };
+  Seen made;
+  for (const std::vector<int>& face : polytope.faces) {
+    Triple normal{0, 0, 0};  // Newell's: the first three vertices may be on a line
+    for (std::size_t i = 0; i < face.size(); ++i) {
+      const int tail = face[i];
+      const int head = face[(i + 1) % face.size()];
+      normal = plus(normal, 1, cross(minus(at(tail), at(face[0])), minus(at(head), at(face[0]))));
+      if (tail < head) made.hull.edges.push_back({at(tail), at(head)});  // the face beside has it from head to tail
+    }
+    made.hull.sides.push_back({normal, dot(normal, at(face[0]))});
+  }
+  made.picture.emplace(vertices);
+  return made;
+}
+
+Seen seen(const Box& box, const Motion& X_WP, const Grid& grid) {
+  Polytope same;
+  same.faces = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
+  for (int i = 0; i < 8; ++i) {
+    const Vec3 signs((i & 1) != 0 ? 1 : -1, (i & 2) != 0 ? 1 : -1, (i & 4) != 0 ? 1 : -1);
+    same.vertices.emplace_back(signs.cwiseProduct(box.half_extents));
+  }
+  return seen(same, X_WP, grid);
+}
+
+std::vector<Seen> parts_of(const Body& body, const Grid& grid) {
+  const Motion X_WB = motion(body.X_WB);
+  if (const auto* compound = std::get_if<Compound>(&body.shape)) {
+    std::vector<Seen> parts;
+    for (const Part& part : compound->parts) {
+      const Motion X_WP = composed(X_WB, motion(part.X_BP));
+      parts.push_back(std::visit([&](const auto& solid) { return seen(solid, X_WP, grid); }, part.shape));
+    }
+    return parts;
+  }
+  if (const auto* sphere = std::get_if<Sphere>(&body.shape)) return {seen(*sphere, X_WB, grid)};
+  if (const auto* box = std::get_if<Box>(&body.shape)) return {seen(*box, X_WB, grid)};
+  return {seen(std::get<Polytope>(body.shape), X_WB, grid)};
+}
+
+mpq_class squared_distance(const mpq_class& x, long lo, long hi) {
+  const mpq_class off = x < lo ? mpq_class(lo - x) : x > hi ? mpq_class(x - hi) : mpq_class(0);
+  return off * off;
+}
+
+/// Of a ball's centre, in the plane.
+mpq_class squared_distance(const Ball& ball, const Rectangle& square) {
+  return squared_distance(ball.centre[0], square.x_lo, square.x_hi) +
+         squared_distance(ball.centre[1], square.y_lo, square.y_hi);
+}
+
+bool meets(const Seen& part, const Rectangle& square) {
+  return part.ball ? squared_distance(*part.ball, square) <= part.ball->squared_radius : part.picture->meets(square);
+}
+
+std::vector<HalfSpace> prism_over(const Rectangle& square) {
+  return {{{1, 0, 0}, square.x_hi}, {{-1, 0, 0}, -square.x_lo}, {{0, 1, 0}, square.y_hi}, {{0, -1, 0}, -square.y_lo}};
+}
+
+/// What a part of A and a part of B have in common, seen from above.
+class Common {
+ public:
+  Common(const Seen& A, const Seen& B) : A_(A), B_(B) {
+    if (!A.ball && !B.ball) picture_.emplace(common_points(A.hull, B.hull));
+  }
+
+  bool meets(const Rectangle& square) const {
+    if (picture_) return picture_->meets(square);
+    if (!reference::meets(A_, square) || !reference::meets(B_, square)) return false;
+    std::vector<Ball> balls;
+    std::vector<HalfSpace> sides = prism_over(square);
+    for (const Seen* part : {&A_, &B_}) {
+      if (part->ball) balls.push_back(*part->ball);
+      sides.insert(sides.end(), part->hull.sides.begin(), part->hull.sides.end());
+    }
+    return have_common_point(balls, sides);
+  }
+
+ private:
+  const Seen& A_;
+  const Seen& B_;
+  std::optional<Picture> picture_;
+};
+
+Rectangle square_of(int i, int j) { return {2L * i, 2L * i + 2, 2L * j, 2L * j + 2}; }
+Rectangle centre_of(int i, int j) { return {2L * i + 1, 2L * i + 1, 2L * j + 1, 2L * j + 1}; }
+
+template <class Parts>
+Mask mask(const Raster& raster, const Parts& parts, Rectangle (*place)(int, int)) {
+  Mask rows;
+  for (int j = 0; j < raster.rows; ++j) {
+    std::string& row = rows.emplace_back();
+    for (int i = 0; i < raster.columns; ++i) {
+      const bool in = std::ranges::any_of(parts, [&](const auto& part) { return meets(part, place(i, j)); });
+      row += in ? '1' : '0';
+    }
+  }
+  return rows;
+}
+
+bool meets(const Common& common, const Rectangle& square) { return common.meets(square); }
+
+MaskOverlap overlap_of(const Mask& A, const Mask& B, const Raster& raster) {
+  MaskOverlap overlap;
+  for (int j = 0; j < raster.rows; ++j) {
+    for (int i = 0; i < raster.columns; ++i) {
+      const std::int64_t column = std::int64_t{i} - raster.shift_x;
+      const std::int64_t row = std::int64_t{j} - raster.shift_y;
+      if (column < 0 || column >= raster.columns || row < 0 || row >= raster.rows) continue;
+      const bool in_A = A[static_cast<std::size_t>(j)][static_cast<std::size_t>(i)] == '1';
+      const bool in_B = B[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)] == '1';
+      if (!in_A || !in_B) continue;
+      if (overlap.count++ == 0) overlap.first = {i, j};
+    }
+  }
+  return overlap;
+}
+
+/// From lo − √spread to hi + √spread.
+struct Depths {
+  mpq_class lo, hi, spread;
+};
+
+/// Of a part over a square that meets its picture.
+Depths depths_over(const Seen& part, const Rectangle& square) {
+  if (part.ball) {
+    const mpq_class& z = part.ball->centre[2];
+    return {z, z, part.ball->squared_radius - squared_distance(*part.ball, square)};
+  }
+  mpq_class lowest = part.hull.edges.front().from[2];
+  mpq_class highest = lowest;
+  for (const Segment& edge : part.hull.edges) {
+    for (const Triple& end : {edge.from, edge.to}) {
+      if (end[2] < lowest) lowest = end[2];
+      if (end[2] > highest) highest = end[2];
+    }
+  }
+  Hull prism{{}, prism_over(square)};
+  for (const long x : {square.x_lo, square.x_hi}) {
+    for (const long y : {square.y_lo, square.y_hi}) prism.edges.push_back({{x, y, lowest}, {x, y, highest}});
+  }
+  const std::vector<Triple> points = common_points(part.hull, prism);
+  const auto by_z = [](const Triple& p, const Triple& q) { return p[2] < q[2]; };
+  const auto [low, high] = std::minmax_element(points.begin(), points.end(), by_z);
+  return {(*low)[2], (*high)[2], 0};
+}
+
+/// x.lo − √x.spread ≤ y.hi + √y.spread + apart.
+bool starts_before_end(const Depths& x, const Depths& y, const mpq_class& apart) {
+  const mpq_class gap = x.lo - y.hi - apart;
+  if (gap <= 0) return true;
+  const mpq_class beyond = gap * gap - x.spread - y.spread;  // gap² ≤ (√ + √)²
+  return beyond <= 0 || beyond * beyond <= 4 * x.spread * y.spread;
+}
+
+}  // namespace
+
+Pixels pixel(const Scene& scene) {
+  const Raster& raster = scene.raster.value();
+  const Grid grid(raster);
+  Pixels exact;
+  std::vector<std::vector<Seen>> bodies;
+  for (const Body& body : scene.bodies) {
+    bodies.push_back(parts_of(body, grid));
+    exact.sampled.push_back(mask(raster, bodies.back(), centre_of));
+    exact.conservative.push_back(mask(raster, bodies.back(), square_of));
+  }
+  std::vector<Common> common;
+  if (bodies.size() >= 2) {
+    exact.overlap = overlap_of(exact.sampled[0], exact.sampled[1], raster);
+    for (const Seen& a : bodies[0]) {
+      for (const Seen& b : bodies[1]) common.emplace_back(a, b);
+    }
+  }
+  exact.meet_sampled = mask(raster, common, centre_of);
+  exact.meet_conservative = mask(raster, common, square_of);
+  return exact;
+}
+
+bool depths_come_near(const Scene& scene, int column, int row, int around, const Rational& apart) {
+  const Grid grid(scene.raster.value());
+  const mpq_class allowed = grid.per_metre * value_of(apart);
+  Rectangle square = square_of(column, row);
+  square.x_lo -= 2L * around, square.x_hi += 2L * around;
+  square.y_lo -= 2L * around, square.y_hi += 2L * around;
+  for (const Seen& a : parts_of(scene.bodies.at(0), grid)) {
+    if (!meets(a, square)) continue;
+    const Depths of_A = depths_over(a, square);
+    for (const Seen& b : parts_of(scene.bodies.at(1), grid)) {
+      if (!meets(b, square)) continue;
+      const Depths of_B = depths_over(b, square);
+      if (starts_before_end(of_A, of_B, allowed) && starts_before_end(of_B, of_A, allowed)) return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace touchstone::reference
