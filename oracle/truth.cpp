@@ -68,6 +68,11 @@ const reference::PenetrationTruth& penetration(const Scene& scene) {
   return memory.of(scene, [](const Scene& s) { return reference::penetration(s); });
 }
 
+const reference::ImpulseTruth& impulse(const Scene& scene) {
+  thread_local Memory<reference::ImpulseTruth> memory;
+  return memory.of(scene, [](const Scene& s) { return reference::impulse(s); });
+}
+
 Polytope convex_hull(const std::vector<Vec3>& points) { return reference::convex_hull(points); }
 
 Scene completed(Scene scene) { return reference::completed(std::move(scene)); }

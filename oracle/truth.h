@@ -9,6 +9,7 @@
 #include "reference/bounds.h"
 #include "reference/broad_phase.h"
 #include "reference/distance.h"
+#include "reference/impulse.h"
 #include "reference/mass.h"
 #include "reference/penetration.h"
 
@@ -25,6 +26,7 @@ const std::vector<reference::FrameBoxes>& film_bounds(const Scene& film);
 const PairHistory& pair_history(const Scene& film);
 const reference::DistanceTruth& distance(const Scene& scene);
 const reference::PenetrationTruth& penetration(const Scene& scene);
+const reference::ImpulseTruth& impulse(const Scene& scene);
 
 /// reference::convex_hull and reference::completed, for generators and the minimiser.
 Polytope convex_hull(const std::vector<Vec3>& points);

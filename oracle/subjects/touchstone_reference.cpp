@@ -6,6 +6,7 @@
 #include "reference/bounds.h"
 #include "reference/broad_phase.h"
 #include "reference/distance.h"
+#include "reference/impulse.h"
 #include "reference/mass.h"
 #include "reference/penetration.h"
 
@@ -47,6 +48,25 @@ Aabb box_of(const reference::ExactBox& exact) {
     box.hi[i] = exact.hi[axis].enclosure().hi;
   }
   return box;
+}
+
+Vec3 nearest(const reference::ExactVec3& v) { return {v[0].nearest(), v[1].nearest(), v[2].nearest()}; }
+
+bool in_range(const Velocity& velocity) { return velocity.v_WBcm.allFinite() && velocity.w_WB.allFinite(); }
+
+/// The truth's own error, and what rounding P to doubles adds.
+double error_of(const reference::ImpulseTruth& truth, const Vec3& P) {
+  reference::Rational square;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      const auto off = [&](std::size_t k) {
+        return reference::Rational(P[static_cast<Eigen::Index>(k)]) - truth.P_A_W[k];
+      };
+      square += off(i) * truth.K_W[i][j] * off(j);
+    }
+  }
+  const double rounding = square.sqrt_enclosure().hi;
+  return truth.error == 0 ? rounding : std::nextafter(rounding + truth.error, INFINITY);
 }
 
 class Reference : public Subject {
@@ -103,11 +123,26 @@ class Reference : public Subject {
     return said;
   }
 
+  Answer<Impulse> impulse(const Scene& scene) override {
+    const reference::ImpulseTruth truth = reference::impulse(scene);
+    Impulse said;
+    for (std::size_t i = 0; i < 2; ++i) {
+      said.after[i] = {nearest(truth.after[i].v_WBcm), nearest(truth.after[i].w_WB)};
+      if (!in_range(said.after[i])) return beyond_doubles;
+    }
+    said.P_A_W = nearest(truth.P_A_W);
+    if (!said.P_A_W->allFinite()) return beyond_doubles;
+    said.error = error_of(truth, *said.P_A_W);
+    if (!std::isfinite(*said.error)) return beyond_doubles;
+    said.ambiguous = truth.ambiguous;
+    return said;
+  }
+
  private:
   const Card card_{.name = "reference",
                    .version = "0.1.0",
                    .precision = Precision::exact,
-                   .answers = {"mass", "bounds", "broad_phase", "pair_history", "distance", "penetration"},
+                   .answers = {"mass", "bounds", "broad_phase", "pair_history", "distance", "penetration", "impulse"},
                    .knows_touching = true,
                    .about = "Touchstone's exact reference, results rounded to doubles",
                    .homepage = "",
