@@ -46,6 +46,8 @@ const std::map<std::string, Comparison>& registry() {
        {"touchstone_broad_phase_bench", 3, 6, [](const std::string& csv) { return bench_table(bench_rows(csv)); },
         [](const std::string& csv) { return bench_plot(bench_rows(csv)); }}},
       {"distance", of_errors("touchstone_distance_bench", 5, 2, {"vertices a body", "ulps of the scene's scale"})},
+      {"impulse", of_errors("touchstone_impulse_bench", 1, 7,
+                            {"effort: steps, or tolerance", "units of 2^-53, in the energy norm"})},
   };
   return comparisons;
 }

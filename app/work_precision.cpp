@@ -31,7 +31,8 @@ const WorkPrecision* find(const std::vector<WorkPrecision>& rows, const std::str
 }
 
 std::string time_of(const WorkPrecision* row) {
-  return row != nullptr && row->ns ? fmt::format("{:>11.4g}", *row->ns) : fmt::format("{:>11}", "left out");
+  if (row == nullptr) return fmt::format("{:>11}", "-");
+  return row->ns ? fmt::format("{:>11.4g}", *row->ns) : fmt::format("{:>11}", "left out");
 }
 
 std::string error_of(const WorkPrecision* row) {
