@@ -5,6 +5,9 @@
 #include "fast/bounds.h"
 #include "fast/broad_phase.h"
 #include "fast/distance.h"
+#include "fast/impulse.h"
+#include "fast/mass.h"
+#include "fast/pixel.h"
 #include "fast/plan.h"
 #include "model/input_error.h"
 
@@ -14,6 +17,7 @@ namespace {
 class Fast : public Subject {
  public:
   const Card& card() const override { return card_; }
+  Answer<Masses> mass(const Scene& scene) override { return fast::mass(scene); }
   Answer<Bounds> bounds(const Scene& scene) override { return fast::bounds(scene); }
   Answer<PairSet> broad_phase(const Scene& scene) override { return fast::broad_phase(scene); }
   Answer<PairHistory> pair_history(const Scene& scene) override {
@@ -30,12 +34,21 @@ class Fast : public Subject {
       return Abstains{beyond.what()};
     }
   }
+  Answer<Impulse> impulse(const Scene& scene) override { return fast::impulse_of(scene); }
+
+  Answer<Pixels> pixel(const Scene& scene) override {
+    try {
+      return fast::pixel(scene);
+    } catch (const std::range_error& beyond) {
+      return Abstains{beyond.what()};
+    }
+  }
 
  private:
   const Card card_{
       .name = "fast",
       .version = "0.1.0",
-      .answers = {"bounds", "broad_phase", "pair_history", "distance"},
+      .answers = {"mass", "bounds", "broad_phase", "pair_history", "distance", "impulse", "pixel"},
       .knows_touching = true,
       .about = "Touchstone's optimised algorithms, as planned for each film; Lin-Canny from a corner, exact verdicts",
       .homepage = "",
