@@ -1,4 +1,4 @@
-// A float of 80 digits, between exact rationals.
+// A float of 76 digits (254 bits: four words), between exact rationals.
 #pragma once
 
 #include <gmpxx.h>
@@ -10,7 +10,7 @@
 namespace touchstone::reference {
 
 using Float =
-    boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<80, boost::multiprecision::allocate_stack>,
+    boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<76, boost::multiprecision::allocate_stack>,
                                   boost::multiprecision::et_off>;
 
 inline Float float_of(const mpq_class& q) {

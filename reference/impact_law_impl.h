@@ -128,6 +128,7 @@ class Walk {
     if (blow_.law == Law::poisson) goal_ = now_.p + blow_.e * (now_.p - started_.p);
     if (blow_.law == Law::newton) goal_ = -blow_.e * started_.U;
     if (blow_.law == Law::stronge) goal_ = now_.W - blow_.e * blow_.e * (now_.W - started_.W);
+    done_ = blow_.e == 0;  // or else the last bit of U = 0 would decide whether a new compression starts
   }
 
   void watch_peak(const Stretch<T>& stretch) {

@@ -1,4 +1,4 @@
-// An impact's course while the direction of slip turns, in 80 digits.
+// An impact's course while the direction of slip turns, in 76 digits.
 //
 // In axes in which K's tangential block is diag(l1, l2), with slip s (x, y), x² + y² = 1, and dp = s dτ, the equations
 // are polynomial and regular even at s = 0 (which is τ = ∞):
@@ -51,10 +51,12 @@ class Slide {
   Slip first_;
   Slip now_;
   std::vector<std::unique_ptr<Stretch<Float>>> pieces_;  ///< of the last series, the next one last
+  std::optional<Slip> stop_;                             ///< where slip will stop, once that can be told
   std::optional<Float> stopped_;
 
   Moment<Float> moment(const Slip& slip) const;
-  bool near_enough_to_stop(const Walk<Float>& walk);
+  bool foresees_end();
+  bool jumps_to_stop(const Walk<Float>& walk);
   void step();
 
   friend class Piece;

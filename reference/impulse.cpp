@@ -141,12 +141,12 @@ void set_ambiguous(ImpulseTruth& truth, const Blow<mpq_class>& blow, const Float
   if (missing_u_n <= ambiguity * scale) truth.ambiguous = scale == 0 ? 0 : static_cast<double>(missing_u_n / scale);
 }
 
-/// What is measured against 120 digits stays below 2^-190 on all classes of tests/reference/impulse_test.cpp; 2^-160 is
-/// 45 digits and leaves 2^30 for what was not tried. The second term is what 80 digits leave of an ill-conditioned K.
+/// Series are cut at 2^-165 and floats have 254 bits; 2^-150 is 45 digits and leaves 2^15 for what steps add up. The
+/// second term is what 254 bits leave of an ill-conditioned K.
 double stated_error(const Blow<mpq_class>& blow) {
   const auto trace = [](const std::array<Triple, 3>& M) { return float_of(mpq_class(M[0][0] + M[1][1] + M[2][2])); };
   const Float condition = trace(blow.K) * trace(blow.K_inverse);
-  const Float bound = energy_norm(blow) * (ldexp(Float(1), -160) + condition * ldexp(Float(1), -250));
+  const Float bound = energy_norm(blow) * (ldexp(Float(1), -150) + condition * ldexp(Float(1), -240));
   return std::max(std::nextafter(static_cast<double>(bound), std::numeric_limits<double>::infinity()),
                   std::numeric_limits<double>::denorm_min());
 }
