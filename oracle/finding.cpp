@@ -46,6 +46,16 @@ std::string name_of(Defect defect) {
       return "loose_box";
     case Defect::wrong_mass:
       return "wrong_mass";
+    case Defect::wrong_velocity:
+      return "wrong_velocity";
+    case Defect::wrong_momentum:
+      return "wrong_momentum";
+    case Defect::wrong_energy:
+      return "wrong_energy";
+    case Defect::pulls:
+      return "pulls";
+    case Defect::beyond_cone:
+      return "beyond_cone";
     case Defect::broken_enclosure:
       return "broken_enclosure";
     case Defect::loose_enclosure:

@@ -31,6 +31,11 @@ enum class Defect {
   wrong_box,         ///< box does not hold the body
   loose_box,         ///< box wider than allowed
   wrong_mass,        ///< mass, centre or inertia
+  wrong_velocity,    ///< velocities after an impact
+  wrong_momentum,    ///< momentum made or lost, or a moment that no force at the contact has
+  wrong_energy,      ///< more energy gained or lost than an impact can
+  pulls,             ///< an impulse that pulls the bodies together
+  beyond_cone,       ///< more friction than mu allows
   broken_enclosure,  ///< claimed interval does not hold the truth
   loose_enclosure,   ///< claimed interval is wider than rounding explains
   asymmetric,        ///< changes when the bodies swap

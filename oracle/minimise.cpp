@@ -16,6 +16,8 @@ std::size_t vertex_count(const ConvexShape& shape) { return std::max<std::size_t
 
 bool is_turned(const Quaternion& q) { return !(q == Quaternion{}); }
 
+bool off_axis(const Vec3& n) { return n.cwiseAbs().maxCoeff() != 1; }
+
 int extras(const Body& body) {
   return !body.name.empty() + !(body.velocity == Velocity{}) + !(body.material == Material{}) +
          !(body.mass == Mass{Density{}});
@@ -68,7 +70,7 @@ class Search {
 
 const std::vector<smaller::Stage>& smaller::stages() {
   static const std::vector<Stage> all = {
-      tidy,           fewer_frames,  fewer_bodies,       fewer_placements, plainer_places,
+      tidy,           plainer_contacts, fewer_frames,  fewer_bodies,       fewer_placements, plainer_places,
       fewer_parts,    many_vertices_less, plainer_shapes,   plainer_poses,
       facing_along_z, coarser_grids, few_vertices_less,  fewer_bits,       plainer_units};
   return all;
@@ -83,7 +85,8 @@ smaller::Cost smaller::cost(const Scene& scene) {
   cost.parts = all.size();
   for (const Slot slot : all) cost.vertices += vertex_count(shape_at(scene, slot));
   Scene numbers = scene;
-  for (const auto& some : {lengths(numbers), quaternion_components(numbers), mass_numbers(numbers)}) {
+  for (const auto& some :
+       {lengths(numbers), quaternion_components(numbers), mass_numbers(numbers), contact_numbers(numbers)}) {
     for (const double* x : some) {
       const int bits = significant_bits(*x);
       cost.bits_max = std::max(cost.bits_max, bits);
@@ -92,6 +95,7 @@ smaller::Cost smaller::cost(const Scene& scene) {
     }
   }
   cost.extras = !scene.name.empty() + !scene.gravity.isZero(0);
+  if (scene.contact) cost.extras += 1 + (scene.contact->law != Law::poisson) + off_axis(scene.contact->nhat_BA_W);
   for (const Pose* X_WB : poses(numbers)) cost.turned += is_turned(X_WB->q_WB);
   for (const Body& body : scene.bodies) {
     cost.extras += extras(body);
@@ -129,7 +133,7 @@ Size size_of(const Scene& scene) {
   for (const Slot slot : slots(scene)) vertices[slot.body] += static_cast<int>(vertex_count(shape_at(scene, slot)));
   for (const int count : vertices) size.vertices_per_body_max = std::max(size.vertices_per_body_max, count);
   Scene numbers = scene;
-  for (const auto& some : {lengths(numbers), quaternion_components(numbers)}) {
+  for (const auto& some : {lengths(numbers), quaternion_components(numbers), contact_numbers(numbers)}) {
     for (const double* x : some) size.significant_bits_max = std::max(size.significant_bits_max, significant_bits(*x));
   }
   return size;

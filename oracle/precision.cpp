@@ -32,6 +32,11 @@ bool single(const MassProperties& m) {
 }
 bool single(const Fixed&) { return true; }
 
+bool single(const Velocity& V) { return single(V.v_WBcm) && single(V.w_WB); }
+bool single(const Contact& contact) {
+  return single(contact.p_WC) && single(contact.nhat_BA_W) && single(contact.restitution) && single(contact.friction);
+}
+
 bool single(const Body& body) {
   const auto each = [](const auto& alternative) { return single(alternative); };
   return single(body.X_WB) && std::visit(each, body.shape) && std::visit(each, body.mass);
@@ -44,6 +49,8 @@ double unit_roundoff(Precision precision) { return std::ldexp(1.0, precision == 
 bool exact_in(const Scene& scene, Precision precision) {
   if (precision != Precision::binary32) return true;
   const auto placed = [](const Placement& p) { return !p.X_WB || single(*p.X_WB); };
+  const auto moving = [](const Body& b) { return single(b.velocity); };
+  if (scene.contact && !(single(*scene.contact) && std::ranges::all_of(scene.bodies, moving))) return false;
   return std::ranges::all_of(scene.bodies, [](const Body& b) { return single(b); }) &&
          std::ranges::all_of(scene.frames, [&](const Frame& f) { return std::ranges::all_of(f, placed); });
 }

@@ -10,8 +10,9 @@ namespace touchstone::oracle {
 /// 2⁻⁵³.
 double unit_roundoff(Precision precision);
 
-/// Does every number of shape, pose and mass stand in this precision as it is? If not, the subject would be asked
-/// another question than the oracle, and the property says `outside`.
+/// Does every number of shape, pose and mass, and where there is a contact of it and of the velocities, stand in this
+/// precision as it is? If not, the subject would be asked another question than the oracle, and the property says
+/// `outside`.
 bool exact_in(const Scene& scene, Precision precision);
 
 }  // namespace touchstone::oracle

@@ -86,6 +86,7 @@ std::vector<double*> lengths(Scene& scene) {
     std::visit([&](auto& shape) { add(numbers, shape); }, body.shape);
   }
   for (Pose* X_WB : placed(scene)) add(numbers, X_WB->p_WB);
+  if (scene.contact) add(numbers, scene.contact->p_WC);
   return numbers;
 }
 
@@ -109,6 +110,19 @@ std::vector<double*> mass_numbers(Scene& scene) {
       numbers.push_back(&given->mass);
       add(numbers, given->p_BBcm);
     }
+  }
+  return numbers;
+}
+
+std::vector<double*> contact_numbers(Scene& scene) {
+  if (!scene.contact) return {};
+  std::vector<double*> numbers = {&scene.contact->restitution};
+  if (std::isfinite(scene.contact->friction)) numbers.push_back(&scene.contact->friction);
+  for (Body& body : scene.bodies) {
+    add(numbers, body.velocity.v_WBcm);
+    add(numbers, body.velocity.w_WB);
+    auto* given = std::get_if<MassProperties>(&body.mass);
+    for (Eigen::Index i = 0; given != nullptr && i < 3; ++i) numbers.push_back(&given->I_BBcm_B(i, i));
   }
   return numbers;
 }

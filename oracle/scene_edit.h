@@ -20,7 +20,7 @@ void set_shape(Scene& scene, Slot slot, const ConvexShape& shape);
 /// Vertices of a box or polytope in its own frame, in the order of model/shape.h; of a sphere none.
 std::vector<Vec3> corners(const ConvexShape& shape);
 
-/// Every length of the scene: shapes and translations. Writing to a vertex leaves faces that may no longer fit.
+/// Every length of the scene: shapes, translations, a contact's point. Writing to a vertex leaves faces that may no longer fit.
 std::vector<double*> lengths(Scene& scene);
 
 /// Every component of every quaternion.
@@ -28,6 +28,9 @@ std::vector<double*> quaternion_components(Scene& scene);
 
 /// Every number of stated masses and densities.
 std::vector<double*> mass_numbers(Scene& scene);
+
+/// Of a scene with a contact, every velocity, the coefficients that are finite, and stated moments of inertia.
+std::vector<double*> contact_numbers(Scene& scene);
 
 /// Polytopes lose their faces: they will be made anew.
 void drop_faces(Scene& scene);

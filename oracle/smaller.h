@@ -21,6 +21,7 @@ using Stage = std::function<std::vector<Move>(const Scene&)>;
 const std::vector<Stage>& stages();
 
 std::vector<Move> tidy(const Scene& scene);          ///< velocities, materials, masses, gravity, names: the defaults
+std::vector<Move> plainer_contacts(const Scene& scene);  ///< a contact's numbers, and what it makes needless
 std::vector<Move> fewer_bodies(const Scene& scene);  ///< halves, quarters, …, single bodies
 std::vector<Move> fewer_frames(const Scene& film);   ///< halves, quarters, …, single frames; two in one
 std::vector<Move> fewer_placements(const Scene& film);

@@ -85,7 +85,7 @@ std::optional<Scene> facing(const Scene& before, int bits, int gap_bits) {
 }  // namespace
 
 std::vector<Move> facing_along_z(const Scene& scene) {
-  if (is_film(scene)) return {};
+  if (is_film(scene) || scene.contact) return {};
   std::vector<Move> moves;
   for (const int bits : {1, 2, 3, 4, 5, 6, 8, 12, 20}) {
     for (const int gap_bits : {1, 3}) {

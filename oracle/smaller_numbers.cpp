@@ -50,7 +50,7 @@ double rounded(double x, int bits) {
 
 std::vector<double*> all_numbers(Scene& scene) {
   std::vector<double*> all = lengths(scene);
-  for (const auto& more : {quaternion_components(scene), mass_numbers(scene)})
+  for (const auto& more : {quaternion_components(scene), mass_numbers(scene), contact_numbers(scene)})
     all.insert(all.end(), more.begin(), more.end());
   return all;
 }
@@ -71,6 +71,17 @@ std::optional<Scene> unit_lengths(Scene scene) {
   const std::vector<double*> numbers = lengths(scene);
   const double most = greatest(numbers);
   if (most == 0) return std::nullopt;
+  times_power(numbers, -std::ilogb(most));
+  return scene;
+}
+
+std::optional<Scene> unit_velocities(Scene scene) {
+  std::vector<double*> numbers;
+  for (Body& body : scene.bodies) {
+    for (Vec3* v : {&body.velocity.v_WBcm, &body.velocity.w_WB}) numbers.insert(numbers.end(), {&v->x(), &v->y(), &v->z()});
+  }
+  const double most = greatest(numbers);
+  if (!scene.contact || most == 0) return std::nullopt;
   times_power(numbers, -std::ilogb(most));
   return scene;
 }
@@ -111,6 +122,8 @@ std::vector<Move> fewer_bits(const Scene& scene) {
   return moves;
 }
 
-std::vector<Move> plainer_units(const Scene&) { return {unit_lengths, unit_quaternions}; }
+std::vector<Move> plainer_units(const Scene&) {
+  return {unit_lengths, unit_velocities, unit_quaternions};
+}
 
 }  // namespace touchstone::oracle::smaller

@@ -12,6 +12,7 @@ std::optional<Scene> body_at_origin(Scene scene, std::size_t i) {
   if (i >= scene.bodies.size()) return std::nullopt;
   const Vec3 origin = scene.bodies[i].X_WB.p_WB;
   for (Body& body : scene.bodies) body.X_WB.p_WB -= origin;
+  if (scene.contact) scene.contact->p_WC -= origin;
   return scene;
 }
 
@@ -22,7 +23,7 @@ Quaternion relative(const Quaternion& q, const Quaternion& r) {  // conj(q) r
 
 /// The world turned so that body i is not: the others keep their place beside it.
 std::optional<Scene> seen_from(Scene scene, std::size_t i) {
-  if (i >= scene.bodies.size()) return std::nullopt;
+  if (i >= scene.bodies.size() || scene.contact) return std::nullopt;  // a normal would round
   const Quaternion q = scene.bodies[i].X_WB.q_WB;
   const Mat3 back = rounded_rotation(q).transpose();
   for (Body& body : scene.bodies) {

@@ -6,6 +6,7 @@
 
 #include "model/film.h"
 #include "model/input_error.h"
+#include "oracle/impact.h"
 #include "oracle/precision.h"
 #include "oracle/tolerance.h"
 #include "oracle/truth.h"
@@ -183,6 +184,31 @@ void broad_phase_classes(const Scene& scene, Names& names) {
   if (equal_end) names.push_back("equal end points");
 }
 
+void impulse_classes(const Scene& scene, Names& names) {
+  const Contact& contact = *scene.contact;
+  const oracle::Impact impact = oracle::impact(scene);
+  const auto when = [&names](bool is, const char* name) {
+    if (is) names.emplace_back(name);
+  };
+  const oracle::Real coupling = impact.k().norm() / impact.K_nn(), condition = impact.condition();
+  const bool uncoupled = coupling <= 0x1p-60L;
+  names.emplace_back(contact.law == Law::poisson ? "Poisson" : contact.law == Law::stronge ? "Stronge" : "Newton");
+  when(impact.u_n() < 0, "approaching");
+  when(impact.u_n() > 0, "parting");
+  when(impact.u_n() == 0, "neither approaching nor parting");
+  when(impact.u_t().norm() <= 0x1p-60L * impact.u.norm(), "no slip");
+  when(contact.friction == 0, "no friction");
+  when(std::isinf(contact.friction), "infinite friction");
+  when(contact.restitution == 0, "e = 0");
+  when(contact.restitution == 1, "e = 1");
+  when(uncoupled, "normal and slip uncoupled");
+  when(!uncoupled && contact.friction * coupling > 1, "jam-capable");
+  when(condition <= 10, "cond(K) to 10");
+  when(condition > 1e4, "cond(K) beyond 1e4");
+  when(impact.bodies[0].fixed || impact.bodies[1].fixed, "one body fixed");
+  when(!impact.bodies[0].fixed && !impact.bodies[1].fixed, "no body fixed");
+}
+
 std::vector<Class> with_shapes(std::vector<Class> classes) {
   for (const char* pair :
        {"box-box", "box-polytope", "box-sphere", "polytope-polytope", "polytope-sphere", "sphere-sphere"}) {
@@ -226,6 +252,7 @@ std::vector<std::string> classes_of(const Scene& scene, const std::string& stem)
   if (stem == "mass") mass_classes(scene, names);
   if (stem == "bounds") shape_classes(scene, names);
   if (stem == "broad_phase") broad_phase_classes(scene, names);
+  if (stem == "impulse" && scene.contact) impulse_classes(scene, names);
   if (oracle::exact_in(scene, Precision::binary32)) names.push_back("binary32");
   std::ranges::sort(names);
   names.erase(std::unique(names.begin(), names.end()), names.end());
@@ -259,6 +286,25 @@ const std::vector<Class>& classes(const std::string& stem) {
                                                              {"overlapping within 2^-40", 0.01},
                                                              {"overlapping within 2^-12", 0.03},
                                                              {"overlapping clear", 0.05}});
+  static const std::vector<Class> impulse = {{"Poisson", 0.3},
+                                             {"Stronge", 0.1},
+                                             {"Newton", 0.1},
+                                             {"approaching", 0.5},
+                                             {"parting", 0.02},
+                                             {"neither approaching nor parting", 0.005},
+                                             {"no slip", 0.05},
+                                             {"no friction", 0.05},
+                                             {"infinite friction", 0.05},
+                                             {"e = 0", 0.1},
+                                             {"e = 1", 0.1},
+                                             {"normal and slip uncoupled", 0.05},
+                                             {"jam-capable", 0.1},
+                                             {"cond(K) to 10", 0.2},
+                                             {"cond(K) beyond 1e4", 0.03},
+                                             {"one body fixed", 0.2},
+                                             {"no body fixed", 0.2},
+                                             {"binary32", 0.5}};
+  if (stem == "impulse") return impulse;
   if (stem == "mass") return mass;
   if (stem == "bounds") return bounds;
   if (stem == "broad_phase") return broad_phase;

@@ -16,7 +16,10 @@ bool translate(Scene& scene, const Vec3& t) {
     if (!p) return false;
     X_WB->p_WB = *p;
   }
-  return true;
+  if (!scene.contact) return true;
+  const std::optional<Vec3> p = exact_sum(scene.contact->p_WC, t);
+  if (p) scene.contact->p_WC = *p;
+  return p.has_value();
 }
 
 std::optional<Quaternion> turned(const Quaternion& q) {
@@ -64,6 +67,14 @@ bool scale(Compound& compound, int k) {
   });
 }
 
+bool scale(Density&, int) { return true; }
+bool scale(Fixed&, int) { return true; }
+bool scale(MassProperties& given, int k) {
+  double* I = given.I_BBcm_B.data();
+  return scale(given.mass, 3 * k) && scale(given.p_BBcm, k) &&
+         std::all_of(I, I + 9, [k](double& x) { return scale(x, 5 * k); });
+}
+
 }  // namespace
 
 Scene swapped(Scene scene) {
@@ -72,6 +83,7 @@ Scene swapped(Scene scene) {
   for (Frame& frame : scene.frames) {
     for (Placement& placement : frame) placement.body = last - placement.body;
   }
+  if (scene.contact) scene.contact->nhat_BA_W = -scene.contact->nhat_BA_W;
   return scene;
 }
 
@@ -115,6 +127,10 @@ std::optional<Scene> turned(const Scene& scene) {
     body.velocity = {turned(body.velocity.v_WBcm), turned(body.velocity.w_WB)};
   }
   moved.gravity = turned(moved.gravity);
+  if (moved.contact) {
+    moved.contact->p_WC = turned(moved.contact->p_WC);
+    moved.contact->nhat_BA_W = turned(moved.contact->nhat_BA_W);
+  }
   return moved;
 }
 
@@ -128,6 +144,57 @@ Scene half_turned(Scene scene) {
     body.velocity = {half(body.velocity.v_WBcm), half(body.velocity.w_WB)};
   }
   scene.gravity = half(scene.gravity);
+  if (scene.contact) {
+    scene.contact->p_WC = half(scene.contact->p_WC);
+    scene.contact->nhat_BA_W = half(scene.contact->nhat_BA_W);
+  }
+  return scene;
+}
+
+// With S the mirror, the body's frame is mirrored too: S R S turns it, so (w, x, y, z) → (w, x, −y, −z), and spheres and
+// boxes are their own mirror images. What is of second order in x changes its sign.
+std::optional<Scene> mirrored(Scene scene) {
+  const auto polar = [](const Vec3& v) { return Vec3(-v.x(), v.y(), v.z()); };
+  for (Pose* X_WB : poses(scene)) {
+    const Quaternion q = X_WB->q_WB;
+    *X_WB = {polar(X_WB->p_WB), {q.w, q.x, -q.y, -q.z}};
+  }
+  for (Body& body : scene.bodies) {
+    if (std::holds_alternative<Polytope>(body.shape) || std::holds_alternative<Compound>(body.shape)) return std::nullopt;
+    body.velocity = {polar(body.velocity.v_WBcm), -polar(body.velocity.w_WB)};
+    auto* given = std::get_if<MassProperties>(&body.mass);
+    if (given == nullptr) continue;
+    given->p_BBcm = polar(given->p_BBcm);
+    for (const auto& [i, j] : {std::pair(0, 1), {1, 0}, {0, 2}, {2, 0}}) given->I_BBcm_B(i, j) = -given->I_BBcm_B(i, j);
+  }
+  scene.gravity = polar(scene.gravity);
+  if (scene.contact) {
+    scene.contact->p_WC = polar(scene.contact->p_WC);
+    scene.contact->nhat_BA_W = polar(scene.contact->nhat_BA_W);
+  }
+  return scene;
+}
+
+std::optional<Scene> boosted(Scene scene) {
+  double fastest = 0;
+  for (const Body& body : scene.bodies) {
+    if (std::holds_alternative<Fixed>(body.mass)) return std::nullopt;
+    fastest = std::max(fastest, body.velocity.v_WBcm.cwiseAbs().maxCoeff());
+  }
+  if (fastest == 0) fastest = 1;
+  const Vec3 v = std::exp2(std::ceil(std::log2(fastest))) * Vec3(2, -1, 3);
+  for (Body& body : scene.bodies) {
+    const std::optional<Vec3> sum = exact_sum(body.velocity.v_WBcm, v);
+    if (!sum) return std::nullopt;
+    body.velocity.v_WBcm = *sum;
+  }
+  return scene;
+}
+
+std::optional<Scene> sped_up(Scene scene, int k) {
+  for (Body& body : scene.bodies) {
+    if (!scale(body.velocity.v_WBcm, k) || !scale(body.velocity.w_WB, k)) return std::nullopt;
+  }
   return scene;
 }
 
@@ -136,10 +203,12 @@ std::optional<Scene> scaled(Scene scene, int k) {
     if (!scale(X_WB->p_WB, k)) return std::nullopt;
   }
   for (Body& body : scene.bodies) {
-    const bool exact = scale(body.velocity.v_WBcm, k) &&
-                       std::visit([k](auto& shape) { return scale(shape, k); }, body.shape);
+    const auto each = [k](auto& alternative) { return scale(alternative, k); };
+    const bool exact =
+        scale(body.velocity.v_WBcm, k) && std::visit(each, body.shape) && std::visit(each, body.mass);
     if (!exact) return std::nullopt;
   }
+  if (scene.contact && !scale(scene.contact->p_WC, k)) return std::nullopt;
   if (!scale(scene.gravity, k)) return std::nullopt;
   return scene;
 }

@@ -9,7 +9,7 @@
 
 namespace touchstone::properties {
 
-/// Bodies in the opposite order.
+/// Bodies in the opposite order; a contact's normal points the other way.
 Scene swapped(Scene scene);
 
 /// Vertices of every polytope, and the faces with them, in the opposite order; none if the scene has no polytope.
@@ -30,7 +30,17 @@ Vec3 turned(const Vec3& p);
 /// The world turned by half about x, which no double ever rounds: (x, y, z) → (x, −y, −z).
 Scene half_turned(Scene scene);
 
-/// All lengths times 2^k; none if one of them overflows or loses bits to underflow.
+/// The world seen in the plane x = 0; none if a polytope or compound stands in it.
+std::optional<Scene> mirrored(Scene scene);
+
+/// The same velocity for all bodies on top of their own; none if that rounds, or if a body is fixed.
+std::optional<Scene> boosted(Scene scene);
+
+/// All velocities times 2^k; none if one overflows or loses bits to underflow.
+std::optional<Scene> sped_up(Scene scene, int k);
+
+/// All lengths times 2^k, at the same density: given masses times 2^3k, inertias times 2^5k; none if one of them
+/// overflows or loses bits to underflow.
 std::optional<Scene> scaled(Scene scene, int k);
 
 }  // namespace touchstone::properties

@@ -30,6 +30,7 @@ void nudge(PairHistory& said) {
 }
 void nudge(Distance& said) { said.distance = nudged(said.distance.value_or(0)); }
 void nudge(Penetration& said) { said.depth = nudged(said.depth.value_or(0)); }
+void nudge(Impulse& said) { said.after[0].v_WBcm.x() = nudged(said.after[0].v_WBcm.x()); }
 
 // One rule for all queries.
 template <class Rule>
@@ -41,6 +42,7 @@ Lies all_queries(Rule rule) {
   lies.pair_history = rule;
   lies.distance = rule;
   lies.penetration = rule;
+  lies.impulse = rule;
   return lies;
 }
 
@@ -78,6 +80,7 @@ Lies not_a_number() {
   };
   lies.distance = [](Subject&, const Scene&, Distance& said) { said.distance = nan; };
   lies.penetration = [](Subject&, const Scene&, Penetration& said) { said.depth = nan; };
+  lies.impulse = [](Subject&, const Scene&, Impulse& said) { said.after[0].w_WB.x() = nan; };
   return lies;
 }
 
@@ -114,6 +117,7 @@ Lies one_axis() {
       if (m) m->I_BBcm_B(1, 1) *= 1 + 1e-6;
     }
   };
+  lies.impulse = [](Subject&, const Scene&, Impulse& said) { said.after[0].v_WBcm.y() *= 1 + 1e-6; };
   return lies;
 }
 

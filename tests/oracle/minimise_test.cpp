@@ -204,5 +204,32 @@ TEST_CASE("a film comes down to the shortest sequence that fails") {
   CHECK(smallest.frames[1] == Frame{{smallest.frames[0][0].body, {}}});
 }
 
+TEST_CASE("an impact comes down to plain numbers, its velocities with them") {
+  int counter = 7;
+  Scene scene;
+  scene.bodies.resize(2);
+  for (Body& body : scene.bodies) {
+    body.shape = Box{{1, 2, 3}};
+    body.X_WB = {{number(counter), number(counter), number(counter)}, {1, number(counter), 0, 1}};
+    body.velocity = {{number(counter), number(counter), number(counter)}, {number(counter), 0, number(counter)}};
+    MassProperties given;
+    given.mass = 1 + std::abs(number(counter));
+    given.I_BBcm_B = Vec3(3, 4, 4 + std::abs(number(counter))).asDiagonal();
+    body.mass = given;
+  }
+  scene.contact = Contact{{number(counter), 0.25, 0.5}, Vec3(1, 2, 2) / 3, Law::stronge, 0.7, 0.3};
+  const auto slips = [](const Scene& s) {
+    return s.contact && s.contact->friction > 0 && s.bodies[0].velocity.v_WBcm.x() != s.bodies[1].velocity.v_WBcm.x();
+  };
+  const Scene smallest = minimised(scene, slips);
+  const Size size = size_of(smallest);
+  CHECK(size.significant_bits_max <= 1);
+  CHECK(size.vertices_per_body_max == 1);
+  CHECK(smallest.contact->nhat_BA_W.cwiseAbs().maxCoeff() == 1);
+  CHECK(smallest.contact->law == Law::poisson);
+  CHECK(smallest.contact->restitution == 0);
+  CHECK(smallest.contact->p_WC == Vec3::Zero());
+}
+
 }  // namespace
 }  // namespace touchstone::oracle

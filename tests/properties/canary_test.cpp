@@ -32,7 +32,7 @@ TEST_CASE("the reference keeps every property, and each property asks it somethi
   const auto reference = oracle::subjects::make_reference();
   for (const properties::Property& property : properties::all()) {
     int held = 0;
-    for (const Scene& scene : tests::scenes()) {
+    for (const Scene& scene : tests::scenes_of(property.stem)) {
       const oracle::Finding finding = property.check(scene, *reference);
       INFO(property.id << " on " << scene.name << ": " << name_of(finding.outcome) << ", " << name_of(finding.defect)
                        << ", " << finding.observed << " for " << finding.expected << ", " << finding.error << " of "

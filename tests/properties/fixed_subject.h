@@ -6,6 +6,10 @@
 namespace touchstone::tests {
 
 struct FixedSubject : oracle::Subject {
+  // Out of line: inlined, the variants' destructors make gcc 12 see members that are not initialised.
+  FixedSubject();
+  ~FixedSubject() override;
+
   oracle::Card introduced;
   Answer<Masses> said_mass = Abstains{"not set"};
   Answer<Bounds> said_bounds = Abstains{"not set"};
@@ -13,6 +17,7 @@ struct FixedSubject : oracle::Subject {
   Answer<PairHistory> said_history = Abstains{"not set"};
   Answer<Distance> said_distance = Abstains{"not set"};
   Answer<Penetration> said_penetration = Abstains{"not set"};
+  Answer<Impulse> said_impulse = Abstains{"not set"};
 
   const oracle::Card& card() const override { return introduced; }
   Answer<Masses> mass(const Scene&) override { return said_mass; }
@@ -21,6 +26,7 @@ struct FixedSubject : oracle::Subject {
   Answer<PairHistory> pair_history(const Scene&) override { return said_history; }
   Answer<Distance> distance(const Scene&) override { return said_distance; }
   Answer<Penetration> penetration(const Scene&) override { return said_penetration; }
+  Answer<Impulse> impulse(const Scene&) override { return said_impulse; }
 };
 
 }  // namespace touchstone::tests

@@ -11,10 +11,34 @@
 namespace touchstone::tests {
 namespace {
 
+// The reference, which is slow where slip turns, asked once an impact.
+class Truthful : public oracle::Subject {
+ public:
+  const oracle::Card& card() const override { return reference_->card(); }
+  Answer<Masses> mass(const Scene& scene) override { return reference_->mass(scene); }
+  Answer<Bounds> bounds(const Scene& scene) override { return reference_->bounds(scene); }
+  Answer<PairSet> broad_phase(const Scene& scene) override { return reference_->broad_phase(scene); }
+  Answer<PairHistory> pair_history(const Scene& scene) override { return reference_->pair_history(scene); }
+  Answer<Distance> distance(const Scene& scene) override { return reference_->distance(scene); }
+  Answer<Penetration> penetration(const Scene& scene) override { return reference_->penetration(scene); }
+  Answer<Pixels> pixel(const Scene& scene) override { return reference_->pixel(scene); }
+  Answer<Impulse> impulse(const Scene& scene) override {
+    static std::vector<std::pair<Scene, Answer<Impulse>>> asked;
+    const auto found = std::ranges::find(asked, scene, &std::pair<Scene, Answer<Impulse>>::first);
+    if (found != asked.end()) return found->second;
+    return asked.emplace_back(scene, reference_->impulse(scene)).second;
+  }
+
+ private:
+  const std::unique_ptr<oracle::Subject> reference_ = oracle::subjects::make_reference();
+};
+
+std::unique_ptr<oracle::Subject> make_truthful() { return std::make_unique<Truthful>(); }
+
 // A fresh canary for each scene, as what it remembers is part of its lie.
 bool catches(const properties::Property& property, const oracle::subjects::Canary& canary) {
-  return std::ranges::any_of(scenes(), [&](const Scene& scene) {
-    const auto subject = canary.make(oracle::subjects::make_reference());
+  return std::ranges::any_of(scenes_of(property.stem), [&](const Scene& scene) {
+    const auto subject = canary.make(make_truthful());
     const oracle::Outcome outcome = property.check(scene, *subject).outcome;
     return outcome == oracle::Outcome::fails || outcome == oracle::Outcome::breaks;
   });

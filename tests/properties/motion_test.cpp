@@ -70,3 +70,41 @@ TEST_CASE("body motions: thrice turned is the same, a cube cannot be shifted, de
   CHECK(denser(*denser(solids, 3), -3) == solids);
   CHECK_FALSE(denser(solids, 1024));
 }
+
+TEST_CASE("motions of an impact: its point, normal and velocities go with the bodies") {
+  Scene scene = tests::pair("an impact", tests::body(Sphere{1}, {0, 0, 3}), tests::body(Box{Vec3(2, 3, 1)}, {1, 2, 1}));
+  scene.bodies[0].velocity = {{1, 2, -3}, {4, 5, 6}};
+  MassProperties given;
+  given.mass = 2;
+  given.p_BBcm = {1, 2, 3};
+  given.I_BBcm_B << 5, 1, 2, 1, 6, 3, 2, 3, 7;
+  scene.bodies[1].mass = given;
+  scene.contact = Contact{{0, 0, 2}, {0, 0, 1}, Law::stronge, 0.5, 0.25};
+
+  CHECK(swapped(scene).contact->nhat_BA_W == Vec3(0, 0, -1));
+  CHECK(translated(scene)->contact->p_WC - scene.contact->p_WC == translation_between(scene, *translated(scene)));
+  CHECK(turned(scene)->contact->p_WC == Vec3(2, 0, 0));
+  CHECK(turned(scene)->contact->nhat_BA_W == Vec3(1, 0, 0));
+  CHECK(half_turned(scene).contact->p_WC == Vec3(0, 0, -2));
+  CHECK(half_turned(scene).contact->nhat_BA_W == Vec3(0, 0, -1));
+
+  CHECK(mirrored(*mirrored(scene)) == scene);
+  CHECK(mirrored(scene)->bodies[0].velocity == Velocity{{-1, 2, -3}, {4, -5, -6}});
+  CHECK(std::get<MassProperties>(mirrored(scene)->bodies[1].mass).I_BBcm_B(0, 1) == -1);
+  CHECK(std::get<MassProperties>(mirrored(scene)->bodies[1].mass).I_BBcm_B(1, 2) == 3);
+  CHECK_FALSE(mirrored(tests::scene("polytopes deep in each other")));
+
+  const Scene larger = *scaled(scene, 2);
+  CHECK(larger.contact->p_WC == Vec3(0, 0, 8));
+  CHECK(larger.bodies[0].velocity == Velocity{{4, 8, -12}, {4, 5, 6}});
+  CHECK(std::get<MassProperties>(larger.bodies[1].mass).mass == 128);
+  CHECK(std::get<MassProperties>(larger.bodies[1].mass).I_BBcm_B(0, 0) == 5 * 1024);
+
+  CHECK(sped_up(*sped_up(scene, 20), -20) == scene);
+  CHECK_FALSE(sped_up(scene, 1024));
+  const Scene flying = *boosted(scene);
+  CHECK(flying.bodies[0].velocity.v_WBcm - scene.bodies[0].velocity.v_WBcm == flying.bodies[1].velocity.v_WBcm);
+  CHECK(flying.bodies[1].velocity.v_WBcm != Vec3::Zero());
+  scene.bodies[1].mass = Fixed{};
+  CHECK_FALSE(boosted(scene));
+}

@@ -49,6 +49,61 @@ Scene film(const std::string& name, const std::vector<Shape>& shapes, std::vecto
   return oracle::truth::completed(scene);
 }
 
+Body moving(Body body, const Vec3& v, const Vec3& w) {
+  body.velocity = {v, w};
+  return body;
+}
+
+Body heavy(Body body, double mass, const Vec3& moments) {
+  MassProperties given;
+  given.mass = mass;
+  given.I_BBcm_B = moments.asDiagonal();
+  body.mass = given;
+  return body;
+}
+
+const Body ground = unmoved(body(Box{Vec3(8, 8, 1)}, {0, 0, -1}));
+
+/// The bodies meet at C, the normal up.
+Scene impact(const std::string& name, Body a, Body b, const Vec3& p_WC, Law law, double e, double mu) {
+  Scene scene = pair(name, std::move(a), std::move(b));
+  scene.contact = Contact{p_WC, {0, 0, 1}, law, e, mu};
+  return scene;
+}
+
+/// Met at r from its centre, by a body that nothing moves: K of literature's planar examples.
+Body rod(const Vec3& r, double moment, const Vec3& v) {
+  return moving(heavy(body(cube, -r), 1, Vec3::Constant(moment)), v, {0, 0, 0});
+}
+
+std::vector<Scene> build_impacts() {
+  const Body left = moving(dense(body(brick, {1, 2, 3.5}), 2), {3, 1, -4}, {1, -2, 3});
+  const Body right = moving(dense(body(cube, {1.5, 1, 2}), 1), {-1, 2, 1}, {2, 1, -1});
+  const Vec3 between{1.5, 1.5, 3};
+  const Body turned_left = moving(dense(body(brick, {1, 2, 3.5}, about_x), 2), {3, 1, -4}, {1, -2, 3});
+  const Body ball = moving(heavy(body(Sphere{1}, {0, 0, 1}), 1, Vec3::Constant(0.5)), {3, 1, -1}, {0, 0, 0});
+  const Body other_ball = moving(dense(body(Sphere{1}, {0, 0, -1}), 1), {1, 0, 2}, {0, 1, 0});
+  const Body slow_ball = moving(heavy(body(Sphere{1}, {0, 0, 1}), 1, Vec3::Constant(0.5)), {0.25, 0, -0.25}, {0, 0, 0});
+  const Body falling = moving(heavy(body(cube, {2, 0, 1}), 1, {2, 3, 4}), {0, 0, -1}, {0, 0, 0});
+  return {
+      impact("a ball that skids", ball, ground, {0, 0, 0}, Law::poisson, 0.5, 0.125),
+      impact("a ball that grips", ball, ground, {0, 0, 0}, Law::stronge, 0.5, 2),
+      impact("a slow ball", slow_ball, ground, {0, 0, 0}, Law::poisson, 0.5, 0.25),
+      impact("two balls", ball, other_ball, {0, 0, 0}, Law::poisson, 0.75, 0.25),
+      impact("a rod whose slip stops", rod({-3, 0, -3}, 6, {3, 0, -5}), ground, {0, 0, 0}, Law::poisson, 1, 1),
+      impact("a rod whose slip stops, by Newton's law", rod({-3, 0, -3}, 6, {3, 0, -5}), ground, {0, 0, 0}, Law::newton,
+             1, 1),
+      impact("a rod in Painlevé's range", rod({-3, 0, -6}, 15, {-100, 0, -1}), ground, {0, 0, 0}, Law::poisson, 0.5, 2),
+      impact("boxes that meet off their centres", left, right, between, Law::poisson, 0.5, 0.5),
+      impact("boxes that meet off their centres, by Stronge's law", turned_left, right, between, Law::stronge, 0.5, 0.25),
+      impact("boxes without friction", left, right, between, Law::poisson, 0.5, 0),
+      impact("boxes that stay together", left, right, between, Law::newton, 0, 0.5),
+      impact("boxes by Newton's law", left, right, between, Law::newton, 0.5, 0.125),
+      impact("a box that sticks from the start", falling, ground, {0, 0, 0}, Law::poisson, 0.5, 4),
+      impact("boxes that part", right, left, between, Law::poisson, 0.5, 0.5),
+  };
+}
+
 std::vector<Scene> build() {
   return {
       pair("cubes apart along y", body(cube, {0, 0, 0}), body(cube, {0.5, 2.25, 0.25})),
@@ -117,10 +172,19 @@ const std::vector<Scene>& scenes() {
   return all;
 }
 
+const std::vector<Scene>& impacts() {
+  static const std::vector<Scene> all = build_impacts();
+  return all;
+}
+
+const std::vector<Scene>& scenes_of(const std::string& stem) { return stem == "impulse" ? impacts() : scenes(); }
+
 const Scene& scene(const std::string& name) {
-  const auto found = std::ranges::find(scenes(), name, &Scene::name);
-  if (found == scenes().end()) throw std::out_of_range(name);
-  return *found;
+  for (const auto* some : {&scenes(), &impacts()}) {
+    const auto found = std::ranges::find(*some, name, &Scene::name);
+    if (found != some->end()) return *found;
+  }
+  throw std::out_of_range(name);
 }
 
 }  // namespace touchstone::tests

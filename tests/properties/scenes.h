@@ -10,6 +10,11 @@ namespace touchstone::tests {
 
 /// Completed and valid; names say what they are.
 const std::vector<Scene>& scenes();
+/// Two bodies that meet.
+const std::vector<Scene>& impacts();
+/// Those that a stem's properties are shown on: impacts for "impulse", scenes for the others.
+const std::vector<Scene>& scenes_of(const std::string& stem);
+/// Of all of them.
 const Scene& scene(const std::string& name);
 
 Body body(Shape shape, const Vec3& p_WB, const Quaternion& q_WB = {});

@@ -1,0 +1,83 @@
+#include "oracle/impact.h"
+
+#include <Eigen/Dense>
+#include <cmath>
+
+#include "oracle/truth.h"
+
+namespace touchstone::oracle {
+namespace {
+
+Real middle(const Interval& i) { return (static_cast<Real>(i.lo) + static_cast<Real>(i.hi)) / 2; }
+
+Matrix cross(const Point& r) {
+  Matrix m;
+  m << 0, -r.z(), r.y(), r.z(), 0, -r.x(), -r.y(), r.x(), 0;
+  return m;
+}
+
+Matrix rotation(const Quaternion& q) {
+  return Eigen::Quaternion<Real>(q.w, q.x, q.y, q.z).normalized().toRotationMatrix();
+}
+
+Struck struck(const Body& body, const std::optional<reference::MassTruth>& mass, const Vec3& p_WC) {
+  Struck it;
+  it.v_WBcm = body.velocity.v_WBcm.cast<Real>();
+  it.w_WB = body.velocity.w_WB.cast<Real>();
+  it.fixed = !mass;
+  it.p_BcmC_W = p_WC.cast<Real>() - body.X_WB.p_WB.cast<Real>();
+  if (it.fixed) return it;
+  const Matrix R_WB = rotation(body.X_WB.q_WB);
+  it.mass = middle(mass->mass);
+  it.p_BcmC_W -= R_WB * Point(middle(mass->p_BBcm[0]), middle(mass->p_BBcm[1]), middle(mass->p_BBcm[2]));
+  const auto I = [&](std::size_t i) { return middle(mass->I_BBcm_B[i]); };
+  Matrix I_B;
+  I_B << I(0), I(3), I(4), I(3), I(1), I(5), I(4), I(5), I(2);
+  it.I_W = R_WB * I_B * R_WB.transpose();
+  it.I_inverse_W = R_WB * I_B.inverse() * R_WB.transpose();
+  it.moments = Eigen::SelfAdjointEigenSolver<Matrix>(I_B, Eigen::EigenvaluesOnly).eigenvalues();
+  return it;
+}
+
+Point at_contact(const Point& v_WBcm, const Point& w_WB, const Struck& body) {
+  return v_WBcm + w_WB.cross(body.p_BcmC_W);
+}
+
+}  // namespace
+
+Real Impact::energy_norm(const Point& du) const { return std::sqrt(std::max<Real>(0, du.dot(K_inverse * du))); }
+
+Real Impact::condition() const {
+  const Point values = Eigen::SelfAdjointEigenSolver<Matrix>(K, Eigen::EigenvaluesOnly).eigenvalues();
+  return values[2] / values[0];
+}
+
+Real Impact::least_mass() const {
+  Real inverse = 0;
+  for (const Struck& body : bodies) inverse += body.fixed ? 0 : 1 / body.mass;
+  return 1 / inverse;
+}
+
+Point Impact::u_after(const std::array<Velocity, 2>& after) const {
+  const auto point = [&](std::size_t i) {
+    return at_contact(after[i].v_WBcm.cast<Real>(), after[i].w_WB.cast<Real>(), bodies[i]);
+  };
+  return point(0) - point(1);
+}
+
+Impact impact(const Scene& scene) {
+  const auto& masses = truth::mass(scene);
+  Impact it;
+  it.nhat_BA_W = scene.contact->nhat_BA_W.cast<Real>().normalized();
+  for (std::size_t i = 0; i < 2; ++i) {
+    Struck& body = it.bodies[i] = struck(scene.bodies[i], masses[i], scene.contact->p_WC);
+    const Matrix r = cross(body.p_BcmC_W);
+    if (!body.fixed) it.K += Matrix::Identity() / body.mass - r * body.I_inverse_W * r;
+    it.u += (i == 0 ? 1 : -1) * at_contact(body.v_WBcm, body.w_WB, body);
+  }
+  it.K = ((it.K + it.K.transpose()) / 2).eval();
+  it.K_inverse = it.K.inverse();
+  return it;
+}
+
+}  // namespace touchstone::oracle

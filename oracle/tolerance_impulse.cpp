@@ -1,0 +1,165 @@
+#include "oracle/tolerance_impulse.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "oracle/precision.h"
+#include "oracle/tolerance.h"
+
+namespace touchstone::oracle::tolerance {
+namespace {
+
+// Relative error of the impulse in its energy norm, for K and u as they are: what is asked of a solver. Stated for
+// cond(K) ≤ 10, where all contacts inside uniform boxes are (cond ≤ 7, proved), and beyond it in proportion. Measured
+// for a Taylor solver: ≤ 80u and ≤ 217u·cond(K) (docs/design/impulse.md).
+Real solver(const Impact& impact) {
+  const Real condition = impact.condition();
+  return condition <= 10 ? 256 : 1024 * condition;
+}
+
+// How much a relative change of K, or of u, can change the impulse, all in energy norms. Measured by differences over
+// nine classes of contacts: at most 46 and 19; no theorem, and none holds where the law itself jumps.
+constexpr Real of_K = 64;
+constexpr Real of_u = 32;
+
+// At the end of compression u_n crosses 0 with the slope du_n/dp ≥ K_nn − mu|K_tn|, and what u_n is off by moves p_c by
+// as much over the slope. Where that bound is not positive the crossing may be as flat as it likes; what is measured
+// above holds for such contacts too, away from where the law jumps.
+Real crossing(const Impact& impact, const Contact& contact) {
+  const Real coupling = impact.k().norm();
+  const Real slope = coupling > 0 ? 1 - contact.friction * coupling / impact.K_nn() : 1;
+  return slope > 0 ? 1 / slope : 1;
+}
+
+// A turn by q/|q| changes a vector by at most 44u of its length (tolerance.cpp), and there and back is two turns. A
+// body that is not turned, or whose inertia is the same about all axes, need not be.
+constexpr Real turn = 44;
+
+bool needs_turn(const Body& body, const Struck& struck) {
+  const Quaternion& q = body.X_WB.q_WB;
+  return (q.x != 0 || q.y != 0 || q.z != 0) && struck.moments[0] != struck.moments[2];
+}
+
+Real length(const Vec3& v) { return v.cast<Real>().norm(); }
+
+// What rounding does to the facts of one body, in SI units; all 0 for an exact subject, which rounds its answer alone.
+struct Facts {
+  Real arm = 0;      // m: of r = p_WC − p_WBcm
+  Real inertia = 0;  // 1: of I⁻¹, relative to its least moment
+  Real mass = 0;     // 1: of m
+};
+
+// r: the centre of mass is the body's origin, or a pose (52u, tolerance.cpp) takes it to the world; the difference
+// rounds by u|r|; into the body's axes and back are two turns. A density's mass properties: tolerance::mass.
+Facts facts(const Body& body, const Struck& struck, Precision precision) {
+  if (precision == Precision::exact || struck.fixed) return {};
+  const Real u = unit_roundoff(precision);
+  const MassBound from_density = mass(body, precision);
+  const auto* given = std::get_if<MassProperties>(&body.mass);
+  const Real r = struck.p_BcmC_W.norm(), centre = from_density.centre + (given != nullptr ? length(given->p_BBcm) : 0);
+  Facts it;
+  it.arm = u * r + (needs_turn(body, struck) ? 2 * turn * u * r : 0);
+  if (centre > 0) it.arm += from_density.centre + 52 * u * (length(body.X_WB.p_WB) + length(body.X_WB.p_WB) + centre);
+  it.inertia = u + from_density.inertia / struck.moments[0];
+  it.mass = u + from_density.mass / struck.mass;
+  return it;
+}
+
+// √J: the velocities that are said, each number rounded once, and an angular velocity turned back.
+Real stored(const Scene& scene, const Impact& impact, const std::array<Velocity, 2>& after, Real u, bool exact) {
+  Real sum = 0;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Struck& body = impact.bodies[i];
+    if (body.fixed) continue;
+    const Real change = (after[i].w_WB.cast<Real>() - body.w_WB).norm();
+    const Real turned = !exact && needs_turn(scene.bodies[i], body) ? turn * change : 0;
+    const Real v = length(after[i].v_WBcm) + (exact ? 0 : body.v_WBcm.norm());
+    const Real w = length(after[i].w_WB) + (exact ? 0 : body.w_WB.norm());
+    sum += u * (std::sqrt(body.mass) * v + std::sqrt(body.moments[2]) * (w + turned));
+  }
+  return sum;
+}
+
+}  // namespace
+
+// To first order, with N = √(uᵀ K⁻¹ u), which an impulse that gains no energy at most doubles: |P|_K ≤ 2N. Per body b,
+// with B = I^{-1/2}[r]×, K ≥ BᵀB and K ≥ 1/m* (m*: least_mass):
+//   K       |B K^{-1/2}| ≤ 1 and |K^{-1/2}| ≤ √m*, so an error dr of r changes K relatively by 2|dr|√(m*/λ), λ the
+//           least moment; errors of I and m change it by as much as they are. Times of_K·N.
+//   u       dr moves w × r by |w||dr|; products and sums of v + w × r: 4u(|v| + |w||r|); K^{-1}'s norm of it is at most
+//           √m* of its length. Times of_u.
+//   solver  above, times uN.
+//   applied P/m and I⁻¹(r × P): the same errors once more, of |P|_K ≤ 2N.
+//   stored  above.
+// All but the last times crossing.
+double impulse(const Scene& scene, const Impact& impact, const std::array<Velocity, 2>& after, Precision precision) {
+  const Real u = unit_roundoff(precision), N = impact.energy_norm(impact.u), m = impact.least_mass();
+  const bool exact = precision == Precision::exact;
+  const Real said = stored(scene, impact, after, u, exact);
+  if (exact) return static_cast<double>(said + u * N);
+  Real K = 0, du = 0;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Struck& body = impact.bodies[i];
+    const Real v = body.v_WBcm.norm(), w = body.w_WB.norm();
+    const Facts off = facts(scene.bodies[i], body, precision);
+    if (!body.fixed) K += 2 * off.arm * std::sqrt(m / body.moments[0]) + off.inertia + off.mass;
+    du += std::sqrt(m) * (w * off.arm + 4 * u * (v + w * body.p_BcmC_W.norm()));
+  }
+  const Real computed = (of_K + 2) * K * N + of_u * du + solver(impact) * u * N;
+  return static_cast<double>(crossing(impact, *scene.contact) * computed + said);
+}
+
+// m v' rounds by u m|v'|; v' = v + P/m: the sum u|v'|, the quotient u|P|/m and the mass's own error. Twice for three
+// coordinates at once.
+double momentum(const Scene& scene, const Impact& impact, const std::array<Velocity, 2>& after, Real impulse,
+                Precision precision) {
+  const Real u = unit_roundoff(precision);
+  Real sum = 0;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Struck& body = impact.bodies[i];
+    if (body.fixed) continue;
+    const Facts off = facts(scene.bodies[i], body, precision);
+    sum += 2 * (u * body.mass * length(after[i].v_WBcm) + (u + off.mass) * impulse);
+  }
+  return static_cast<double>(sum);
+}
+
+// I (w' − w) = r × m (v' − v). About C: rounding of w' and w weighs the greatest moment, λ; that of v' and v the arm;
+// the torque r × P has the arm's error, two products and a sum a coordinate (4u); the solve I⁻¹ is off by its own error
+// and, in turned axes, by two turns, each of which I magnifies by cond(I).
+double angular_momentum(const Scene& scene, const Impact& impact, std::size_t i, const Velocity& after, Real impulse,
+                        Precision precision) {
+  const Struck& body = impact.bodies[i];
+  const Real u = unit_roundoff(precision), r = body.p_BcmC_W.norm(), torque = r * impulse;
+  const Facts off = facts(scene.bodies[i], body, precision);
+  const Real condition = body.moments[2] / body.moments[0];
+  const Real turned = needs_turn(scene.bodies[i], body) ? 2 * turn * u : 0;
+  const Real spin = u * body.moments[2] * (length(after.w_WB) + body.w_WB.norm());
+  const Real swing = u * r * body.mass * (length(after.v_WBcm) + body.v_WBcm.norm());
+  const Real solve = condition * (turned + off.inertia + 4 * u) * torque + off.arm * impulse + off.mass * torque;
+  return static_cast<double>(2 * (spin + swing + solve));
+}
+
+// The part across a normal whose length is 1 within 2u, in turned axes, is off by 16u|P|, and so is the part along it,
+// which counts mu times. A cone clipped in such axes was measured at 4u.
+double cone(Real impulse, Real friction, Precision precision) {
+  return static_cast<double>(16 * unit_roundoff(precision) * (1 + friction) * impulse);
+}
+
+bool impact_in_range(const Impact& impact, Precision precision) {
+  const bool single = precision == Precision::binary32;
+  const Real least = single ? 0x1p-100L : 0x1p-900L, most = single ? 0x1p100L : 0x1p900L;
+  const auto normal = [&](Real x) { return x == 0 || (x >= least && x <= most); };
+  Real N = impact.energy_norm(impact.u);
+  bool all = normal(N * N) && normal(impact.u.squaredNorm());
+  for (const Struck& body : impact.bodies) {
+    const Real v = body.v_WBcm.squaredNorm(), w = body.w_WB.squaredNorm(), r = body.p_BcmC_W.squaredNorm();
+    all = all && normal(v) && normal(w) && normal(r) && normal(w * r) && normal(body.mass);
+    all = all && normal(body.moments[0]) && normal(body.moments[2]);
+    all = all && normal(body.mass * v) && normal(body.moments[2] * w);
+  }
+  return all;
+}
+
+}  // namespace touchstone::oracle::tolerance
