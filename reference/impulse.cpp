@@ -132,10 +132,12 @@ ExactVelocity after(const Body& body, const Response& response, const Triple& P)
 /// √(u0ᵀ K⁻¹ u0), the scale of all errors.
 Float energy_norm(const Blow<mpq_class>& blow) { return sqrt(float_of(dot(blow.u0, times(blow.K_inverse, blow.u0)))); }
 
-/// Above it, the truth of a scene that is not at a jump is one.
+/// Farther away, a jump is none of this scene's.
 constexpr double ambiguity = 1e-9;
 
+/// Where μ |K_tn| ≤ K_nn, U never falls and there is no jump; rounding must not make one.
 void set_ambiguous(ImpulseTruth& truth, const Blow<mpq_class>& blow, const Float& missing_u_n) {
+  if (!blow.facts.painleve) return;
   const Float rise = sqrt(float_of(mpq_class(dot(blow.N, times(blow.K, blow.N)) / blow.square)));
   const Float scale = rise * energy_norm(blow);
   if (missing_u_n <= ambiguity * scale) truth.ambiguous = scale == 0 ? 0 : static_cast<double>(missing_u_n / scale);

@@ -35,15 +35,36 @@ inline Scene scene(const Blow& blow) {
 
 inline Mat3 diagonal(double x, double y, double z) { return Vec3(x, y, z).asDiagonal(); }
 
-/// Stronge's and Kane's paradox: a rod at 45°, K = [[5/2, −3/2], [−3/2, 5/2]] in its plane, slip stops in compression.
-/// Velocities are 5 times those of the literature, so that they are doubles.
-inline Scene newton_paradox(Law law) {
+// Impacts with a name; docs/scenes holds each of them as impact_<name>.json. A body on a fixed one realises any K.
+
+/// Newton's law creates energy where slip stops: a rod at 45°, K = [[5/2, −3/2], [−3/2, 5/2]] in its plane. Velocities
+/// are 5 times those of the literature, so that they are doubles.
+inline Scene newton_paradox(Law law = Law::newton) {
   return scene({.I = diagonal(6, 6, 6), .r = {-3, 0, -3}, .v = {3, 0, -5}, .law = law, .e = 1, .mu = 1});
 }
 
-/// A rod at tan φ = 2, μ = 2: K = [[17/5, −6/5], [−6/5, 8/5]]; friction drives it into the wall until slip stops.
-inline Scene painleve(double u_t, double u_n) {
-  return scene({.I = diagonal(15, 15, 15), .r = {-3, 0, -6}, .v = {u_t, 0, u_n}, .e = 0.5, .mu = 2});
+/// A rod at tan φ = 2: K = [[17/5, −6/5], [−6/5, 8/5]] in its plane.
+inline Blow rod(const Vec3& v, double mu) {
+  return {.I = diagonal(15, 15, 15), .r = {-3, 0, -6}, .v = v, .e = 0.5, .mu = mu};
+}
+
+/// Friction drives it into the wall until slip stops.
+inline Scene painleve(double u_t = -100, double u_n = -1) { return scene(rod({u_t, 0, u_n}, 2)); }
+
+/// No slip before, but friction cannot hold the point.
+inline Scene unstable_sticking() { return scene(rod({0, 0, -1}, 0.25)); }
+
+/// Slip stops and comes back.
+inline Scene slip_reversal() { return scene(rod({1, 0, -2}, 0.25)); }
+
+/// A ball of 5 kg and 1 m: K = diag(7/2, 7/2, 1)/m.
+inline Scene rough_sphere(double mu = 0.25) {
+  return scene({.mass = 5, .I = diagonal(2, 2, 2), .v = {7, 0, -4}, .e = 0.5, .mu = mu});
+}
+
+/// Slip turns so that u_n rises, falls and rises again: Poisson's restitution ends with the bodies approaching.
+inline Scene recompression() {
+  return scene({.I = diagonal(2, 2, 2), .r = {0, 7, -6}, .v = {-9, -3, -4}, .e = 1, .mu = 1.5});
 }
 
 }  // namespace touchstone::tests

@@ -1,6 +1,10 @@
 #include "reference/impulse.h"
 
+#include <cmath>
+#include <functional>
+
 #include "model/input_error.h"
+#include "model/json.h"
 #include "tests/catch.h"
 #include "tests/reference/impacts.h"
 
@@ -24,6 +28,27 @@ ExactVec3 u_after(const ImpulseTruth& t) { return plus(t.u0_W, times(t.K_W, t.P_
 
 /// ΔT = P·(u0 + u_f)/2.
 Rational energy_change(const ImpulseTruth& t) { return dot(t.P_A_W, plus(t.u0_W, u_after(t))) / Rational(2); }
+
+/// Both within what is stated.
+bool near(const Rational& a, const Rational& b, double error = 1e-44) { return std::abs((a - b).nearest()) <= error; }
+
+TEST_CASE("impulse: the scenes in docs/scenes are those of the tests") {
+  using Make = std::function<Scene()>;
+  const std::vector<std::pair<std::string, Make>> named = {
+      {"newton_paradox", [] { return tests::newton_paradox(); }},
+      {"painleve", [] { return tests::painleve(); }},
+      {"unstable_sticking", tests::unstable_sticking},
+      {"slip_reversal", tests::slip_reversal},
+      {"rough_sphere", [] { return tests::rough_sphere(); }},
+      {"recompression", tests::recompression},
+  };
+  for (const auto& [name, make] : named) {
+    Scene scene = make();
+    scene.name = "impact_" + name;
+    const std::string path = TOUCHSTONE_SOURCE "/docs/scenes/" + scene.name + ".json";
+    CHECK(read_scene(path) == scene);
+  }
+}
 
 TEST_CASE("impulse: Newton's law creates energy where slip stops, Poisson's and Stronge's do not") {
   const ImpulseTruth newton = impulse(tests::newton_paradox(Law::newton));
@@ -73,10 +98,187 @@ TEST_CASE("impulse: Painlevé: an approach of next to nothing, a finite impulse,
   CHECK(*grazing.ambiguous == 0);
 }
 
+TEST_CASE("impulse: where friction cannot hold the point, slip begins") {
+  const ImpulseTruth t = impulse(tests::unstable_sticking());
+  CHECK(t.certified);
+  CHECK(t.P_A_W == ExactVec3{fraction("15/52"), Rational(0), fraction("15/13")});
+  CHECK(u_after(t)[0] == fraction("-21/52"));
+  CHECK(t.modes.diverges);
+  CHECK_FALSE(t.modes.stuck_from_start);
+}
+
+TEST_CASE("impulse: slip stops and comes back") {
+  const ImpulseTruth t = impulse(tests::slip_reversal());
+  CHECK(t.certified);
+  CHECK(t.p_c == fraction("700/533"));
+  CHECK(t.P_A_W == ExactVec3{fraction("265/1066"), Rational(0), fraction("1050/533")});
+  CHECK(t.modes.reversal);
+  CHECK(t.modes.slip_stops_in_compression);
+}
+
+// P_t = min(μ (1 + e) m |u_n|, 2/7 m |u_t|).
+TEST_CASE("impulse: a rough ball slides or rolls off") {
+  CHECK(impulse(tests::rough_sphere(0.25)).P_A_W == ExactVec3{fraction("-15/2"), Rational(0), Rational(30)});
+  CHECK(impulse(tests::rough_sphere(0.5)).P_A_W == ExactVec3{Rational(-10), Rational(0), Rational(30)});
+}
+
+// Stuck at the end of both the second compression and the impact: p_c2 = −(K⁻¹ u0)_n, whatever happened before.
+TEST_CASE("impulse: Poisson's restitution ends with the bodies approaching, so they are compressed again") {
+  const ImpulseTruth t = impulse(tests::recompression());
+  CHECK(t.modes.recompressed);
+  CHECK(t.modes.painleve);
+  CHECK(t.modes.sticks);
+  // K = diag(87/2, [[19, 21], [21, 51/2]]): (K⁻¹ u0)_n = (19·(−4) − 21·(−3))/(19·51/2 − 21²) = −26/87.
+  REQUIRE(t.K_W[1] == ExactVec3{Rational(0), Rational(19), Rational(21)});
+  REQUIRE(t.K_W[2] == ExactVec3{Rational(0), Rational(21), fraction("51/2")});
+  const Rational p_c2 = fraction("26/87");
+  CHECK(near(t.p_f, p_c2 + (p_c2 - Rational(2) * t.p_c)));
+  CHECK(u_after(t)[2].sign() > 0);
+  CHECK(energy_change(t).sign() < 0);
+}
+
+TEST_CASE("impulse: friction without limit holds at once") {
+  Scene scene = tests::scene(tests::rod({-1, 2, -1}, INFINITY));
+  scene.contact->p_WC = Vec3(-3, 1, -6);
+  const ImpulseTruth t = impulse(scene);
+  CHECK(t.certified);
+  CHECK(t.p_f == fraction("3/2") * t.p_c);
+  CHECK(u_after(t)[0] == Rational(0));
+  CHECK(u_after(t)[1] == Rational(0));
+  CHECK(t.P_A_W[2] == t.p_f);
+  // What is held at p_c would be u = 0 altogether: P = −K⁻¹ u0, so K P_c = −u0 with P_c on the line to P_f.
+  tests::Blow blow = tests::rod({-1, 2, -1}, INFINITY);
+  blow.r = Vec3(-3, 1, -6);
+  blow.e = 0;
+  const ImpulseTruth held = impulse(tests::scene(blow));
+  CHECK(u_after(held) == ExactVec3{});
+  CHECK(held.p_f == t.p_c);
+}
+
+TEST_CASE("impulse: without friction, and separating") {
+  tests::Blow blow = tests::rod({-1, 2, -1}, 0);
+  const ImpulseTruth t = impulse(tests::scene(blow));
+  CHECK(t.modes.frictionless);
+  CHECK(t.P_A_W == ExactVec3{Rational(0), Rational(0), fraction("15/16")});  // (1 + e) |u_n|/K_nn
+  blow.v = Vec3(1, 0, 0);
+  const ImpulseTruth leaves = impulse(tests::scene(blow));
+  CHECK(leaves.modes.separating);
+  CHECK(leaves.after[0].v_WBcm == ExactVec3{Rational(1), Rational(0), Rational(0)});
+}
+
+TEST_CASE("impulse: a ball of given density: its mass holds π, its velocity does not") {
+  Scene scene = tests::rough_sphere(0.25);
+  scene.bodies[0].shape = Sphere{1};
+  scene.bodies[0].mass = Density{3};
+  const ImpulseTruth t = impulse(scene);
+  CHECK(t.pi);
+  CHECK_FALSE(t.certified);
+  CHECK(t.modes.straight);
+  CHECK(near(t.after[0].v_WBcm[0], fraction("11/2")));
+  CHECK(near(t.after[0].v_WBcm[2], Rational(2)));
+}
+
+TEST_CASE("impulse: an oblique normal that no double can make a unit vector") {
+  Scene scene = tests::rough_sphere(0);
+  scene.contact->nhat_BA_W = Vec3(0, 1, 1) / std::sqrt(2.0);
+  scene.contact->p_WC = Vec3(0, -1, -1);
+  const ImpulseTruth t = impulse(scene);
+  CHECK(t.certified);  // (1 + e) m (u·n) n/|n|²: the root is squared away
+  CHECK(t.P_A_W == ExactVec3{Rational(0), Rational(15), Rational(15)});
+  CHECK(near(t.p_f * t.p_f, Rational(450), 1e-70));
+}
+
+/// Any K, by a body whose centre is far off or near; some Painlevé, some nearly sticking.
+tests::Blow any_blow(tests::Dice& dice) {
+  tests::Blow blow;
+  const double x = 0.02 + dice.unit();
+  const double y = 0.02 + dice.unit();
+  const double z = 0.02 + dice.unit();
+  blow.I = diagonal(y + z, x + z, x + y);
+  blow.r = std::ldexp(1, dice.between(0, 4)) * dice.in_cube();
+  blow.v = 2 * dice.in_cube();
+  if (dice.between(0, 3) == 0) blow.v *= 0x1p-30;
+  blow.w = dice.in_cube() / 8;
+  blow.v.z() -= 1;
+  blow.e = dice.between(0, 4) == 0 ? dice.between(0, 1) : dice.unit();
+  blow.mu = dice.unit() * dice.between(1, 4);
+  blow.law = static_cast<Law>(dice.between(0, 2));
+  return blow;
+}
+
+/// (K⁻¹)_nn, the normal being z.
+Rational inverse_nn(const std::array<ExactVec3, 3>& K) {
+  const auto minor = [&](std::size_t i, std::size_t j) { return K[0][i] * K[1][j] - K[0][j] * K[1][i]; };
+  return minor(0, 1) / (K[2][0] * minor(1, 2) - K[2][1] * minor(0, 2) + K[2][2] * minor(0, 1));
+}
+
+// docs/design/impulse.md; `slack` is what the stated error of P can make of each.
+TEST_CASE("impulse: the theorems hold") {
+  tests::Dice dice(61);
+  constexpr double slack = 1e-38;
+  int stopped = 0;
+  int diverged = 0;
+  for (int i = 0; i < 200; ++i) {
+    const tests::Blow blow = any_blow(dice);
+    const ImpulseTruth t = impulse(tests::scene(blow));
+    if (t.modes.separating) continue;
+    CAPTURE(i, blow.mu, blow.e, static_cast<int>(blow.law));
+    stopped += t.modes.slip_stops_in_compression || t.modes.slip_stops_in_restitution;
+    diverged += t.modes.diverges;
+    const ExactVec3 u = u_after(t);
+    const Rational e(blow.e);
+    CHECK(u[2].nearest() >= -slack);
+    const Rational cone = Rational(blow.mu) * t.P_A_W[2];
+    CHECK((t.P_A_W[0] * t.P_A_W[0] + t.P_A_W[1] * t.P_A_W[1] - cone * cone).nearest() <= slack);
+    CHECK(near(t.P_A_W[2], t.p_f, slack));
+    const Rational dT = energy_change(t);
+    if (blow.law == Law::newton) {
+      CHECK(near(u[2], -e * t.u0_W[2], slack));
+      continue;
+    }
+    CHECK(dT.nearest() <= slack);
+    if (blow.law == Law::stronge || t.modes.recompressed) continue;
+    CHECK(near(t.p_f, (Rational(1) + e) * t.p_c, slack));
+    const Rational bound = (e - Rational(1)) / (e + Rational(1)) * t.p_f * t.p_f / inverse_nn(t.K_W) / Rational(2);
+    CHECK((dT - bound).nearest() <= slack);
+  }
+  CHECK(stopped > 20);
+  CHECK(diverged > 0);
+}
+
+// Momentum: what A gains B loses; velocities are those that P makes.
+TEST_CASE("impulse: two moving bodies, turned any way, the same impact seen from either") {
+  tests::Dice dice(62);
+  for (int i = 0; i < 10; ++i) {
+    Scene scene = tests::scene(any_blow(dice));
+    scene.bodies[1].mass = Density{2};
+    scene.bodies[1].velocity = {dice.in_cube(), dice.in_cube()};
+    scene.bodies[0].X_WB.q_WB = tests::integer_quaternion(dice);
+    scene.contact->nhat_BA_W = dice.in_cube().normalized();
+    const ImpulseTruth t = impulse(scene);
+    Scene swapped = scene;
+    std::swap(swapped.bodies[0], swapped.bodies[1]);
+    swapped.contact->nhat_BA_W = -scene.contact->nhat_BA_W;
+    const ImpulseTruth other = impulse(swapped);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto axis = static_cast<Eigen::Index>(k);
+      REQUIRE(near(t.P_A_W[k], -other.P_A_W[k], 1e-38));
+      REQUIRE(t.after[0].v_WBcm[k] == Rational(scene.bodies[0].velocity.v_WBcm[axis]) + t.P_A_W[k]);
+      REQUIRE(t.after[1].v_WBcm[k] == Rational(scene.bodies[1].velocity.v_WBcm[axis]) - t.P_A_W[k] / Rational(16));
+    }
+  }
+}
+
 TEST_CASE("impulse: without a contact there is no question") {
   Scene scene = tests::scene(Blow{});
   scene.contact.reset();
   CHECK_THROWS_AS(impulse(scene), InputError);
+}
+
+TEST_CASE("impulse: an inertia that is positive definite only within rounding") {
+  tests::Blow blow;
+  blow.I << 1, 1, 0, 1, std::nextafter(1.0, 0), 0, 0, 0, 2;
+  CHECK_THROWS_AS(impulse(tests::scene(blow)), InputError);
 }
 
 }  // namespace
