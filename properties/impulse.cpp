@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "oracle/precision.h"
 #include "oracle/truth.h"
 #include "oracle/words.h"
 #include "properties/impact_case.h"
@@ -121,9 +122,13 @@ Finding fixed(const Scene& scene, Subject& subject) {
 Finding stated(const Scene& scene, Subject& subject) {
   return of_answered_impact(scene, subject, [](const ImpactCase& asked, const SaidImpact& said) {
     if (!said.answer.P_A_W) return judge::silent("the impulse");
-    const After made = asked.moved_by(said.answer.P_A_W->cast<Real>());
+    const Point P = said.answer.P_A_W->cast<Real>();
+    const After made = asked.moved_by(P);
+    // What is stated is rounded too.
+    const Real rounded = oracle::unit_roundoff(asked.precision) * P.norm() * std::sqrt(asked.impact.K.trace());
     return judge::at_most(
-        static_cast<double>(difference(asked, said.after, made)), of_energy(asked, said.allowed), Defect::inconsistent,
+        static_cast<double>(difference(asked, said.after, made)),
+        of_energy(asked, said.allowed + static_cast<double>(rounded)), Defect::inconsistent,
         [&] { return text(said.after); }, [&] { return text(made) + ", by the impulse that is stated"; });
   });
 }
