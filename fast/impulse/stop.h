@@ -7,14 +7,16 @@
 
 namespace touchstone::fast::impulse {
 
-/// 2 atan(1/2), rounded up: how far from its last direction the series starts.
-constexpr double widest_arc = 0.9273;
+struct Stop {
+  double impulse = 0;  ///< what is left, normal (N s)
+  double turn = 0;     ///< at least the angle to the direction in which slip stops
+};
 
 /// None: slip does not stop from here, or is too far from its last direction for the series (|tan(δ/2)| > 1/2).
 ///
 /// With θ the direction, s dθ/dp = η(θ) and ds/dp = g(θ). What is left is s Φ(θ) with η Φ' + g Φ = −1. At a root θ* of
 /// η with η' < 0 and g < 0, Φ is a power series in t = tan((θ − θ*)/2): its recurrence divides by n η'(θ*) + g(θ*) < 0.
 /// Summed until terms are below 2^-58 of the sum. Source: docs/design/impulse.md.
-std::optional<double> impulse_until_stop(const Impact& impact, const Course& at);
+std::optional<Stop> until_stop(const Impact& impact, const Course& at);
 
 }  // namespace touchstone::fast::impulse
