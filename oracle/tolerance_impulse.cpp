@@ -50,12 +50,21 @@ struct Facts {
   Real mass = 0;     // 1: of m
 };
 
+// 4π/3·r³ and 8·a·b·c, times the density; m/3·(b² + c²), a sum of positive terms; of a hull or a union, tolerance::mass.
+MassBound of_density(const Body& body, const Struck& struck, Precision precision) {
+  const double u = unit_roundoff(precision);
+  if (!std::holds_alternative<Density>(body.mass)) return {};
+  const bool primitive = std::holds_alternative<Sphere>(body.shape) || std::holds_alternative<Box>(body.shape);
+  if (!primitive) return mass(body, precision);
+  return {.mass = 8 * u * static_cast<double>(struck.mass), .inertia = 16 * u * static_cast<double>(struck.moments[0])};
+}
+
 // r: the centre of mass is the body's origin, or a pose (52u, tolerance.cpp) takes it to the world; the difference
 // rounds by u|r|; into the body's axes and back are two turns. A density's mass properties: tolerance::mass.
 Facts facts(const Body& body, const Struck& struck, Precision precision) {
   if (precision == Precision::exact || struck.fixed) return {};
   const Real u = unit_roundoff(precision);
-  const MassBound from_density = mass(body, precision);
+  const MassBound from_density = of_density(body, struck, precision);
   const auto* given = std::get_if<MassProperties>(&body.mass);
   const Real r = struck.p_BcmC_W.norm(), centre = from_density.centre + (given != nullptr ? length(given->p_BBcm) : 0);
   Facts it;
@@ -145,6 +154,11 @@ double angular_momentum(const Scene& scene, const Impact& impact, std::size_t i,
 // which counts mu times. A cone clipped in such axes was measured at 4u.
 double cone(Real impulse, Real friction, Precision precision) {
   return static_cast<double>(16 * unit_roundoff(precision) * (1 + friction) * impulse);
+}
+
+bool impact_is_sure(const Impact& impact, Precision precision) {
+  if (precision == Precision::exact) return impact.condition() > 0 && impact.condition() < 0x1p44L;
+  return solver(impact) * unit_roundoff(precision) < 1 && impact.condition() > 0;
 }
 
 bool impact_in_range(const Impact& impact, Precision precision) {

@@ -22,6 +22,10 @@ double angular_momentum(const Scene& scene, const Impact& impact, std::size_t bo
 /// N s: of a coordinate of a stated impulse of the size |P|: of its part beyond the cone, or its pull.
 double cone(Real impulse, Real friction, Precision precision);
 
+/// Is K so far from singular that a computation in this precision is sure of a digit (and the judge, in long double, of
+/// many)?
+bool impact_is_sure(const Impact& impact, Precision precision);
+
 /// Do the squares that an impact is made of stand in this precision as normal numbers, with room for their products?
 bool impact_in_range(const Impact& impact, Precision precision);
 

@@ -79,9 +79,12 @@ oracle::Finding of_impact(const Scene& scene, const oracle::Subject& subject, Ju
   if (!scene.contact) return oracle::judge::outside("no contact");
   return of_scene(scene, subject, [&] {
     const ImpactCase asked(scene, subject.card().precision);
-    return oracle::tolerance::impact_in_range(asked.impact, asked.precision)
+    if (!oracle::tolerance::impact_in_range(asked.impact, asked.precision)) {
+      return oracle::judge::outside("squares beyond the range of the subject's precision");
+    }
+    return oracle::tolerance::impact_is_sure(asked.impact, asked.precision)
                ? judge_it(asked)
-               : oracle::judge::outside("squares beyond the range of the subject's precision");
+               : oracle::judge::outside("K is singular within the subject's precision");
   });
 }
 

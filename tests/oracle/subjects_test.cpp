@@ -242,6 +242,67 @@ TEST_CASE("the reference abstains where no double holds the exact value") {
   CHECK(std::holds_alternative<Bounds>(reference->bounds(speck)));
 }
 
+/// A ball of mass 1 and inertia 1/2 that meets something at the origin, from above.
+Scene impact(const Vec3& v, Body other, double e, double mu) {
+  Body ball = body(Sphere{1}, {0, 0, 1});
+  MassProperties given;
+  given.mass = 1;
+  given.I_BBcm_B = Vec3(0.5, 0.5, 0.5).asDiagonal();
+  ball.mass = given;
+  ball.velocity.v_WBcm = v;
+  Scene scene = pair(ball, std::move(other));
+  scene.contact = Contact{{0, 0, 0}, {0, 0, 1}, Law::newton, e, mu};
+  return scene;
+}
+
+void expect_impulse(const Scene& scene, const std::array<Velocity, 2>& after) {
+  for (const auto& subject : answering("impulse")) {
+    CAPTURE(subject->card().name);
+    const Impulse first = said(subject->impulse(scene));
+    Scene other = swapped(scene);
+    other.contact->nhat_BA_W = -other.contact->nhat_BA_W;
+    const Impulse second = said(subject->impulse(other));
+    for (std::size_t i = 0; i < 2; ++i) {
+      CHECK(near(first.after[i].v_WBcm, after[i].v_WBcm));
+      CHECK(near(first.after[i].w_WB, after[i].w_WB));
+      CHECK(near(second.after[1 - i].v_WBcm, after[i].v_WBcm));
+      CHECK(near(second.after[1 - i].w_WB, after[i].w_WB));
+    }
+  }
+}
+
+TEST_CASE("oracle: impulse: head on, two balls part at e times their approach") {
+  Body other = body(Sphere{1}, {0, 0, -1});
+  MassProperties heavy;
+  heavy.mass = 3;
+  heavy.I_BBcm_B = Mat3::Identity();
+  other.mass = heavy;
+  expect_impulse(impact({0, 0, -2}, other, 0.5, 0.25), {Velocity{{0, 0, 0.25}, {0, 0, 0}}, {{0, 0, -0.75}, {0, 0, 0}}});
+  expect_impulse(impact({0, 0, -2}, other, 1, 0), {Velocity{{0, 0, 1}, {0, 0, 0}}, {{0, 0, -1}, {0, 0, 0}}});
+}
+
+// P_n = 3, and friction mu P_n = 3/4 against the slip, which 1 would stop: K_t = 1 + 1/(1/2).
+TEST_CASE("oracle: impulse: friction is mu times the impulse, its moment spins the ball") {
+  Body ground = body(Box{{4, 4, 1}}, {0, 0, -1});
+  ground.mass = Fixed{};
+  const Velocity still{};
+  expect_impulse(impact({3, 0, -2}, ground, 0.5, 0.25), {Velocity{{2.25, 0, 1}, {0, 1.5, 0}}, still});
+  expect_impulse(impact({0, -3, -2}, ground, 0.5, 0.25), {Velocity{{0, -2.25, 1}, {1.5, 0, 0}}, still});
+  expect_impulse(impact({3, 0, -2}, ground, 0.5, 2), {Velocity{{2, 0, 1}, {0, 2, 0}}, still});
+}
+
+TEST_CASE("oracle: impulse: masses by density, centres of mass off the origin") {
+  Body ground = body(Box{{4, 4, 1}}, {0, 0, -1});
+  ground.mass = Fixed{};
+  Scene scene = impact({0, 0, -2}, ground, 1, 0);
+  scene.bodies[0].mass = Density{2};
+  expect_impulse(scene, {Velocity{{0, 0, 2}, {0, 0, 0}}, {}});
+  // m = 1, I = 1/2, C 1 to the left of the centre: K_nn = 1 + 1/(1/2), P_n = 4/3; the moment is about +y.
+  scene.bodies[0] = impact({0, 0, -2}, ground, 1, 0).bodies[0];
+  std::get<MassProperties>(scene.bodies[0].mass).p_BBcm = {1, 0, 0};
+  expect_impulse(scene, {Velocity{{0, 0, -2 + 4.0 / 3}, {0, 8.0 / 3, 0}}, {}});
+}
+
 TEST_CASE("a subject in Python") {
   const auto subject = connect("exec:python3 '" TOUCHSTONE_SOURCE "/oracle/subjects/python/sphere_engine.py'", "");
   const Distance spheres = said(subject->distance(pair(body(Sphere{1}, {13, 24, 5}), body(Sphere{2}, {10, 20, 5}))));
