@@ -15,6 +15,7 @@
 #include "reference/distance.h"
 #include "reference/mass.h"
 #include "reference/penetration.h"
+#include "reference/pixel.h"
 #include "reference/validity.h"
 
 namespace touchstone::app {
@@ -128,12 +129,15 @@ Json mass(const Scene& scene) {
   return {{"bodies", std::move(bodies)}};
 }
 
+Json pixel(const Scene& scene) { return touchstone::json_of(reference::pixel(scene)); }
+
 const std::map<std::string, Show>& shows() {
   static const std::map<std::string, Show> all = {{"mass", mass},
                                                   {"bounds", bounds},
                                                   {"broad_phase", broad_phase},
                                                   {"distance", distance},
-                                                  {"penetration", penetration}};
+                                                  {"penetration", penetration},
+                                                  {"pixel", pixel}};
   return all;
 }
 
@@ -192,7 +196,7 @@ Json answered(const std::string& query, const Scene& scene, const std::string& p
 }  // namespace
 
 const std::vector<std::string>& queries() {
-  static const std::vector<std::string> all = {"mass", "bounds", "broad_phase", "distance", "penetration"};
+  static const std::vector<std::string> all = {"mass", "bounds", "broad_phase", "distance", "penetration", "pixel"};
   return all;
 }
 

@@ -6,7 +6,7 @@
 
 namespace touchstone::app {
 
-/// "mass", "bounds", "broad_phase", "distance", "penetration".
+/// "mass", "bounds", "broad_phase", "distance", "penetration", "pixel".
 const std::vector<std::string>& queries();
 
 /// Reads the scene, asks the reference, prints words or JSON to stdout. Throws InputError.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include "model/film.h"
 #include "model/input_error.h"
@@ -70,7 +71,7 @@ class Search {
 
 const std::vector<smaller::Stage>& smaller::stages() {
   static const std::vector<Stage> all = {
-      tidy,           plainer_contacts, fewer_frames,  fewer_bodies,       fewer_placements, plainer_places,
+      tidy,           plainer_contacts, fewer_pixels, fewer_frames,  fewer_bodies,       fewer_placements, plainer_places,
       fewer_parts,    many_vertices_less, plainer_shapes,   plainer_poses,
       facing_along_z, coarser_grids, few_vertices_less,  fewer_bits,       plainer_units};
   return all;
@@ -80,6 +81,9 @@ smaller::Cost smaller::cost(const Scene& scene) {
   Cost cost;
   cost.bodies = scene.bodies.size();
   cost.frames = scene.frames.size();
+  if (const auto& raster = scene.raster) {
+    cost.pixels = long{raster->columns} + raster->rows + std::labs(raster->shift_x) + std::labs(raster->shift_y);
+  }
   for (const Frame& frame : scene.frames) cost.placements += frame.size();
   const std::vector<Slot> all = slots(scene);
   cost.parts = all.size();

@@ -32,6 +32,8 @@ bool single(const MassProperties& m) {
 }
 bool single(const Fixed&) { return true; }
 
+bool single(const Raster& raster) { return single(raster.x) && single(raster.y) && single(raster.pixel); }
+
 bool single(const Velocity& V) { return single(V.v_WBcm) && single(V.w_WB); }
 bool single(const Contact& contact) {
   return single(contact.p_WC) && single(contact.nhat_BA_W) && single(contact.restitution) && single(contact.friction);
@@ -48,6 +50,7 @@ double unit_roundoff(Precision precision) { return std::ldexp(1.0, precision == 
 
 bool exact_in(const Scene& scene, Precision precision) {
   if (precision != Precision::binary32) return true;
+  if (scene.raster && !single(*scene.raster)) return false;
   const auto placed = [](const Placement& p) { return !p.X_WB || single(*p.X_WB); };
   const auto moving = [](const Body& b) { return single(b.velocity); };
   if (scene.contact && !(single(*scene.contact) && std::ranges::all_of(scene.bodies, moving))) return false;

@@ -86,6 +86,7 @@ std::vector<double*> lengths(Scene& scene) {
     std::visit([&](auto& shape) { add(numbers, shape); }, body.shape);
   }
   for (Pose* X_WB : placed(scene)) add(numbers, X_WB->p_WB);
+  if (scene.raster) numbers.insert(numbers.end(), {&scene.raster->x, &scene.raster->y, &scene.raster->pixel});
   if (scene.contact) add(numbers, scene.contact->p_WC);
   return numbers;
 }

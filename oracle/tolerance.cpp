@@ -139,6 +139,30 @@ double bounds(const Scene& scene, Precision precision) {
   return times_ulp(rounding(2 * poses, precision), scene, precision);
 }
 
+// With G the greatest |x| plus the greatest |y| on the raster, and coordinates below S + G:
+//   two poses (a part's, a body's)                                     2·52u
+//   a face cut by up to four lines: t = (line − p)/(q − p) to 3u, t (q − p) and p + t (q − p), |q − p| ≤ 2(S + G):
+//   6u + 2u + 3u each                                                  44u
+//   a line of the raster, start + i·pixel                              3u
+// together 151u(S + G). A conservative test moves its limits outward by that, finds points as far off again, and takes
+// them for as much larger than they are: 3·151u; 4·151 leaves it a bound on its own error that is not the tightest.
+double pixel(const Scene& scene, Precision precision) {
+  if (precision == Precision::exact) return 0;
+  const Raster& raster = scene.raster.value();
+  const auto greatest = [&](double start, int count) {
+    return std::max(std::abs(start), std::abs(start + count * raster.pixel));
+  };
+  const double G = greatest(raster.x, raster.columns) + greatest(raster.y, raster.rows);
+  return 4 * (poses + 47) * unit_roundoff(precision) * (scale(scene) + G);
+}
+
+// A side may be rounded outward to the raster's next line; a square within `pixel` of a picture is a neighbour of one that
+// meets it, if pixels are larger than that. Beyond the raster's size, more is not less strict.
+int pixels_around(const Scene& scene, Precision precision) {
+  const double most = 1 << 24;
+  return 1 + static_cast<int>(std::min(std::floor(pixel(scene, precision) / scene.raster.value().pixel), most));
+}
+
 double size(const Body& body) { return solid(body).rho; }
 
 // A polytope by tetrahedra from its first vertex o, a triangle each; a, b, c relative to o, none longer than rho (here

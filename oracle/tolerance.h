@@ -41,6 +41,12 @@ double unit_length(Precision precision);
 /// m: how much wider, a side, a conservative tight box may be than the exact one.
 double bounds(const Scene& scene, Precision precision);
 
+/// m: how far from a picture, or from a depth, a conservative test at pixels may be. Requires a raster.
+double pixel(const Scene& scene, Precision precision);
+
+/// Pixels: how much further on each side a conservative test may mark than the exact one: one, and what `pixel` makes up.
+int pixels_around(const Scene& scene, Precision precision);
+
 /// Of one body's mass (kg), centre of mass (m) and moments and products of inertia (kg m²). 0 for an exact subject,
 /// whose answer lies in the truth's enclosure, and for given properties, which are repeated.
 struct MassBound {

@@ -73,6 +73,19 @@ const reference::ImpulseTruth& impulse(const Scene& scene) {
   return memory.of(scene, [](const Scene& s) { return reference::impulse(s); });
 }
 
+const Pixels& pixel(const Scene& scene) {
+  thread_local Memory<Pixels> memory;
+  return memory.of(scene, [](const Scene& s) { return reference::pixel(s); });
+}
+
+bool picture_comes_near(const Scene& scene, std::size_t body, int column, int row, int around) {
+  return reference::picture_comes_near(scene, body, column, row, around);
+}
+
+bool depths_come_near(const Scene& scene, int column, int row, int around, double apart) {
+  return reference::depths_come_near(scene, column, row, around, apart);
+}
+
 Polytope convex_hull(const std::vector<Vec3>& points) { return reference::convex_hull(points); }
 
 Scene completed(Scene scene) { return reference::completed(std::move(scene)); }

@@ -12,6 +12,7 @@
 #include "reference/impulse.h"
 #include "reference/mass.h"
 #include "reference/penetration.h"
+#include "reference/pixel.h"
 
 namespace touchstone::oracle::truth {
 
@@ -27,6 +28,12 @@ const PairHistory& pair_history(const Scene& film);
 const reference::DistanceTruth& distance(const Scene& scene);
 const reference::PenetrationTruth& penetration(const Scene& scene);
 const reference::ImpulseTruth& impulse(const Scene& scene);
+
+const Pixels& pixel(const Scene& scene);
+
+/// reference/pixel.h; not remembered.
+bool picture_comes_near(const Scene& scene, std::size_t body, int column, int row, int around);
+bool depths_come_near(const Scene& scene, int column, int row, int around, double apart);
 
 /// reference::convex_hull and reference::completed, for generators and the minimiser.
 Polytope convex_hull(const std::vector<Vec3>& points);

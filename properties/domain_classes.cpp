@@ -209,6 +209,27 @@ void impulse_classes(const Scene& scene, Names& names) {
   when(!impact.bodies[0].fixed && !impact.bodies[1].fixed, "no body fixed");
 }
 
+bool any(const Mask& mask) {
+  return std::ranges::any_of(mask, [](const std::string& row) { return row.find('1') != std::string::npos; });
+}
+
+void pixel_classes(const Scene& scene, Names& names) {
+  const Pixels& truth = oracle::truth::pixel(scene);
+  const Raster& raster = *scene.raster;
+  names.push_back(shapes(scene));
+  const bool seen = any(truth.sampled[0]) && any(truth.sampled[1]);
+  const bool overlap = truth.overlap.count > 0;
+  names.emplace_back(seen ? "both sampled" : "one not sampled");
+  names.emplace_back(overlap ? "masks overlap" : "masks apart");
+  if (truth.overlap.count > 63) names.emplace_back("more than 63 common pixels");
+  if (raster.columns > 64) names.emplace_back("more than one word");
+  if (raster.shift_x != 0 || raster.shift_y != 0) names.emplace_back("shifted");
+  const bool meet = any(truth.meet_sampled);
+  const bool touch = any(truth.meet_conservative);
+  names.emplace_back(meet ? "meet above a centre" : touch ? "meet between centres" : "do not meet");
+  if (truth.sampled != truth.conservative) names.emplace_back("squares beyond the samples");
+}
+
 std::vector<Class> with_shapes(std::vector<Class> classes) {
   for (const char* pair :
        {"box-box", "box-polytope", "box-sphere", "polytope-polytope", "polytope-sphere", "sphere-sphere"}) {
@@ -252,6 +273,7 @@ std::vector<std::string> classes_of(const Scene& scene, const std::string& stem)
   if (stem == "mass") mass_classes(scene, names);
   if (stem == "bounds") shape_classes(scene, names);
   if (stem == "broad_phase") broad_phase_classes(scene, names);
+  if (stem == "pixel" && scene.raster && scene.bodies.size() == 2) pixel_classes(scene, names);
   if (stem == "impulse" && scene.contact) impulse_classes(scene, names);
   if (oracle::exact_in(scene, Precision::binary32)) names.push_back("binary32");
   std::ranges::sort(names);
@@ -286,6 +308,22 @@ const std::vector<Class>& classes(const std::string& stem) {
                                                              {"overlapping within 2^-40", 0.01},
                                                              {"overlapping within 2^-12", 0.03},
                                                              {"overlapping clear", 0.05}});
+  static const std::vector<Class> pixel = {{"both sampled", 0.3},
+                                           {"one not sampled", 0.1},
+                                           {"masks overlap", 0.2},
+                                           {"masks apart", 0.2},
+                                           {"more than 63 common pixels", 0.01},
+                                           {"more than one word", 0.03},
+                                           {"shifted", 0.3},
+                                           {"meet above a centre", 0.2},
+                                           {"meet between centres", 0.03},
+                                           {"do not meet", 0.15},
+                                           {"squares beyond the samples", 0.5},
+                                           {"box-box", 0.1},
+                                           {"box-sphere", 0.02},
+                                           {"polytope-polytope", 0.05},
+                                           {"compound-compound", 0.01},
+                                           {"binary32", 0.5}};
   static const std::vector<Class> impulse = {{"Poisson", 0.3},
                                              {"Stronge", 0.1},
                                              {"Newton", 0.1},
@@ -310,6 +348,7 @@ const std::vector<Class>& classes(const std::string& stem) {
   if (stem == "broad_phase") return broad_phase;
   if (stem == "distance") return distance;
   if (stem == "penetration") return penetration;
+  if (stem == "pixel") return pixel;
   throw InputError("stem", "no stem is called " + stem);
 }
 

@@ -19,6 +19,7 @@ std::vector<Family> placed_families();
 std::vector<Family> crowd_families();
 std::vector<Family> film_families();
 std::vector<Family> mass_families();
+std::vector<Family> pixel_families();
 std::vector<Family> contact_families();
 
 /// What a family is for: pairs of convex bodies are asked about everything, compounds have no depth.

@@ -6,6 +6,7 @@
 #include "model/film.h"
 #include "oracle/tolerance.h"
 #include "properties/exact_sum.h"
+#include "properties/pixel_motion.h"
 
 namespace touchstone::properties {
 namespace {
@@ -15,6 +16,10 @@ bool translate(Scene& scene, const Vec3& t) {
     const std::optional<Vec3> p = exact_sum(X_WB->p_WB, t);
     if (!p) return false;
     X_WB->p_WB = *p;
+  }
+  if (scene.raster) {
+    scene.raster = translated(*scene.raster, t);
+    if (!scene.raster) return false;
   }
   if (!scene.contact) return true;
   const std::optional<Vec3> p = exact_sum(scene.contact->p_WC, t);
@@ -84,6 +89,7 @@ Scene swapped(Scene scene) {
     for (Placement& placement : frame) placement.body = last - placement.body;
   }
   if (scene.contact) scene.contact->nhat_BA_W = -scene.contact->nhat_BA_W;
+  if (scene.raster) scene.raster = with_opposite_shift(*scene.raster);
   return scene;
 }
 
@@ -118,6 +124,7 @@ std::optional<Pose> turned(const Pose& X) {
 
 std::optional<Scene> turned(const Scene& scene) {
   Scene moved = scene;
+  moved.raster.reset();
   for (Pose* X_WB : poses(moved)) {
     const std::optional<Pose> X = turned(*X_WB);
     if (!X) return std::nullopt;
@@ -135,6 +142,7 @@ std::optional<Scene> turned(const Scene& scene) {
 }
 
 Scene half_turned(Scene scene) {
+  scene.raster.reset();
   const auto half = [](const Vec3& v) { return Vec3(v.x(), -v.y(), -v.z()); };
   for (Pose* X_WB : poses(scene)) {
     const Quaternion q = X_WB->q_WB;
@@ -154,6 +162,7 @@ Scene half_turned(Scene scene) {
 // With S the mirror, the body's frame is mirrored too: S R S turns it, so (w, x, y, z) → (w, x, −y, −z), and spheres and
 // boxes are their own mirror images. What is of second order in x changes its sign.
 std::optional<Scene> mirrored(Scene scene) {
+  scene.raster.reset();
   const auto polar = [](const Vec3& v) { return Vec3(-v.x(), v.y(), v.z()); };
   for (Pose* X_WB : poses(scene)) {
     const Quaternion q = X_WB->q_WB;
@@ -210,6 +219,10 @@ std::optional<Scene> scaled(Scene scene, int k) {
   }
   if (scene.contact && !scale(scene.contact->p_WC, k)) return std::nullopt;
   if (!scale(scene.gravity, k)) return std::nullopt;
+  if (scene.raster) {
+    scene.raster = scaled(*scene.raster, k);
+    if (!scene.raster) return std::nullopt;
+  }
   return scene;
 }
 

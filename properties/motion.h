@@ -1,5 +1,7 @@
 // Changes of a scene under which the truth changes by a known law, done without rounding; none where doubles cannot.
 //
+// A raster comes along; the motions that would turn it out of its plane leave it out.
+//
 // Because no bit is lost, whatever changes in the answer beyond its rounding is the subject's doing.
 #pragma once
 
@@ -9,7 +11,7 @@
 
 namespace touchstone::properties {
 
-/// Bodies in the opposite order; a contact's normal points the other way.
+/// Bodies in the opposite order; a contact's normal points the other way, and so does a raster's shift.
 Scene swapped(Scene scene);
 
 /// Vertices of every polytope, and the faces with them, in the opposite order; none if the scene has no polytope.

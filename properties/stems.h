@@ -13,6 +13,7 @@ std::vector<Property> broad_phase_properties();
 std::vector<Property> broad_phase_film_properties();
 std::vector<Property> distance_properties();
 std::vector<Property> penetration_properties();
+std::vector<Property> pixel_properties();
 std::vector<Property> impulse_properties();
 std::vector<Property> impulse_law_properties();
 

@@ -5,6 +5,7 @@
 #include <optional>
 #include <variant>
 
+#include "model/input_error.h"
 #include "reference/balls_impl.h"
 #include "reference/common_points_impl.h"
 #include "reference/picture_impl.h"
@@ -135,6 +136,9 @@ class Common {
 };
 
 Rectangle square_of(int i, int j) { return {2L * i, 2L * i + 2, 2L * j, 2L * j + 2}; }
+Rectangle squares_around(int i, int j, int n) {
+  return {2L * i - 2L * n, 2L * i + 2 + 2L * n, 2L * j - 2L * n, 2L * j + 2 + 2L * n};
+}
 Rectangle centre_of(int i, int j) { return {2L * i + 1, 2L * i + 1, 2L * j + 1, 2L * j + 1}; }
 
 template <class Parts>
@@ -208,7 +212,8 @@ bool starts_before_end(const Depths& x, const Depths& y, const mpq_class& apart)
 }  // namespace
 
 Pixels pixel(const Scene& scene) {
-  const Raster& raster = scene.raster.value();
+  if (!scene.raster) throw InputError("raster", "missing; expected one to ask about pixels");
+  const Raster& raster = *scene.raster;
   const Grid grid(raster);
   Pixels exact;
   std::vector<std::vector<Seen>> bodies;
@@ -229,12 +234,16 @@ Pixels pixel(const Scene& scene) {
   return exact;
 }
 
+bool picture_comes_near(const Scene& scene, std::size_t body, int column, int row, int around) {
+  const Rectangle square = squares_around(column, row, around);
+  return std::ranges::any_of(parts_of(scene.bodies.at(body), Grid(scene.raster.value())),
+                             [&](const Seen& part) { return meets(part, square); });
+}
+
 bool depths_come_near(const Scene& scene, int column, int row, int around, const Rational& apart) {
   const Grid grid(scene.raster.value());
   const mpq_class allowed = grid.per_metre * value_of(apart);
-  Rectangle square = square_of(column, row);
-  square.x_lo -= 2L * around, square.x_hi += 2L * around;
-  square.y_lo -= 2L * around, square.y_hi += 2L * around;
+  const Rectangle square = squares_around(column, row, around);
   for (const Seen& a : parts_of(scene.bodies.at(0), grid)) {
     if (!meets(a, square)) continue;
     const Depths of_A = depths_over(a, square);

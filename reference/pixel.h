@@ -20,8 +20,12 @@ namespace touchstone::reference {
 /// Every mask is exact: `conservative` and `meet_conservative` hold the pixels of their definitions and no others. With
 /// fewer than two bodies, nothing overlaps and nothing meets.
 ///
-/// Requires a completed scene (reference/validity.h) with a raster. Cost: each pixel against each pair of parts.
+/// Requires a completed scene (reference/validity.h). Throws InputError without a raster. Cost: each pixel against each pair of parts.
 Pixels pixel(const Scene& scene);
+
+/// Does the picture of a body meet the pixel's square, or one of the `around` squares on each side of it, on the raster or
+/// not?
+bool picture_comes_near(const Scene& scene, std::size_t body, int column, int row, int around);
 
 /// Over the pixel and the `around` pixels on each side of it, do A and B come to depths that differ by at most `apart`
 /// (m)? Depths of one part of each over a square are an interval, as the part is convex. Requires two bodies.

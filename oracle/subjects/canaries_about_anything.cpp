@@ -29,6 +29,7 @@ void nudge(PairHistory& said) {
   }
 }
 void nudge(Distance& said) { said.distance = nudged(said.distance.value_or(0)); }
+void nudge(Pixels& said) { ++said.overlap.count; }
 void nudge(Penetration& said) { said.depth = nudged(said.depth.value_or(0)); }
 void nudge(Impulse& said) { said.after[0].v_WBcm.x() = nudged(said.after[0].v_WBcm.x()); }
 
@@ -42,6 +43,7 @@ Lies all_queries(Rule rule) {
   lies.pair_history = rule;
   lies.distance = rule;
   lies.penetration = rule;
+  lies.pixel = rule;
   lies.impulse = rule;
   return lies;
 }

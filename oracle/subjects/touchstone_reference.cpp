@@ -9,6 +9,7 @@
 #include "reference/impulse.h"
 #include "reference/mass.h"
 #include "reference/penetration.h"
+#include "reference/pixel.h"
 
 namespace touchstone::oracle::subjects {
 namespace {
@@ -138,15 +139,18 @@ class Reference : public Subject {
     return said;
   }
 
+  Answer<Pixels> pixel(const Scene& scene) override { return reference::pixel(scene); }
+
  private:
-  const Card card_{.name = "reference",
-                   .version = "0.1.0",
-                   .precision = Precision::exact,
-                   .answers = {"mass", "bounds", "broad_phase", "pair_history", "distance", "penetration", "impulse"},
-                   .knows_touching = true,
-                   .about = "Touchstone's exact reference, results rounded to doubles",
-                   .homepage = "",
-                   .deviations = {}};
+  const Card card_{
+      .name = "reference",
+      .version = "0.1.0",
+      .precision = Precision::exact,
+      .answers = {"mass", "bounds", "broad_phase", "pair_history", "distance", "penetration", "impulse", "pixel"},
+      .knows_touching = true,
+      .about = "Touchstone's exact reference, results rounded to doubles",
+      .homepage = "",
+      .deviations = {}};
 };
 
 }  // namespace

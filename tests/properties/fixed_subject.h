@@ -17,6 +17,7 @@ struct FixedSubject : oracle::Subject {
   Answer<PairHistory> said_history = Abstains{"not set"};
   Answer<Distance> said_distance = Abstains{"not set"};
   Answer<Penetration> said_penetration = Abstains{"not set"};
+  Answer<Pixels> said_pixels = Abstains{"not set"};
   Answer<Impulse> said_impulse = Abstains{"not set"};
 
   const oracle::Card& card() const override { return introduced; }
@@ -26,6 +27,7 @@ struct FixedSubject : oracle::Subject {
   Answer<PairHistory> pair_history(const Scene&) override { return said_history; }
   Answer<Distance> distance(const Scene&) override { return said_distance; }
   Answer<Penetration> penetration(const Scene&) override { return said_penetration; }
+  Answer<Pixels> pixel(const Scene&) override { return said_pixels; }
   Answer<Impulse> impulse(const Scene&) override { return said_impulse; }
 };
 

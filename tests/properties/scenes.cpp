@@ -104,6 +104,11 @@ std::vector<Scene> build_impacts() {
   };
 }
 
+Scene under(const Raster& raster, Scene scene) {
+  scene.raster = raster;
+  return scene;
+}
+
 std::vector<Scene> build() {
   return {
       pair("cubes apart along y", body(cube, {0, 0, 0}), body(cube, {0.5, 2.25, 0.25})),
@@ -152,6 +157,18 @@ std::vector<Scene> build() {
             {{3, at(4.5, 0, 0)}},
             {{3, at(8, 0, 0)}, {0, at(0, 0, 0)}},
             {{3, at(8, 0, 2)}, {1, at(6, 0, 2)}}}),
+      under({-2.5, -2.5, 1, 6, 6, 1, 0},
+            pair("cubes with sides through centres, one on the other", body(cube, {0, 0, 0}), body(cube, {1, 0, 2}))),
+      under({-3, -3, 0.5, 14, 12, 0, -1},
+            pair("cubes apart, one above the other", body(cube, {0, 0, 0}), body(cube, {0.5, 0.25, 4}))),
+      under({0, 0, 1, 66, 3, 3, 0}, pair("bars across a word's end", body(Box{Vec3(40, 1, 1)}, {30, 1, 0}),
+                                         body(Box{Vec3(20, 2, 1)}, {40, 1, 0.5}))),
+      under({-4, -4, 0.75, 12, 12, -2, 1},
+            pair("turned bodies under a raster", body(octahedron, {0, 0, 0}, skew), body(tetrahedron, {-1, -1, -0.5}, about_y))),
+      under({-2, -2, 0.25, 20, 18, 0, 2},
+            pair("a ball in a corner, under a raster", body(Sphere{1}, {1, 2, 0.5}), body(corner(), {0, 0, 0}, about_x))),
+      under({-2.25, -2.25, 0.5, 9, 9, 0, 0},
+            pair("diamonds, one on the other", body(octahedron, {0, 0, 0}), body(octahedron, {0, 0, 2}))),
       many("a needle", {dense(body(needle, {1, 2, 3}, about_x), 2)}),
   };
 }
