@@ -14,13 +14,17 @@ namespace {
 constexpr double u = 0x1p-53;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// A body as the impact sees it, in W. Of a fixed one only the velocity counts.
+/// A body as the impact sees it. Of a fixed one only the velocity counts.
+///
+/// With I = L Lᵀ in the body's axes, M = L⁻¹ Rᵀ takes an angular momentum in W to L⁻¹ of it, and I⁻¹ = Mᵀ M. The
+/// product is never formed: where r lies along the axis of a needle, the rounding of its large entries would drown K.
 struct Side {
   double inverse_mass = 0;
-  Mat3 inverse_inertia = Mat3::Zero();
-  Vec3 r = Vec3::Zero();  ///< from the centre of mass to C
+  Mat3 M = Mat3::Zero();
+  Vec3 r = Vec3::Zero();  ///< from the centre of mass to C, in W
   Vec3 velocity = Vec3::Zero();
   double speed_error = 0;  ///< of the velocity at C, m/s
+  double slenderness = 0;  ///< (|r| + what r was computed from) / sqrt(least moment of inertia), kg^-1/2
 };
 
 Side side_of(const Body& body, const Vec3& p_WC) {
@@ -30,14 +34,14 @@ Side side_of(const Body& body, const Vec3& p_WC) {
   Side side;
   side.r = p_WC - p_WBcm;
   side.velocity = body.velocity.v_WBcm + body.velocity.w_WB.cross(side.r);
-  const double arm_error =
-      2 * u * (p_WC.norm() + body.X_WB.p_WB.norm()) + (given ? lin_canny::turn_error * given->p_BBcm.norm() : 0.0);
+  const double reach = p_WC.norm() + body.X_WB.p_WB.norm() + (given ? given->p_BBcm.norm() : 0.0);
   const double w = body.velocity.w_WB.norm();
-  side.speed_error = w * arm_error + 8 * u * (body.velocity.v_WBcm.norm() + w * side.r.norm());
+  side.speed_error = lin_canny::turn_error * w * reach + 8 * u * (body.velocity.v_WBcm.norm() + w * side.r.norm());
   if (given) {
     side.inverse_mass = 1 / given->mass;
-    const Mat3 inverse = given->I_BBcm_B.inverse();
-    side.inverse_inertia = R * inverse * R.transpose();
+    const Mat3 L = given->I_BBcm_B.llt().matrixL();
+    side.M = L.triangularView<Eigen::Lower>().solve(R.transpose());
+    side.slenderness = reach / L.diagonal().minCoeff();
   }
   return side;
 }
@@ -48,11 +52,10 @@ Mat3 skew(const Vec3& r) {
   return S;
 }
 
-/// 1/m + (a × r)·I⁻¹(b × r) is aᵀ K b: sums of squares where a = b.
+/// 1/m + (M [r]×)ᵀ (M [r]×): a sum of squares.
 Mat3 collision_matrix(const Side& side) {
-  const Mat3 S = skew(side.r);
-  Mat3 K = S * side.inverse_inertia * S.transpose();
-  K = (K + K.transpose().eval()) / 2;
+  const Mat3 W = side.M * skew(side.r);
+  Mat3 K = W.transpose() * W;
   K.diagonal().array() += side.inverse_mass;
   return K;
 }
@@ -103,18 +106,22 @@ Stated stated(const Scene& scene) {
 }
 
 Velocity pushed(const Body& body, const Side& side, const Vec3& P) {
-  return {body.velocity.v_WBcm + side.inverse_mass * P, body.velocity.w_WB + side.inverse_inertia * side.r.cross(P)};
+  return {body.velocity.v_WBcm + side.inverse_mass * P,
+          body.velocity.w_WB + side.M.transpose() * (side.M * side.r.cross(P))};
 }
 
-/// The solver's error, and what rounding u and K on the way there adds: δu in the norm of K⁻¹.
+/// The solver's error; what rounding u adds, in the norm of K⁻¹; and what rounding M [r]× adds to K: with
+/// |δW| ≤ 16 u (slenderness), |K^(-1/2) δ(WᵀW) K^(-1/2)| ≤ 2 |δW|/sqrt(least eigenvalue), and the impulse moves by a
+/// few times as much (measured: docs/design/impulse.md).
 double error_of(const Stated& stated, const Vec3& velocity) {
   const Eigen::SelfAdjointEigenSolver<Mat3> eigen(stated.K);
   const double least = eigen.eigenvalues()[0], greatest = eigen.eigenvalues()[2];
   if (!(least > 0)) return infinity;
   const Vec3 parts = eigen.eigenvectors().transpose() * velocity;
   const double norm = std::sqrt((parts.array().square() / eigen.eigenvalues().array()).sum());
-  const double rounding = (stated.A.speed_error + stated.B.speed_error) / std::sqrt(least);
-  return impulse::error_bound(greatest / least) * norm + 4 * rounding;
+  const double speed = (stated.A.speed_error + stated.B.speed_error) / std::sqrt(least);
+  const double shape = 32 * u * (stated.A.slenderness + stated.B.slenderness) / std::sqrt(least);
+  return (impulse::error_bound(greatest / least) + 4 * shape) * norm + 4 * speed;
 }
 
 }  // namespace
