@@ -4,7 +4,6 @@
 // Coordinates are small multiples of half a pixel, or of far less: the question is exact, and most answers hang on a
 // sign.
 #include <cmath>
-#include <limits>
 
 #include "properties/domain_families.h"
 #include "properties/domain_pair.h"
@@ -183,14 +182,13 @@ Scene tiny_pixels(Random& random) {
   return under(raster, pair(random, A, B));
 }
 
-/// Shifts past the raster, to the ends of the integers.
+/// Shifts past the raster, to the greatest that files hold.
 Scene big_shifts(Random& random) {
   Scene scene = lattice_boxes(random);
-  constexpr int least = std::numeric_limits<int>::min();
-  constexpr int most = std::numeric_limits<int>::max();
+  constexpr int most = 1'000'000'000;  // of any integer in a file
   scene.raster->shift_x =
-      random.pick({0, least, least + 1, most, most - 1, scene.raster->columns, -scene.raster->columns});
-  scene.raster->shift_y = random.pick({0, 0, 0, least, most, scene.raster->rows, -scene.raster->rows});
+      random.pick({0, -most, 1 - most, most, most - 1, scene.raster->columns, -scene.raster->columns});
+  scene.raster->shift_y = random.pick({0, 0, 0, -most, most, scene.raster->rows, -scene.raster->rows});
   return scene;
 }
 
@@ -245,7 +243,7 @@ std::vector<Family> pixel_families() {
       {"pixels.word_borders", "63 to 130 columns, shifted by about 64", stems, true, word_borders},
       {"pixels.far_away", "lattice scenes 2^30 to 2^50 from the origin", stems, false, far_away},
       {"pixels.tiny", "pixels of 2^-58 to 2^-44 at a corner of bodies of size 1", stems, true, tiny_pixels},
-      {"pixels.big_shifts", "shifts beyond the raster, to the ends of the integers", stems, true, big_shifts},
+      {"pixels.big_shifts", "shifts beyond the raster, to ±10^9", stems, true, big_shifts},
       {"pixels.stacked", "prisms one above the other, a gap of ±2^-1 to ±2^-40 or 0 between", stems, false, stacked},
       {"pixels.steep_plates", "plates that stand side by side, steep against the view", stems, true, steep_plates},
       {"pixels.compounds", "two convex parts each", stems, true, compounds},
