@@ -27,15 +27,13 @@ Struck struck(const Body& body, const std::optional<reference::MassTruth>& mass,
   it.fixed = !mass;
   it.p_BcmC_W = p_WC.cast<Real>() - body.X_WB.p_WB.cast<Real>();
   if (it.fixed) return it;
-  const Matrix R_WB = rotation(body.X_WB.q_WB);
+  it.R_WB = rotation(body.X_WB.q_WB);
   it.mass = middle(mass->mass);
-  it.p_BcmC_W -= R_WB * Point(middle(mass->p_BBcm[0]), middle(mass->p_BBcm[1]), middle(mass->p_BBcm[2]));
+  it.p_BcmC_W -= it.R_WB * Point(middle(mass->p_BBcm[0]), middle(mass->p_BBcm[1]), middle(mass->p_BBcm[2]));
   const auto I = [&](std::size_t i) { return middle(mass->I_BBcm_B[i]); };
-  Matrix I_B;
-  I_B << I(0), I(3), I(4), I(3), I(1), I(5), I(4), I(5), I(2);
-  it.I_W = R_WB * I_B * R_WB.transpose();
-  it.I_inverse_W = R_WB * I_B.inverse() * R_WB.transpose();
-  it.moments = Eigen::SelfAdjointEigenSolver<Matrix>(I_B, Eigen::EigenvaluesOnly).eigenvalues();
+  it.I_B << I(0), I(3), I(4), I(3), I(1), I(5), I(4), I(5), I(2);
+  it.I_inverse_B = it.I_B.inverse();
+  it.moments = Eigen::SelfAdjointEigenSolver<Matrix>(it.I_B, Eigen::EigenvaluesOnly).eigenvalues();
   return it;
 }
 
@@ -71,8 +69,10 @@ Impact impact(const Scene& scene) {
   it.nhat_BA_W = scene.contact->nhat_BA_W.cast<Real>().normalized();
   for (std::size_t i = 0; i < 2; ++i) {
     Struck& body = it.bodies[i] = struck(scene.bodies[i], masses[i], scene.contact->p_WC);
-    const Matrix r = cross(body.p_BcmC_W);
-    if (!body.fixed) it.K += Matrix::Identity() / body.mass - r * body.I_inverse_W * r;
+    const Matrix r_B = cross(body.R_WB.transpose() * body.p_BcmC_W);
+    if (!body.fixed) {
+      it.K += Matrix::Identity() / body.mass - body.R_WB * (r_B * body.I_inverse_B * r_B) * body.R_WB.transpose();
+    }
     it.u += (i == 0 ? 1 : -1) * at_contact(body.v_WBcm, body.w_WB, body);
   }
   it.K = ((it.K + it.K.transpose()) / 2).eval();

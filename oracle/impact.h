@@ -16,14 +16,24 @@ namespace touchstone::oracle {
 using Matrix = Eigen::Matrix<Real, 3, 3>;
 
 struct Struck {
-  bool fixed = false;                   ///< then 1/m and I⁻¹ are 0
+  bool fixed = false;                   ///< then an impulse changes nothing
   Real mass = 0;                        ///< kg
-  Matrix I_W = Matrix::Zero();          ///< about the centre of mass (kg m²)
-  Matrix I_inverse_W = Matrix::Zero();  ///< 1/(kg m²)
+  Matrix R_WB = Matrix::Identity();     ///< its axes
+  Matrix I_B = Matrix::Zero();          ///< about the centre of mass (kg m²)
+  Matrix I_inverse_B = Matrix::Zero();  ///< 1/(kg m²)
   Point moments = Point::Zero();        ///< principal, rising (kg m²)
   Point p_BcmC_W = Point::Zero();       ///< from the centre of mass to C (m)
   Point v_WBcm = Point::Zero();         ///< before (m/s)
   Point w_WB = Point::Zero();           ///< before (rad/s)
+
+  /// I w and I⁻¹ L, by way of the body's axes: of a slender body the matrices in W's axes would lose digits.
+  Point angular_momentum(const Point& w) const { return R_WB * (I_B * (R_WB.transpose() * w)); }
+  Point spin(const Point& L) const { return R_WB * (I_inverse_B * (R_WB.transpose() * L)); }
+  /// wᵀ I w, ≥ 0.
+  Real spin_energy_twice(const Point& w) const {
+    const Point w_B = R_WB.transpose() * w;
+    return w_B.dot(I_B * w_B);
+  }
 };
 
 struct Impact {

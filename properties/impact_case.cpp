@@ -40,7 +40,7 @@ After ImpactCase::moved_by(const Point& P_A_W) const {
     after[i] = {body.v_WBcm, body.w_WB};
     if (body.fixed) continue;
     after[i].v_WBcm += P / body.mass;
-    after[i].w_WB += body.I_inverse_W * body.p_BcmC_W.cross(P);
+    after[i].w_WB += body.spin(body.p_BcmC_W.cross(P));
   }
   return after;
 }
@@ -49,7 +49,7 @@ Real ImpactCase::kinetic_energy(const After& after) const {
   Real twice = 0;
   for (std::size_t i = 0; i < 2; ++i) {
     const oracle::Struck& body = impact.bodies[i];
-    twice += body.mass * after[i].v_WBcm.squaredNorm() + after[i].w_WB.dot(body.I_W * after[i].w_WB);
+    twice += body.mass * after[i].v_WBcm.squaredNorm() + body.spin_energy_twice(after[i].w_WB);
   }
   return twice / 2;
 }
@@ -72,7 +72,7 @@ Real difference(const ImpactCase& asked, const After& a, const After& b) {
   for (std::size_t i = 0; i < 2; ++i) {
     const oracle::Struck& body = asked.impact.bodies[i];
     const Point dv = a[i].v_WBcm - b[i].v_WBcm, dw = a[i].w_WB - b[i].w_WB;
-    square += body.mass * dv.squaredNorm() + dw.dot(body.I_W * dw);
+    square += body.mass * dv.squaredNorm() + body.spin_energy_twice(dw);
   }
   return std::sqrt(std::max<Real>(0, square));
 }

@@ -91,7 +91,7 @@ Finding angular_momentum(const Scene& scene, Subject& subject) {
       const oracle::Struck& body = asked.impact.bodies[i];
       if (body.fixed) continue;
       const Point gained = body.mass * (said.after[i].v_WBcm - body.v_WBcm);
-      const Point spin = body.I_W * (said.after[i].w_WB - body.w_WB);
+      const Point spin = body.angular_momentum(said.after[i].w_WB - body.w_WB);
       const Point moment = body.p_BcmC_W.cross(gained), rest = spin - moment;
       const Real P = std::max(said.P.norm(), gained.norm());
       const double allowed =
@@ -271,6 +271,9 @@ Finding no_approach(const Scene& scene, Subject& subject) {
 Finding newton(const Scene& scene, Subject& subject) {
   return of_answered_impact(scene, subject, [](const ImpactCase& asked, const SaidImpact& said) {
     if (asked.contact.law != Law::newton || !asked.approaching()) return judge::outside("another law, or no approach");
+    if (std::isinf(asked.contact.friction) && asked.slips() && !asked.uncoupled()) {
+      return judge::outside("infinite friction stops slip at once, and u_n jumps with it");
+    }
     const Real wanted = -asked.e() * asked.impact.u_n();
     return normal_velocity(asked, said, std::abs(asked.impact.nhat_BA_W.dot(said.u) - wanted), "u·n = " + text(wanted));
   });

@@ -37,7 +37,7 @@ void strike(Impulse& said, const Scene& scene, const Impact& impact, const Point
     const Struck& body = impact.bodies[i];
     const Point& P = i == 0 ? on_A : on_B;
     if (body.fixed) continue;
-    set_change(said, scene, i, P / body.mass, body.I_inverse_W * body.p_BcmC_W.cross(P));
+    set_change(said, scene, i, P / body.mass, body.spin(body.p_BcmC_W.cross(P)));
   }
   said.P_A_W = on_A.cast<double>();
 }
@@ -135,7 +135,7 @@ void arm_from_the_origin(Subject&, const Scene& scene, Impulse& said) {
   for (std::size_t i = 0; i < 2; ++i) {
     if (it.bodies[i].fixed) continue;
     const Point moment = (i == 0 ? 1 : -1) * arm.cross(P);
-    said.after[i].w_WB = scene.bodies[i].velocity.w_WB + (it.bodies[i].I_inverse_W * moment).cast<double>();
+    said.after[i].w_WB = scene.bodies[i].velocity.w_WB + it.bodies[i].spin(moment).cast<double>();
   }
 }
 
