@@ -68,8 +68,8 @@ SlipSeries series(const Tangent& t, const Slip& start) {
 
 /// The τ at which |c_n| τⁿ has fallen to 2^-bits_kept of `scale` (Jorba & Zou 2005, without their safety factor: two
 /// terms are asked and bits_kept lies well above what is claimed).
-Float reach(const Series& c, std::size_t n, const Float& scale) {
-  const Float ratio = abs(c[n]) / scale;
+Float reach(const Float& c_n, std::size_t n, const Float& scale) {
+  const Float ratio = abs(c_n) / scale;
   if (ratio == 0) return Float(0);
   return pow(ldexp(Float(1), -bits_kept) / ratio, Float(1) / static_cast<unsigned>(n));
 }
@@ -80,9 +80,10 @@ Float step_size(const SlipSeries& c) {
     if (found > 0 && (tau == 0 || found < tau)) tau = found;
   };
   for (const std::size_t n : {order - 1, order}) {
-    limit(reach(c.x, n, Float(1)));
-    limit(reach(c.y, n, Float(1)));
-    limit(reach(c.s, n, c.s[0]));
+    limit(reach(c.x[n], n, Float(1)));
+    limit(reach(c.y[n], n, Float(1)));
+    limit(reach(c.s[n], n, c.s[0]));
+    limit(reach(c.D[n] * static_cast<unsigned>(n), n - 1, Float(c.s[0] * c.s[0])));  // D' = s²: may fall twice as fast
   }
   return tau;
 }
@@ -236,7 +237,11 @@ class Piece : public Stretch<Float> {
   bool peak_;
 };
 
+/// A slip s changes u by s, and so P by at most s √(tr K⁻¹) in the energy norm; the law is continuous at s = 0.
 Slide::Slide(const Blow<Float>& blow) : blow_(blow), tangent_(blow) {
+  const Square<Float>& inverse = blow.K_inverse;
+  const Float energy = inner(blow.u0, times(inverse, blow.u0));
+  negligible_ = ldexp(sqrt(energy / (inverse[0][0] + inverse[1][1] + inverse[2][2])), -200);
   const Float x = inner(tangent_.e1, blow.u0);
   const Float y = inner(tangent_.e2, blow.u0);
   const Float s = sqrt(x * x + y * y);
@@ -366,35 +371,37 @@ bool monotone(const Tangent& t, const Slip& a, const Slip& b) {
 
 }  // namespace
 
-/// Finds where slip will stop. Where it never does, and has all but settled, the rest is a straight line.
-bool Slide::foresees_end() {
+/// Finds the direction to which slip settles, and where slip will stop if it will.
+void Slide::foresee() {
   constexpr std::size_t terms = 64;
   const auto to = converging(tangent_, now_);
-  if (!to) return false;
-  if (to->g >= 0) {
-    if (abs(to->delta) > ldexp(Float(1), -bits_kept)) return false;
-    const Tangent& t = tangent_;
-    const Three<Float> slip = plus(scaled(to->x, t.e1), scaled(to->y, t.e2));
-    pieces_.push_back(std::make_unique<Ray<Float>>(blow_, moment(now_), minus(t.n, scaled(t.mu, slip))));
-    return true;
-  }
+  if (!to) return;
+  settled_ = abs(to->delta) <= ldexp(Float(1), -bits_kept);
+  if (stop_ || to->g >= 0) return;
   const Around a = around(tangent_, *to, terms);
   const auto rest_of_p = remaining(a, 1, to->delta);
   const auto rest_of_D = remaining(a, 2, to->delta);
-  if (!rest_of_p || !rest_of_D) return false;
+  if (!rest_of_p || !rest_of_D) return;
   stop_ = {to->x, to->y, Float(0), Float(now_.p + now_.s * *rest_of_p), Float(now_.D + now_.s * now_.s * *rest_of_D)};
-  return false;
 }
 
-/// The last stretch of slip at once, if no phase of the impact ends on it, or if it is below the last bit kept.
-bool Slide::jumps_to_stop(const Walk<Float>& walk) {
+/// Slip that turns no more: to its stop, or for ever.
+std::unique_ptr<Stretch<Float>> Slide::straight() {
+  const Tangent& t = tangent_;
+  const Three<Float> slip = plus(scaled(now_.x, t.e1), scaled(now_.y, t.e2));
+  const Three<Float> zeta = minus(t.n, scaled(t.mu, slip));
+  if (!stop_) return std::make_unique<Ray<Float>>(blow_, moment(now_), zeta);
+  stopped_ = stop_->p;
+  return std::make_unique<Ray<Float>>(blow_, moment(now_), zeta, Float(stop_->p - now_.p));
+}
+
+/// The last stretch of slip at once, if no phase of the impact ends on it.
+std::unique_ptr<Stretch<Float>> Slide::jump(const Walk<Float>& walk) {
   const Moment<Float> from = moment(now_);
   const Moment<Float> end = moment(*stop_);
-  const bool nothing_left = stop_->p - now_.p <= ldexp(stop_->p, -bits_kept);
-  if (!nothing_left && !(monotone(tangent_, now_, *stop_) && walk.quiet(from, end))) return false;
-  pieces_.push_back(std::make_unique<Jump>(from, end));
+  if (!monotone(tangent_, now_, *stop_) || !walk.quiet(from, end)) return nullptr;
   stopped_ = stop_->p;
-  return true;
+  return std::make_unique<Jump>(from, end);
 }
 
 /// One series, cut where U turns.
@@ -434,9 +441,14 @@ void Slide::step() {
 
 std::unique_ptr<Stretch<Float>> Slide::next(const Walk<Float>& walk) {
   if (pieces_.empty()) {
+    if (!stopped_ && now_.s <= negligible_) stopped_ = now_.p;
     if (stopped_) return rest(blow_, walk.now());
-    if (!stop_ && foresees_end()) return next(walk);
-    if (!stop_ || !jumps_to_stop(walk)) step();
+    foresee();
+    if (stop_) {
+      if (auto last = jump(walk)) return last;
+    }
+    if (settled_) return straight();
+    step();
   }
   auto piece = std::move(pieces_.back());
   pieces_.pop_back();

@@ -50,13 +50,16 @@ class Slide {
   Tangent tangent_;
   Slip first_;
   Slip now_;
+  Float negligible_;  ///< slip so slow that the law at 0 gives the same impulse, to 2^-200 in the energy norm
   std::vector<std::unique_ptr<Stretch<Float>>> pieces_;  ///< of the last series, the next one last
   std::optional<Slip> stop_;                             ///< where slip will stop, once that can be told
+  bool settled_ = false;                                 ///< slip turns no more, to the last bit kept
   std::optional<Float> stopped_;
 
   Moment<Float> moment(const Slip& slip) const;
-  bool foresees_end();
-  bool jumps_to_stop(const Walk<Float>& walk);
+  void foresee();
+  std::unique_ptr<Stretch<Float>> straight();
+  std::unique_ptr<Stretch<Float>> jump(const Walk<Float>& walk);
   void step();
 
   friend class Piece;
