@@ -142,7 +142,7 @@ Tangent::Tangent(const Blow<Float>& blow) : n(blow.N), mu(sqrt(blow.cone)) {
 }
 
 /// q = −(M + λ)⁻¹ k with λ > 0 such that |q| = μ. 1/|q| is concave and rising in λ, so Newton's method on 1/|q| = 1/μ
-/// from λ = 0 rises to the root (Moré & Sorensen 1983).
+/// from λ = 0 rises to the root (More & Sorensen 1983).
 Three<Float> diverging(const Blow<Float>& blow, const Three<Float>& sticking) {
   if (blow.facts.rest_turns) return scaled(Float(sqrt(blow.cone / inner(sticking, sticking))), sticking);
   const Tangent t(blow);
