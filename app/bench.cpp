@@ -48,6 +48,8 @@ const std::map<std::string, Comparison>& registry() {
       {"distance", of_errors("touchstone_distance_bench", 5, 2, {"vertices a body", "ulps of the scene's scale"})},
       {"impulse", of_errors("touchstone_impulse_bench", 1, 7,
                             {"effort: steps, or tolerance", "units of 2^-53, in the energy norm"})},
+      {"pixel", of_errors("touchstone_pixel_bench", 6, 4,
+                          {"pixels a metre (masks: side in pixels)", "share of overlapping pairs that is missed"})},
   };
   return comparisons;
 }
@@ -73,9 +75,9 @@ std::string command(const BenchOptions& options) {
 void check_words(const std::vector<std::string>& words, const std::string& place) {
   for (const std::string& word : words) {
     const bool plain = !word.empty() && std::ranges::all_of(word, [](char c) {
-      return ('a' <= c && c <= 'z') || ('0' <= c && c <= '9') || c == '_';
+      return ('a' <= c && c <= 'z') || ('0' <= c && c <= '9') || c == '_' || c == '-';
     });
-    if (!plain) throw InputError(place, "expected a word of a-z, 0-9 and _, found \"" + word + "\"");
+    if (!plain) throw InputError(place, "expected a word of a-z, 0-9, _ and -, found \"" + word + "\"");
   }
 }
 

@@ -75,6 +75,8 @@ Examples:
   ./touchstone bench broad_phase                                  everything: several minutes
   ./touchstone bench broad_phase --sizes 1000,10000 --workloads coherent,settled --rounds 9 --out coherent
   ./touchstone bench distance                                     and the error that each engine's time buys
+  ./touchstone bench impulse                                      work and precision of ways to compute an impact
+  ./touchstone bench pixel                                        masks, and what sampling misses
 
 Ours and others' run in turn, in slices of CPU time; a figure is the median of the rounds. Who cannot play one frame
 within the budget is left out, and named. Written to the folder: the CSV, the table (.txt) and a plot (.svg).
@@ -281,12 +283,14 @@ void add_bench(CLI::App& program, Options& options) {
   command->add_option("WHAT", options.bench.name, listed(benches()))->required()->check(CLI::IsMember(benches()));
   command
       ->add_option("--sizes", options.bench.sizes,
-                   "Numbers of bodies (broad_phase) or of vertices a body (distance). Default: the comparison's own")
+                   "broad_phase: bodies; distance: vertices a body; impulse: impacts a class; pixel: pixels a metre. "
+                   "Default: the comparison's own")
       ->delimiter(',');
   command
       ->add_option("--workloads", options.bench.workloads,
-                   "broad_phase: coherent, settled, ratio, clustered, teleport, still; distance: coherent, cold. "
-                   "Default: all")
+                   "broad_phase: coherent, settled, ratio, clustered, teleport, still; distance: coherent, cold; "
+                   "impulse: generic, tiny_slip, friction_to_10, rods, levers, spheres, no_slip; pixel: masks, boxes, "
+                   "triangles, 16-gons. Default: all")
       ->delimiter(',');
   command->add_option("--rounds", options.bench.rounds, "Of which the median is taken")
       ->check(CLI::Range(1, 1000))

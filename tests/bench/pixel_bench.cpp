@@ -1,10 +1,9 @@
-// Two measurements of tests at pixel resolution: masks laid over each other, against a plain read of the same bytes;
-// and how often sampling misses bodies that overlap, by the size of a pixel, with what it costs. A table, then CSV.
+// Tests at pixel resolution, as CSV. Masks laid over each other, against a plain read of the same bytes; and how often
+// sampling misses bodies that overlap, by the size of a pixel, with what it costs and what the exact distance costs.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <string>
 #include <utility>
 #include <vector>
@@ -12,6 +11,7 @@
 #include "fast/distance.h"
 #include "fast/pixel.h"
 #include "fast/pixel/bit_mask.h"
+#include "tests/bench/command_line.h"
 
 namespace {
 
@@ -51,33 +51,33 @@ std::uint64_t read_all(const fast::pixels::BitMask& mask) {
   return sums[0] + sums[1] + sums[2] + sums[3];
 }
 
-void masks() {
-  std::printf("masks laid over each other, half of the bits set\n%8s %10s %12s %12s %7s\n", "size", "shift",
-              "overlap ns", "read ns", "ratio");
-  for (const int size : {256, 1024, 4096, 16384}) {
-    std::uint64_t state = 1;
-    fast::pixels::BitMask A(size, size);
-    fast::pixels::BitMask B(size, size);
-    for (fast::pixels::BitMask* mask : {&A, &B}) {
-      for (int j = 0; j < size; ++j) {
-        for (int i = 0; i < size; ++i) {
-          if ((next_bits(state) & 1U) != 0) mask->set(i, j);
-        }
+constexpr int side_of_a_mask = 64;  ///< times the size asked for
+
+void masks(int size, int rounds) {
+  const int side = side_of_a_mask * size;
+  std::uint64_t state = 1;
+  fast::pixels::BitMask A(side, side);
+  fast::pixels::BitMask B(side, side);
+  for (fast::pixels::BitMask* mask : {&A, &B}) {
+    for (int j = 0; j < side; ++j) {
+      for (int i = 0; i < side; ++i) {
+        if ((next_bits(state) & 1U) != 0) mask->set(i, j);
       }
     }
-    const int times = std::max(1, 64 * 1024 * 1024 / (size * size));
-    std::uint64_t sink = 0;
-    const double read = nanoseconds(9, times, [&](int) {
-      sink += read_all(A) + read_all(B);
+  }
+  const int times = std::max(1, 64 * 1024 * 1024 / (side * side));
+  std::uint64_t sink = 0;
+  const double read = nanoseconds(rounds, times, [&](int) {
+    sink += read_all(A) + read_all(B);
+    asm volatile("" : "+r"(sink) : : "memory");
+  });
+  std::printf("masks,%d,plain read,peer,%.1f,,,\n", side, read);
+  for (const auto& [x, y] : {std::pair(0, 0), {64, 1}, {5, -3}}) {
+    const double laid = nanoseconds(rounds, times, [&, dx = x, dy = y](int) {
+      sink += static_cast<std::uint64_t>(fast::pixels::overlap(A, B, dx, dy).count);
       asm volatile("" : "+r"(sink) : : "memory");
     });
-    for (const auto& [x, y] : {std::pair(0, 0), {64, 1}, {5, -3}}) {
-      const double laid = nanoseconds(9, times, [&, dx = x, dy = y](int) {
-        sink += static_cast<std::uint64_t>(fast::pixels::overlap(A, B, dx, dy).count);
-        asm volatile("" : "+r"(sink) : : "memory");
-      });
-      std::printf("%8d (%3d,%3d) %12.0f %12.0f %7.2f\n", size, x, y, laid, read, laid / read);
-    }
+    std::printf("masks,%d,overlap at (%d %d),ours,%.1f,,,\n", side, x, y, laid);
   }
 }
 
@@ -98,10 +98,10 @@ Polytope prism(int corners) {
   return made;
 }
 
-struct Subject {
-  const char* name;
-  Shape shape;
-};
+Shape shape_of(const std::string& workload) {
+  if (workload == "boxes") return Box{Vec3(0.5, 0.3, 0.5)};
+  return prism(workload == "triangles" ? 3 : 16);
+}
 
 /// Turned about z alone: prisms meet where their pictures do, so the law of plane figures shows.
 Body some_body(const Shape& shape, std::uint64_t& state) {
@@ -118,44 +118,45 @@ bool any(const Mask& mask) {
   return std::ranges::any_of(mask, [](const std::string& row) { return row.find('1') != std::string::npos; });
 }
 
-void misses(int pairs) {
-  const std::vector<Subject> subjects = {
-      {"boxes", Box{Vec3(0.5, 0.3, 0.5)}}, {"triangles", prism(3)}, {"16-gons", prism(16)}};
-  std::printf("\noverlapping pairs that sampling misses, %d pairs a row\n%-10s %8s %10s %10s %12s %12s\n", pairs,
-              "shape", "1/h", "missed", "of before", "pixel ns", "distance ns");
-  std::vector<std::string> csv;
-  for (const Subject& subject : subjects) {
-    double before = 0;
-    for (int fine = 4; fine <= 128; fine *= 2) {
-      std::uint64_t state = 7;
-      std::vector<Scene> scenes;
-      while (static_cast<int>(scenes.size()) < pairs) {
-        Scene scene;
-        scene.bodies = {some_body(subject.shape, state), some_body(subject.shape, state)};
-        const double h = 1.0 / fine;
-        scene.raster = Raster{-2, -2, h, 4 * fine, 4 * fine, 0, 0};
-        if (fast::distance(scene).verdict == Verdict::overlapping) scenes.push_back(scene);
-      }
-      int missed = 0;
-      const double cost = nanoseconds(
-          1, pairs, [&](int i) { missed += !any(fast::pixel(scenes[static_cast<std::size_t>(i)]).meet_sampled); });
-      const double exact = nanoseconds(1, pairs, [&](int i) { fast::distance(scenes[static_cast<std::size_t>(i)]); });
-      const double share = static_cast<double>(missed) / pairs;
-      std::printf("%-10s %8d %10.5f %10.2f %12.0f %12.0f\n", subject.name, fine, share, before > 0 ? share / before : 0,
-                  cost, exact);
-      char line[160];
-      std::snprintf(line, sizeof line, "%s,%d,%.6f,%.0f,%.0f", subject.name, fine, share, cost, exact);
-      csv.emplace_back(line);
-      before = share;
+constexpr int pairs = 1000;
+
+void misses(const std::string& workload, int fine) {
+  std::uint64_t state = 7;
+  std::vector<Scene> scenes;
+  const Shape shape = shape_of(workload);
+  while (static_cast<int>(scenes.size()) < pairs) {
+    Scene scene;
+    scene.bodies = {some_body(shape, state), some_body(shape, state)};
+    scene.raster = Raster{-2, -2, 1.0 / fine, 4 * fine, 4 * fine, 0, 0};
+    if (fast::distance(scene).verdict == Verdict::overlapping) scenes.push_back(scene);
+  }
+  int missed = 0;
+  const double sampled = nanoseconds(
+      1, pairs, [&](int i) { missed += !any(fast::pixel(scenes[static_cast<std::size_t>(i)]).meet_sampled); });
+  const double exact = nanoseconds(1, pairs, [&](int i) { fast::distance(scenes[static_cast<std::size_t>(i)]); });
+  const double share = static_cast<double>(missed) / pairs;
+  std::printf("%s,%d,sampled pixels,ours,%.0f,%.4g,%.4g,\n", workload.c_str(), fine, sampled, share, share);
+  std::printf("%s,%d,distance,other,%.0f,0,0,\n", workload.c_str(), fine, exact);
+}
+
+void run(const bench::Options& options) {
+  std::printf("workload,size,name,whose,ns,median_error,worst_error,left_out\n");
+  for (const std::string& workload : options.workloads) {
+    for (const int size : options.sizes) {
+      workload == "masks" ? masks(size, options.rounds) : misses(workload, size);
+      std::fflush(stdout);
     }
   }
-  std::printf("\nshape,pixels_per_metre,missed,pixel_ns,distance_ns\n");
-  for (const std::string& line : csv) std::printf("%s\n", line.c_str());
 }
 
 }  // namespace
 
-int main(int count, char** words) {
-  masks();
-  misses(count > 1 ? std::max(1, std::atoi(words[1])) : 1000);
+int main(int argc, char** argv) {
+  const std::vector<std::string> workloads{"masks", "boxes", "triangles", "16-gons"};
+  return bench::run_comparison(argc, argv,
+                               {"Tests at pixel resolution: masks, and what sampling misses.",
+                                "pixels a metre; of masks, sides in words of 64",
+                                {{4, 8, 16, 32, 64, 128}, workloads, 9},
+                                workloads},
+                               run);
 }
