@@ -195,6 +195,9 @@ void validate(const Raster& raster, const std::string& place) {
   positive(raster.pixel, place + ".pixel");
   if (raster.columns < 1) throw InputError(place + ".columns", "expected at least 1");
   if (raster.rows < 1) throw InputError(place + ".rows", "expected at least 1");
+  for (const int shift : {raster.shift_x, raster.shift_y}) {
+    if (std::abs(static_cast<double>(shift)) > 1e9) throw InputError(place + ".shift", "expected at most 1e9 pixels");
+  }
   constexpr int most = 1 << 24;  // pixels: an answer of some 100 MB
   if (raster.columns > most / raster.rows) {
     throw InputError(place, "expected at most " + std::to_string(most) + " pixels");
