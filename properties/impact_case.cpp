@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "oracle/precision.h"
+#include "oracle/truth.h"
 #include "oracle/words.h"
 
 namespace touchstone::properties {
@@ -31,6 +32,12 @@ bool ImpactCase::uncoupled() const { return impact.k().norm() <= margin * impact
 bool ImpactCase::slips() const { return impact.energy_norm(impact.u_t()) > margin * impact.energy_norm(impact.u); }
 
 bool ImpactCase::regular() const { return uncoupled() || mu() * impact.k().norm() <= impact.K_nn() * (1 - margin); }
+
+bool ImpactCase::law_jumps() const {
+  if (regular()) return false;
+  const Real scale = std::sqrt(impact.K_nn()) * impact.energy_norm(impact.u);
+  return std::abs(impact.u_n()) <= 1e-9L * scale || oracle::truth::impulse(scene).ambiguous.has_value();
+}
 
 After ImpactCase::moved_by(const Point& P_A_W) const {
   After after;

@@ -42,6 +42,9 @@ struct ImpactCase {
   /// mu |K_tn| ≤ K_nn, by a margin: the normal velocity never falls while the normal impulse grows. (Infinite friction
   /// and K_tn ≠ 0 are not regular.)
   bool regular() const;
+  /// Does the law itself jump near this contact? By the reference; and where u_n is 0 within 1e-9 of its scale and slip
+  /// may jam: nothing happens at u_n = 0, and an impulse that is not small just below it.
+  bool law_jumps() const;
   bool uncoupled() const;  ///< K_tn = 0
   bool slips() const;      ///< u_t ≠ 0
 

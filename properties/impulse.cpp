@@ -32,7 +32,7 @@ Finding moves_as(const ImpactCase& asked, const SaidImpact& said, const After& e
 Finding agrees(const Scene& scene, Subject& subject) {
   return of_answered_impact(scene, subject, [](const ImpactCase& asked, const SaidImpact& said) {
     const reference::ImpulseTruth& truth = oracle::truth::impulse(asked.scene);
-    if (truth.ambiguous) return judge::outside("the law itself jumps here");
+    if (truth.ambiguous || asked.law_jumps()) return judge::outside("the law itself jumps here");
     After expected;
     for (std::size_t i = 0; i < 2; ++i) expected[i] = {exact(truth.after[i].v_WBcm), exact(truth.after[i].w_WB)};
     return moves_as(asked, said, expected);
@@ -43,7 +43,7 @@ Finding error_bound(const Scene& scene, Subject& subject) {
   return of_answered_impact(scene, subject, [](const ImpactCase& asked, const SaidImpact& said) {
     if (!said.answer.error || !said.answer.P_A_W) return judge::silent("how far its impulse may be off");
     const reference::ImpulseTruth& truth = oracle::truth::impulse(asked.scene);
-    if (truth.ambiguous) return judge::outside("the law itself jumps here");
+    if (truth.ambiguous || asked.law_jumps()) return judge::outside("the law itself jumps here");
     const Point off = said.answer.P_A_W->cast<Real>() - exact(truth.P_A_W);
     // The truth's own error, and its three coordinates as doubles.
     const double enclosed =
@@ -290,6 +290,7 @@ Finding plastic(const Scene& scene, Subject& subject) {
 Finding separating(const Scene& scene, Subject& subject) {
   return of_answered_impact(scene, subject, [](const ImpactCase& asked, const SaidImpact& said) {
     if (asked.approaching()) return judge::outside("the bodies approach");
+    if (asked.law_jumps()) return judge::outside("the law itself jumps here");
     return moves_as(asked, said, asked.moved_by(Point::Zero()));
   });
 }

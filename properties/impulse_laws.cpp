@@ -2,7 +2,6 @@
 #include <cmath>
 #include <functional>
 
-#include "oracle/truth.h"
 #include "properties/exact_sum.h"
 #include "properties/impact_case.h"
 #include "properties/motion.h"
@@ -25,7 +24,7 @@ Moving same(const Moving& V) { return V; }
 Finding changes(const Scene& scene, const std::optional<Scene>& other, Subject& subject, Defect defect,
                 const Predict& predict, Real times = 1, bool exchanged = false) {
   return of_answered_impact(scene, subject, [&](const ImpactCase& asked, const SaidImpact& first) {
-    if (!asked.regular() && oracle::truth::impulse(scene).ambiguous) return judge::outside("the law itself jumps here");
+    if (asked.law_jumps()) return judge::outside("the law itself jumps here");
     return of_moved(other, subject, [&](const Scene& second_scene) {
       return of_answered_impact(second_scene, subject, [&](const ImpactCase& asked_then, const SaidImpact& second) {
         After expected;
