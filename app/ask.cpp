@@ -13,6 +13,7 @@
 #include "reference/bounds.h"
 #include "reference/broad_phase.h"
 #include "reference/distance.h"
+#include "reference/impulse.h"
 #include "reference/mass.h"
 #include "reference/penetration.h"
 #include "reference/pixel.h"
@@ -131,13 +132,57 @@ Json mass(const Scene& scene) {
 
 Json pixel(const Scene& scene) { return touchstone::json_of(reference::pixel(scene)); }
 
+Json json_of(const reference::ExactVec3& v) {
+  Json exact = Json::array(), nearest = Json::array();
+  for (const Rational& x : v) exact.push_back(x.text()), nearest.push_back(x.nearest());
+  return {{"exact", std::move(exact)}, {"nearest", std::move(nearest)}};
+}
+
+/// The modes that were met, in words.
+std::string words_of(const reference::ImpulseTruth::Modes& m) {
+  const std::vector<std::pair<bool, const char*>> all = {{m.separating, "separating"},
+                                                         {m.frictionless, "frictionless"},
+                                                         {m.stuck_from_start, "stuck from the start"},
+                                                         {m.straight, "slips along a line"},
+                                                         {m.slip_stops_in_compression, "slip stops in compression"},
+                                                         {m.slip_stops_in_restitution, "slip stops in restitution"},
+                                                         {m.sticks, "sticks"},
+                                                         {m.reversal, "slip reverses"},
+                                                         {m.diverges, "slips off again"},
+                                                         {m.recompressed, "compressed again"},
+                                                         {m.painleve, "friction can press the bodies together"}};
+  std::string words;
+  for (const auto& [met, word] : all) {
+    if (met) words += (words.empty() ? "" : ", ") + std::string(word);
+  }
+  return words.empty() ? "slip turns" : words;
+}
+
+/// Digits of a rational that stands for more are not shown: nearest doubles are.
+Json impulse(const Scene& scene) {
+  const reference::ImpulseTruth truth = reference::impulse(scene);
+  const auto shown = [&](const reference::ExactVec3& v) {
+    return truth.certified ? json_of(v) : json_of(v)["nearest"];
+  };
+  Json json = {{"modes", words_of(truth.modes)},
+               {"P_A_W", shown(truth.P_A_W)},
+               {"p_c", truth.p_c.nearest()},
+               {"p_f", truth.p_f.nearest()}};
+  for (const std::size_t b : {0U, 1U}) {
+    const char* key = b == 0 ? "after_A" : "after_B";
+    json[key] = {{"v_WBcm", shown(truth.after[b].v_WBcm)}, {"w_WB", shown(truth.after[b].w_WB)}};
+  }
+  json["certified"] = truth.certified;
+  json["error"] = truth.error;
+  if (truth.ambiguous) json["ambiguous"] = *truth.ambiguous;
+  return json;
+}
+
 const std::map<std::string, Show>& shows() {
-  static const std::map<std::string, Show> all = {{"mass", mass},
-                                                  {"bounds", bounds},
-                                                  {"broad_phase", broad_phase},
-                                                  {"distance", distance},
-                                                  {"penetration", penetration},
-                                                  {"pixel", pixel}};
+  static const std::map<std::string, Show> all = {
+      {"mass", mass},         {"bounds", bounds},           {"broad_phase", broad_phase},
+      {"distance", distance}, {"penetration", penetration}, {"impulse", impulse},
+      {"pixel", pixel}};
   return all;
 }
 
@@ -196,7 +241,8 @@ Json answered(const std::string& query, const Scene& scene, const std::string& p
 }  // namespace
 
 const std::vector<std::string>& queries() {
-  static const std::vector<std::string> all = {"mass", "bounds", "broad_phase", "distance", "penetration", "pixel"};
+  static const std::vector<std::string> all = {"mass",        "bounds",  "broad_phase", "distance",
+                                               "penetration", "impulse", "pixel"};
   return all;
 }
 

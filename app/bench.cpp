@@ -47,7 +47,7 @@ const std::map<std::string, Comparison>& registry() {
         [](const std::string& csv) { return bench_plot(bench_rows(csv)); }}},
       {"distance", of_errors("touchstone_distance_bench", 5, 2, {"vertices a body", "ulps of the scene's scale"})},
       {"impulse", of_errors("touchstone_impulse_bench", 1, 7,
-                            {"effort: steps, or tolerance", "units of 2^-53, in the energy norm"})},
+                            {"effort: steps, or tolerance", "units of 2^-53, in the energy norm", false})},
       {"pixel", of_errors("touchstone_pixel_bench", 6, 4,
                           {"pixels a metre (masks: side in pixels)", "share of overlapping pairs that is missed"})},
   };

@@ -123,7 +123,7 @@ std::string work_precision_table(const std::vector<WorkPrecision>& rows, const W
   for (const std::string& workload : distinct(rows, &WorkPrecision::workload)) {
     text += block(of_workload(rows, workload), words);
   }
-  return text + ratios(rows) + left_out(rows);
+  return text + (words.same_question ? ratios(rows) : "") + left_out(rows);
 }
 
 }  // namespace touchstone::app

@@ -12,7 +12,7 @@ struct WorkPrecision {
   std::string workload;
   std::string size;  ///< "20": of what, the comparison says
   std::string name;
-  std::string whose;  ///< "ours"; "peer": ours is set against it; else something beside them
+  std::string whose;                   ///< "ours"; "peer": ours is set against it; else something beside them
   std::optional<double> ns;            ///< CPU time a query
   std::optional<double> median_error;  ///< against the exact answer; none: it gives no such answer
   std::optional<double> worst_error;
@@ -21,8 +21,9 @@ struct WorkPrecision {
 
 /// What is compared, in words.
 struct WorkPrecisionWords {
-  std::string size;   ///< "vertices a body"
-  std::string error;  ///< "ulps of the scene's scale"
+  std::string size;           ///< "vertices a body"
+  std::string error;          ///< "ulps of the scene's scale"
+  bool same_question = true;  ///< one size asks all the same; else sizes are efforts, and times at one do not compare
 };
 
 /// Reads workload,size,name,whose,ns,median_error,worst_error,left_out.

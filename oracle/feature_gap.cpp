@@ -29,7 +29,8 @@ Real point_segment(const Point& p, const Point& a, const Point& b) {
   return (p - a - d * (dd > 0 ? unit_clamp((p - a).dot(d) / dd) : 0)).norm();
 }
 
-// Where the common normal of the two lines meets both segments; the ends are other candidates.
+// Where the common normal of the two lines meets either segment, and what is nearest to that on the other: of nearly
+// parallel lines both places are far off, and not by the same. The ends are other candidates.
 Real segment_segment(const Point& a, const Point& b, const Point& c, const Point& d) {
   const Point u = b - a, v = d - c, w = a - c;
   const Real uu = u.squaredNorm(), uv = u.dot(v), vv = v.squaredNorm(), det = uu * vv - uv * uv;
@@ -38,7 +39,7 @@ Real segment_segment(const Point& a, const Point& b, const Point& c, const Point
   if (det > 0) {
     const Real s = unit_clamp((uv * v.dot(w) - vv * u.dot(w)) / det);
     const Real t = unit_clamp((uu * v.dot(w) - uv * u.dot(w)) / det);
-    least = std::min(least, (w + u * s - v * t).norm());
+    least = std::min({least, point_segment(a + u * s, c, d), point_segment(c + v * t, a, b)});
   }
   return least;
 }

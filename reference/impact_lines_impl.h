@@ -36,13 +36,16 @@ class Ray : public Stretch<T> {
     return reached(T((c - from.U) / slope_), from);
   }
 
-  /// U x + U' x²/2 = c − W, the root of the rising branch in its stable form. U ≥ 0 and U' > 0: on straight lines U
-  /// never falls once it is not negative.
+  /// U x + U' x²/2 = c − W, the root at which W rises, in the form that cancels nothing. None where U falls to 0 before,
+  /// as it may while slip jams. From U < 0 (it jammed before) W falls first.
   std::optional<Moment<T>> when_W(const T& c, const Moment<T>& from) const override {
     const T missing = c - from.W;
     if (missing <= 0) return from;
     const T discriminant = from.U * from.U + 2 * slope_ * missing;
-    return reached(T(2 * missing / (from.U + root(discriminant))), from);
+    if (discriminant < 0 || (from.U <= 0 && slope_ <= 0)) return {};
+    const T last_U = root(discriminant);
+    if (from.U < 0) return reached(T((last_U - from.U) / slope_), from);
+    return reached(T(2 * missing / (from.U + last_U)), from);
   }
 
   T slope(const Moment<T>&) const override { return slope_; }

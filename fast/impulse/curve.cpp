@@ -1,5 +1,6 @@
 #include "fast/impulse/curve.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -41,10 +42,14 @@ CurveEnd go_round(const Impact& i, const Goal& goal, Course& at, double& closest
   while (at.s > 0x1p-70 * speeds) {
     if (is_straight(i, at)) return CurveEnd::straightened;
     if (stops(i, goal, at)) return CurveEnd::stop;
-    auto by_direction = stretch_by_direction(i, at);
-    const Stretch stretch = by_direction ? *by_direction : stretch_by_time(i, at);
+    const auto by_direction = stretch_by_direction(i, at);
+    Stretch stretch = by_direction ? *by_direction : stretch_by_time(i, at);
     const Series u = normal_speed(i, stretch, normal_speed(i, at));
-    const Series W = i.law == Law::stronge ? work(stretch, u) : Series{};
+    Series W;
+    if (i.law == Law::stronge) {  // its own series converges more slowly than those it is the product of
+      W = work(stretch, u);
+      stretch.length = std::min(stretch.length, length_of(W, speeds * at.s / rate(i)));
+    }
     const Series& x = goal.of == Goal::Of::speed ? u : goal.of == Goal::Of::work ? W : stretch.p;
     const double before = goal.of == Goal::Of::work ? at.work : goal.of == Goal::Of::impulse ? at.p : 0;
     const auto here = first_reach(x, goal.value - before, stretch.length, closest_miss);

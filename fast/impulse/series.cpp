@@ -46,6 +46,11 @@ double length_for(double coefficient, std::size_t n) {
   return std::ldexp(1 + 0.6931471805599453 * (wanted - whole), static_cast<int>(whole));  // 2^f ≥ 1 + f ln 2
 }
 
+double length_of(const Series& x, double unit) {
+  return std::min(length_for(std::abs(x.x[x.order]) / unit, x.order),
+                  length_for(std::abs(x.x[x.order - 1]) / unit, x.order - 1));
+}
+
 std::optional<double> first_reach(const Series& x, double target, double length, double& closest_miss) {
   if (x(length) >= target) return crossing(x, target, 0, length);
   if (!(x.slope(0) > 0 && x.slope(length) < 0)) return std::nullopt;

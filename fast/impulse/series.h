@@ -38,6 +38,9 @@ struct Series {
 /// t with |coefficient| tⁿ ≤ 2^-56, by exponents alone: no logarithm of the C library has the same bits everywhere.
 double length_for(double coefficient, std::size_t n);
 
+/// t up to which the last two terms stay below 2^-56 of the unit.
+double length_of(const Series& x, double unit);
+
 /// The first t in [0, length] where the series, which starts below it, reaches the target; none if it does not. A
 /// series that rises, then falls short is looked at where it is greatest: by how much it missed makes closest_miss
 /// smaller.

@@ -24,10 +24,12 @@ class Journey {
       at_.c = x / length;
       at_.d = y / length;
     }
+    if (jams()) closest_miss_ = std::abs(impact.un);  // at u_n = 0 an impulse begins, all at once
     if (std::isinf(impact.mu)) stick_at_once();
   }
 
   Outcome run() {
+    outcome_.miss = closest_miss_ / speeds_;
     if (!(i_.un < 0)) return outcome_;
     outcome_.regime.approached = true;
     do {
@@ -63,10 +65,11 @@ class Journey {
     }
   }
 
-  /// Only where sliding can press the bodies together: u_n falls on some line.
+  /// Sliding can press the bodies together: u_n falls on some line.
+  bool jams() const { return std::isfinite(i_.mu) && i_.mu * std::sqrt(i_.k1 * i_.k1 + i_.k2 * i_.k2) > i_.b; }
+
   bool approaches_again() {
-    const double mu_k = std::isinf(i_.mu) ? 0 : i_.mu * std::sqrt(i_.k1 * i_.k1 + i_.k2 * i_.k2);
-    if (!(mu_k > i_.b)) return false;
+    if (!jams()) return false;
     const double u = normal_speed(i_, at_);
     if (i_.e > 0) closest_miss_ = std::min(closest_miss_, std::abs(u));
     if (!(u < -noise * speeds_) || ++compressions_ > most_compressions) return false;

@@ -21,11 +21,6 @@ constexpr auto inverses = [] {
   return all;
 }();
 
-double length_of(const Series& x, double unit) {
-  return std::min(length_for(std::abs(x.x[x.order]) / unit, x.order),
-                  length_for(std::abs(x.x[x.order - 1]) / unit, x.order - 1));
-}
-
 /// Of a turn to the right the mirror image is solved.
 Turning mirrored(Turning x, double side) {
   for (double* odd : {&x.k2, &x.beta, &x.eta[0], &x.eta[2], &x.eta[4], &x.g[1], &x.g[3]}) *odd *= side;

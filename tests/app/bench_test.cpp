@@ -56,6 +56,8 @@ TEST_CASE("bench: error against time as a table, losses and who was left out wit
   CHECK_THAT(table, Catch::Contains("1.50x"));
   CHECK_THAT(table, Catch::Contains("0.50 engine.gjk  3.00 other"));
   CHECK_THAT(table, Catch::Contains("20  engine.gjk: hung"));
+  const WorkPrecisionWords efforts{"effort", "ulps", false};
+  CHECK_THAT(work_precision_table(work_precision_rows(work_precision_csv), efforts), !Catch::Contains("times faster"));
 }
 
 TEST_CASE("bench: error against time as a plot, an exact answer below the axis") {

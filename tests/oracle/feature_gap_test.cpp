@@ -37,6 +37,13 @@ TEST_CASE("feature_gap: hulls that cross are 0 apart; a sphere is its centre; po
   CHECK(*feature_gap(cube, {0, {4, 5, 6, 7}}, turned, {1, {0}}) == Approx(2));  // x turned to z: the part at (0, 0, 3)
 }
 
+TEST_CASE("feature_gap: long edges that cross at a hundred thousandth of a right angle do cross") {
+  const Body A = posed(Polytope{{{0, 0, 2}, {0, 0, 0}, {32768, 3, 0}, {-32768, 4, 0}}, {}}, {0, 0, 0});
+  const Body B =
+      posed(Polytope{{{0, -2, -524288}, {0, 0, -524288}, {-4194304, -4, 0}, {1572864, 6, 0}}, {}}, {0, 0, 0});
+  CHECK(*feature_gap(A, {0, {2, 3}}, B, {0, {2, 3}}) < 1e-12);
+}
+
 TEST_CASE("feature_gap: what is not there has no gap") {
   CHECK_FALSE(feature_gap(cube, {0, {8}}, above, {0, {0}}));
   CHECK_FALSE(feature_gap(cube, {0, {-1}}, above, {0, {0}}));

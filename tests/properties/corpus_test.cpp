@@ -34,6 +34,12 @@ TEST_CASE("Every case of the corpus is whole: read, complete, under a property o
   for (const char* stem : {"mass", "bounds", "broad_phase", "distance", "penetration"}) CHECK(count[stem] >= 3);
 }
 
+TEST_CASE("An impact of the corpus goes on through restitution, though slip jams in it") {
+  const reference::ImpulseTruth& truth = oracle::truth::impulse(scene_of("impulse/stronge_jams_in_restitution"));
+  CHECK(truth.p_f > truth.p_c);
+  CHECK(truth.modes.slip_stops_in_restitution);
+}
+
 TEST_CASE("Distances of the corpus by hand") {
   const auto verdict = [](const std::string& name) {
     return oracle::truth::distance(scene_of("distance/" + name)).verdict;
