@@ -44,14 +44,16 @@ Real segment_segment(const Point& a, const Point& b, const Point& c, const Point
   return least;
 }
 
-// Where p falls perpendicularly into the triangle; its edges are other candidates.
+// Where p falls perpendicularly into the triangle; its edges are other candidates. In a slender triangle s and t are far
+// off, and what they leave over says by how much: one step of refinement.
 Real point_triangle(const Point& p, const Point& a, const Point& b, const Point& c) {
   const Point u = b - a, v = c - a, w = p - a, n = u.cross(v);
   const Real nn = n.squaredNorm();
   if (!(nn > 0)) return std::numeric_limits<Real>::infinity();
   const Real s = w.cross(v).dot(n) / nn, t = u.cross(w).dot(n) / nn;
   if (s < 0 || t < 0 || s + t > 1) return std::numeric_limits<Real>::infinity();
-  return (w - u * s - v * t).norm();
+  const Point left = w - u * s - v * t;
+  return (left - u * (left.cross(v).dot(n) / nn) - v * (u.cross(left).dot(n) / nn)).norm();
 }
 
 Real to_triangles(const Points& points, const Points& corners) {
