@@ -156,7 +156,10 @@ void add_run_options(CLI::App& command, RunOptions& options) {
       ->delimiter(',');
   command.add_option("--properties", options.properties, "Ids (see `list properties`). Default: all of the stems")
       ->delimiter(',');
-  command.add_option("--effort", options.effort, "How many scenes, how long a failing one is cut down")
+  command
+      .add_option("--effort", options.effort,
+                  "How many scenes, how long a failing one is cut down. standard: 4,000 a stem; of one subject by "
+                  "itself 100,000")
       ->check(CLI::IsMember(effort_names()))
       ->capture_default_str();
   command.add_option("--cases", options.cases, "Drawn scenes a stem, instead of the effort's own number")

@@ -66,7 +66,8 @@ bool compares_with_truth(const Property& property) {
 
 std::vector<Question> questions(const std::string& stem, const Effort& effort, std::uint64_t seed, const MeshSet& set) {
   std::vector<Question> all;
-  add_drawn(all, for_stem(properties::families(), stem), effort.cases, seed, true, any_property);
+  const int cases = stem == "impulse" ? std::min(effort.cases, effort.impacts) : effort.cases;
+  add_drawn(all, for_stem(properties::families(), stem), cases, seed, true, any_property);
   add_drawn(all, for_stem(properties::extremes(), stem), effort.extreme_cases, seed, false, asks_only_for_sense);
   add_meshes(all, stem, effort, seed, set);
   return all;

@@ -48,11 +48,13 @@ std::vector<std::string> chosen_properties(const RunOptions& options) {
   return chosen;
 }
 
-Effort chosen_effort(const RunOptions& options) {
+Effort chosen_effort(const RunOptions& options, std::size_t subjects) {
   Effort effort = *std::ranges::find(efforts(), options.effort, &Effort::name);
   if (options.cases > 0) {
     effort.extreme_cases = std::max(1, effort.extreme_cases * options.cases / effort.cases);
-    effort.cases = options.cases;
+    effort.cases = effort.impacts = options.cases;
+  } else if (subjects == 1) {
+    effort.cases = effort.cases_alone;
   }
   return effort;
 }
@@ -60,8 +62,8 @@ Effort chosen_effort(const RunOptions& options) {
 TrialPlan plan_of(const RunOptions& options) {
   TrialPlan plan;
   plan.properties = chosen_properties(options);
-  plan.effort = chosen_effort(options);
   plan.subjects = roster(options.subjects);
+  plan.effort = chosen_effort(options, plan.subjects.size());
   plan.seed = options.seed;
   plan.jobs = options.jobs > 0 ? options.jobs : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   plan.limits = limits_of(options.time_limit);

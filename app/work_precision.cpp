@@ -112,8 +112,8 @@ std::vector<WorkPrecision> work_precision_rows(const std::string& csv) {
     std::istringstream in(line);
     for (std::string field; std::getline(in, field, ',');) fields.push_back(field);
     fields.resize(8);
-    rows.push_back({fields[0], fields[1], fields[2], fields[3], number(fields[4]), number(fields[5]),
-                    number(fields[6]), fields[7]});
+    rows.push_back({fields[0], fields[1], fields[2], fields[3], number(fields[4]), number(fields[5]), number(fields[6]),
+                    fields[7]});
   }
   return rows;
 }
