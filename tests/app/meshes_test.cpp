@@ -58,8 +58,8 @@ TEST_CASE("Depth is asked of a few pairs, spread over all") {
 TEST_CASE("Meshes of two robots are never paired") {
   MeshSet set;
   for (const char* robot : {"one", "one", "two"}) set.meshes.push_back({"mesh", robot, {}});
-  CHECK(mesh_questions("distance", {"some", 1, 1, 1, 1, 5}, set).size() == 1);
-  CHECK(mesh_questions("broad_phase", {"some", 1, 1, 1, 1, 5}, set).size() == 2);
+  CHECK(mesh_questions("distance", {"some", 1, 1, 1, 1, 1, 1, 5}, set).size() == 1);
+  CHECK(mesh_questions("broad_phase", {"some", 1, 1, 1, 1, 1, 1, 5}, set).size() == 2);
 }
 
 TEST_CASE("A folder that was named must exist") { CHECK_THROWS_AS(read_meshes("/nowhere", false), InputError); }

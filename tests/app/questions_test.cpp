@@ -1,5 +1,6 @@
 #include "app/questions.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <map>
 #include <set>
@@ -9,7 +10,7 @@
 namespace touchstone::app {
 namespace {
 
-const Effort few{"few", 200, 20, 10, 3, 2};
+const Effort few{"few", 200, 200, 5, 20, 10, 3, 2};
 
 TEST_CASE("Each family of a stem gets its share, and a question gives the same scene each time") {
   const MeshSet none;
@@ -22,6 +23,11 @@ TEST_CASE("Each family of a stem gets its share, and a question gives the same s
   for (const auto& [family, share] : shares) CHECK(std::abs(share - 200 / static_cast<int>(shares.size())) <= 1);
   CHECK(asked[100].scene() == asked[100].scene());
   CHECK_FALSE(asked[100].scene() == questions("distance", few, 8, none)[100].scene());
+}
+
+TEST_CASE("Of impacts no more are asked than their truth's cost allows") {
+  const std::vector<Question> asked = questions("impulse", few, 7, {});
+  CHECK(std::ranges::count_if(asked, &Question::counts_for_classes) == 5);
 }
 
 TEST_CASE("Extreme scenes are asked only of the properties that want an end and sense") {
