@@ -101,6 +101,54 @@ struct Pixels {
   bool operator==(const Pixels&) const = default;
 };
 
+/// "When do bodies 0 (A) and 1 (B) first meet in flight?" Contact where both flights begin counts if they approach.
+struct TimeOfImpact {
+  enum class Meeting { hit, miss, undecided };
+  Meeting meeting = Meeting::undecided;
+  std::optional<double> time;         ///< s; of a hit
+  std::optional<Interval> enclosure;  ///< claimed: apart before its lower end; of a hit, its upper end is not before it
+  std::optional<double> gap;          ///< m; undecided: somewhere in the enclosure the two are as near as this
+
+  bool operator==(const TimeOfImpact&) const = default;
+};
+
+struct State {
+  Pose X_WB;
+  Velocity velocity;
+
+  bool operator==(const State&) const = default;
+};
+
+/// What ended one flight and began the next. From `time` on, each body flies from its state here.
+struct Event {
+  enum class Kind {
+    impact,           ///< an impulse at one point
+    micro_collision,  ///< one of many impulses that stand for a resting contact
+    completed,        ///< infinitely many impacts, in closed form, that end at `time`
+    contact,          ///< the pair begins to roll, slide or rest on each other, or changes between these
+    release,          ///< such a contact ends
+    push              ///< a force on body a begins, changes or ends; b = −1
+  };
+  Kind kind = Kind::impact;
+  double time = 0;  ///< s
+  int a = 0, b = -1;
+  Vec3 p_WC = Vec3::Zero();
+  Vec3 nhat_BA_W = Vec3::Zero();
+  Vec3 P_A_W = Vec3::Zero();  ///< N s, on a; b takes its opposite
+  State after_a, after_b;
+
+  bool operator==(const Event&) const = default;
+};
+
+/// "What happens next?" Until the end of the scene's flight.
+struct Trajectory {
+  std::vector<std::vector<State>> states;    ///< by time of the flight, then by body
+  std::optional<std::vector<Event>> events;  ///< in the order in which they were resolved
+  std::optional<double> complete_until;      ///< s; where the subject gave up: states and events end here
+
+  bool operator==(const Trajectory&) const = default;
+};
+
 /// The subject does not answer this; never a pass.
 struct Abstains {
   std::string why;

@@ -45,7 +45,8 @@ struct MassProperties {
   }
 };
 
-/// A body that nothing moves.
+/// A body whose velocity nothing changes: at rest, or a table that turns (w_WB is about B's origin, v_WBcm is that
+/// origin's).
 struct Fixed {
   bool operator==(const Fixed&) const = default;
 };
@@ -106,6 +107,27 @@ struct Raster {
   bool operator==(const Raster&) const = default;
 };
 
+/// From `time` on this force acts at the body's centre of mass, until its next push; before the first, none.
+struct Push {
+  double time = 0;  ///< s, ≥ 0
+  int body = 0;
+  Vec3 force_W = Vec3::Zero();  ///< N
+
+  bool operator==(const Push&) const = default;
+};
+
+/// How long a scene is followed, and how it is looked at: docs/design/simulation.md says how bodies move.
+struct Flight {
+  std::vector<double> times;       ///< s, > 0, ascending: when the bodies are looked at; the last one ends the flight
+  std::vector<double> since = {};  ///< s, by body: when it stands at X_WB with its velocity; empty: all at 0
+  std::optional<double> envelope = {};  ///< m: bodies as near as this may count as in contact; touchstone::envelope
+  Law law = Law::poisson;               ///< of the scene's impacts
+  double force_bound = 0;               ///< N: no push is stronger
+  std::vector<Push> pushes = {};        ///< ascending in time; what a subject knows of one before its time is the bound
+
+  bool operator==(const Flight&) const = default;
+};
+
 struct Scene {
   std::string name;
   std::vector<Body> bodies;
@@ -117,10 +139,11 @@ struct Scene {
 
   std::optional<Contact> contact = {};  ///< for queries about an impact
   std::optional<Raster> raster = {};    ///< for queries about pixels
+  std::optional<Flight> flight = {};    ///< for queries about motion
 
   bool operator==(const Scene& other) const {
     return name == other.name && bodies == other.bodies && gravity == other.gravity && frames == other.frames &&
-           contact == other.contact && raster == other.raster;
+           contact == other.contact && raster == other.raster && flight == other.flight;
   }
 };
 

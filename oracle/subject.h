@@ -45,6 +45,9 @@ class Subject {
   virtual Answer<Penetration> penetration(const Scene&) { return Abstains{"no penetration query"}; }
   virtual Answer<Impulse> impulse(const Scene&) { return Abstains{"no impulse query"}; }
   virtual Answer<Pixels> pixel(const Scene&) { return Abstains{"no pixel query"}; }
+  virtual Answer<TimeOfImpact> time_of_impact(const Scene&) { return Abstains{"no time of impact"}; }
+  virtual Answer<Trajectory> simulation(const Scene&) { return Abstains{"no simulation"}; }
+  virtual Answer<Trajectory> constraint(const Scene&) { return Abstains{"no constraint-based simulation"}; }
 };
 
 }  // namespace touchstone::oracle
