@@ -5,7 +5,7 @@
 
 #include "fast/motion/flyer.h"
 #include "fast/motion/tumble.h"
-#include "model/frame.h"
+#include "model/answers.h"
 #include "model/scene.h"
 
 namespace touchstone::fast::motion {
