@@ -18,6 +18,7 @@ namespace touchstone {
 using Json = nlohmann::ordered_json;
 
 Json json_of(const Vec3& v);
+Json json_of(const Pose& X);
 Json json_of(const Velocity& velocity);
 Json json_of(const Scene& scene);
 Json json_of(const Masses& answer);
@@ -28,6 +29,9 @@ Json json_of(const Distance& answer);
 Json json_of(const Penetration& answer);
 Json json_of(const Impulse& answer);
 Json json_of(const Pixels& answer);
+Json json_of(const Event& event);
+Json json_of(const TimeOfImpact& answer);
+Json json_of(const Trajectory& answer);
 
 /// T is any type that json_of writes. `place` is the JSON path that messages start with. Throws InputError.
 template <class T>
@@ -52,6 +56,10 @@ template <>
 Impulse read<Impulse>(const Json& json, const std::string& place);
 template <>
 Pixels read<Pixels>(const Json& json, const std::string& place);
+template <>
+TimeOfImpact read<TimeOfImpact>(const Json& json, const std::string& place);
+template <>
+Trajectory read<Trajectory>(const Json& json, const std::string& place);
 
 /// Parses text; an InputError says the line and column. `place` is the file's name or the like.
 Json parse(std::string_view text, const std::string& place);

@@ -52,5 +52,6 @@ Vec3 read_vec3(const Node& node);
 Mat3 read_mat3(const Node& node);
 MassProperties read_mass_properties(const Node& node);
 Velocity read_velocity(const Node& node);
+Pose read_pose(const Node& node);
 
 }  // namespace touchstone

@@ -17,7 +17,6 @@ constexpr std::array<std::pair<Law, const char*>, 3> law_words = {
     {{Law::poisson, "poisson"}, {Law::stronge, "stronge"}, {Law::newton, "newton"}}};
 
 Json json_of(const Quaternion& q) { return {{"w", q.w}, {"x", q.x}, {"y", q.y}, {"z", q.z}}; }
-Json json_of(const Pose& X) { return {{"p", json_of(X.p_WB)}, {"q", json_of(X.q_WB)}}; }
 Json json_of(const Sphere& sphere) { return {{"type", "sphere"}, {"radius", sphere.radius}}; }
 
 Json json_of(const Box& box) { return {{"type", "box"}, {"half_extents", json_of(box.half_extents)}}; }
@@ -63,10 +62,12 @@ Json json_of(const Placement& placement) {
   return {{"body", placement.body}, {"X_WB", placement.X_WB ? json_of(*placement.X_WB) : Json()}};
 }
 
+const char* word_of(Law law) { return law_words[static_cast<std::size_t>(law)].second; }
+
 Json json_of(const Contact& contact) {
   return {{"p_WC", json_of(contact.p_WC)},
           {"nhat_BA_W", json_of(contact.nhat_BA_W)},
-          {"law", law_words[static_cast<std::size_t>(contact.law)].second},
+          {"law", word_of(contact.law)},
           {"restitution", contact.restitution},
           {"friction", std::isinf(contact.friction) ? Json(sticking) : Json(contact.friction)}};
 }
@@ -77,14 +78,23 @@ Json json_of(const Raster& raster) {
           {"rows", raster.rows},   {"shift", {raster.shift_x, raster.shift_y}}};
 }
 
+Json json_of(const Push& push) {
+  return {{"time", push.time}, {"body", push.body}, {"force_W", json_of(push.force_W)}};
+}
+
+Json json_of(const Flight& flight) {
+  Json json = {{"times", flight.times}};
+  if (!flight.since.empty()) json["since"] = flight.since;
+  if (flight.envelope) json["envelope"] = *flight.envelope;
+  json["law"] = word_of(flight.law);
+  if (flight.force_bound != 0) json["force_bound"] = flight.force_bound;
+  for (const Push& push : flight.pushes) json["pushes"].push_back(json_of(push));
+  return json;
+}
+
 Quaternion read_quaternion(const Node& node) {
   node.expect_object({"w", "x", "y", "z"});
   return {node.at("w").number(), node.at("x").number(), node.at("y").number(), node.at("z").number()};
-}
-
-Pose read_pose(const Node& node) {
-  node.expect_object({"p", "q"});
-  return {read_vec3(node.at("p")), read_quaternion(node.at("q"))};
 }
 
 Sphere read_sphere(const Node& node) {
@@ -239,7 +249,39 @@ Raster read_raster(const Node& node) {
   return raster;
 }
 
+std::vector<double> read_numbers(const Node& node) {
+  std::vector<double> numbers;
+  for (int i = 0; i < node.size(); ++i) numbers.push_back(node[i].number());
+  return numbers;
+}
+
+Push read_push(const Node& node) {
+  node.expect_object({"time", "body", "force_W"});
+  return {node.at("time").number(), node.at("body").index(), read_vec3(node.at("force_W"))};
+}
+
+Flight read_flight(const Node& node) {
+  node.expect_object({"times", "since", "envelope", "law", "force_bound", "pushes"});
+  Flight flight;
+  flight.times = read_numbers(node.at("times"));
+  if (const auto since = node.find("since")) flight.since = read_numbers(*since);
+  if (const auto envelope = node.find("envelope")) flight.envelope = envelope->number();
+  if (const auto law = node.find("law")) flight.law = read_law(*law);
+  if (const auto bound = node.find("force_bound")) flight.force_bound = bound->number();
+  if (const auto pushes = node.find("pushes")) {
+    for (int i = 0; i < pushes->size(); ++i) flight.pushes.push_back(read_push((*pushes)[i]));
+  }
+  return flight;
+}
+
 }  // namespace
+
+Json json_of(const Pose& X) { return {{"p", json_of(X.p_WB)}, {"q", json_of(X.q_WB)}}; }
+
+Pose read_pose(const Node& node) {
+  node.expect_object({"p", "q"});
+  return {read_vec3(node.at("p")), read_quaternion(node.at("q"))};
+}
 
 Json json_of(const Scene& scene) {
   Json json = {{"touchstone", scene_format}};
@@ -254,13 +296,14 @@ Json json_of(const Scene& scene) {
   }
   if (scene.contact) json["contact"] = json_of(*scene.contact);
   if (scene.raster) json["raster"] = json_of(*scene.raster);
+  if (scene.flight) json["flight"] = json_of(*scene.flight);
   return json;
 }
 
 template <>
 Scene read<Scene>(const Json& json, const std::string& place) {
   const Node node(json, place);
-  node.expect_object({"touchstone", "name", "gravity", "bodies", "frames", "contact", "raster"});
+  node.expect_object({"touchstone", "name", "gravity", "bodies", "frames", "contact", "raster", "flight"});
   const std::string format = node.at("touchstone").text();
   if (format != scene_format) {
     node.at("touchstone").refuse("expected \"" + std::string(scene_format) + "\", found " + Json(format).dump());
@@ -275,6 +318,7 @@ Scene read<Scene>(const Json& json, const std::string& place) {
   }
   if (const auto contact = node.find("contact")) scene.contact = read_contact(*contact);
   if (const auto raster = node.find("raster")) scene.raster = read_raster(*raster);
+  if (const auto flight = node.find("flight")) scene.flight = read_flight(*flight);
   return scene;
 }
 

@@ -3,6 +3,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <set>
 
@@ -123,6 +124,8 @@ void validate(const MassProperties& given, const std::string& place) {
   validate_inertia(given.I_BBcm_B, place + ".I_BBcm_B");
 }
 
+bool is_fixed(const Body& body) { return std::holds_alternative<Fixed>(body.mass); }
+
 void validate_restitution(double e, const std::string& place) {
   finite(e, place);
   if (e < 0 || e > 1) throw InputError(place, "expected a number from 0 to 1");
@@ -183,7 +186,6 @@ void validate(const Contact& contact, const Scene& scene, const std::string& pla
   const double mu = contact.friction;
   if (std::isnan(mu)) throw InputError(place + ".friction", "NaN; expected a number");
   if (mu < 0) throw InputError(place + ".friction", "expected a number that is not negative");
-  const auto is_fixed = [](const Body& body) { return std::holds_alternative<Fixed>(body.mass); };
   if (is_fixed(scene.bodies[0]) && is_fixed(scene.bodies[1])) {
     throw InputError(place, "both bodies are fixed; expected one that an impulse moves");
   }
@@ -204,7 +206,102 @@ void validate(const Raster& raster, const std::string& place) {
   }
 }
 
+double size_of(const Sphere& sphere) { return sphere.radius; }
+double size_of(const Box& box) { return box.half_extents.minCoeff(); }
+
+double size_of(const Polytope& polytope) {
+  Vec3 lo = polytope.vertices.at(0), hi = lo;
+  for (const Vec3& vertex : polytope.vertices) {
+    lo = lo.cwiseMin(vertex);
+    hi = hi.cwiseMax(vertex);
+  }
+  return (hi / 2 - lo / 2).minCoeff();
+}
+
+double size_of(const Compound& compound) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Part& part : compound.parts) {
+    least = std::min(least, std::visit([](const auto& shape) { return size_of(shape); }, part.shape));
+  }
+  return least;
+}
+
+double least_moving_size(const Scene& scene) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Body& body : scene.bodies) {
+    if (!is_fixed(body)) least = std::min(least, size(body.shape));
+  }
+  return least;
+}
+
+void validate_times(const std::vector<double>& times, const std::string& place) {
+  if (times.empty()) throw InputError(place, "expected at least one");
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    positive(times[i], item(place, i));
+    if (i > 0 && times[i] <= times[i - 1]) throw InputError(item(place, i), "expected more than the time before it");
+  }
+}
+
+void validate_since(const std::vector<double>& since, std::size_t bodies, double first, const std::string& place) {
+  if (since.empty()) return;
+  if (since.size() != bodies) {
+    throw InputError(place, "expected " + std::to_string(bodies) + " items, found " + std::to_string(since.size()));
+  }
+  for (std::size_t i = 0; i < since.size(); ++i) {
+    finite(since[i], item(place, i));
+    if (since[i] < 0) throw InputError(item(place, i), "expected a number that is not negative");
+    if (since[i] > first) throw InputError(item(place, i), "expected no more than the flight's first time");
+  }
+}
+
+void validate_pushes(const Flight& flight, const std::vector<Body>& bodies, const std::string& place) {
+  finite(flight.force_bound, place + ".force_bound");
+  if (flight.force_bound < 0) throw InputError(place + ".force_bound", "expected a number that is not negative");
+  for (std::size_t i = 0; i < flight.pushes.size(); ++i) {
+    const Push& push = flight.pushes[i];
+    const std::string here = item(place + ".pushes", i);
+    finite(push.time, here + ".time");
+    if (push.time < 0) throw InputError(here + ".time", "expected a number that is not negative");
+    if (i > 0 && push.time < flight.pushes[i - 1].time) {
+      throw InputError(here + ".time", "expected no less than the time of the push before it");
+    }
+    if (push.body < 0 || static_cast<std::size_t>(push.body) >= bodies.size()) {
+      throw InputError(here + ".body", "body " + std::to_string(push.body) + " does not exist; there are " +
+                                           std::to_string(bodies.size()));
+    }
+    if (is_fixed(bodies[static_cast<std::size_t>(push.body)])) {
+      throw InputError(here + ".body", "a fixed body; no force moves it");
+    }
+    finite(push.force_W, here + ".force_W");
+    if (push.force_W.stableNorm() > flight.force_bound) {
+      throw InputError(here + ".force_W", "stronger than the flight's force_bound");
+    }
+  }
+}
+
+void validate(const Flight& flight, const Scene& scene, const std::string& place) {
+  validate_times(flight.times, place + ".times");
+  validate_since(flight.since, scene.bodies.size(), flight.times.front(), place + ".since");
+  if (flight.envelope) {
+    positive(*flight.envelope, place + ".envelope");
+    if (!(*flight.envelope < least_moving_size(scene) / 1000)) {
+      throw InputError(place + ".envelope", "expected less than a thousandth of the size of each body that moves");
+    }
+  }
+  validate_pushes(flight, scene.bodies, place);
+}
+
 }  // namespace
+
+double size(const Shape& shape) {
+  return std::visit([](const auto& kind) { return size_of(kind); }, shape);
+}
+
+double envelope(const Scene& scene) {
+  if (scene.flight && scene.flight->envelope) return *scene.flight->envelope;
+  const double least = least_moving_size(scene);
+  return std::isinf(least) ? 0 : std::ldexp(least, -30);
+}
 
 void validate(const Scene& scene) {
   finite(scene.gravity, "gravity");
@@ -213,6 +310,7 @@ void validate(const Scene& scene) {
   for (std::size_t i = 0; i < scene.frames.size(); ++i) validate(scene.frames[i], there, item("frames", i));
   if (scene.contact) validate(*scene.contact, scene, "contact");
   if (scene.raster) validate(*scene.raster, "raster");
+  if (scene.flight) validate(*scene.flight, scene, "flight");
 }
 
 }  // namespace touchstone

@@ -16,6 +16,15 @@ namespace {
 bool finite(double x) { return std::isfinite(x); }
 bool finite(const Vec3& v) { return v.allFinite(); }
 bool finite(const Interval& i) { return finite(i.lo) && finite(i.hi); }
+bool finite(const Velocity& V) { return finite(V.v_WBcm) && finite(V.w_WB); }
+bool finite(const Quaternion& q) { return finite(q.w) && finite(q.x) && finite(q.y) && finite(q.z); }
+bool finite(const State& state) {
+  return finite(state.X_WB.p_WB) && finite(state.X_WB.q_WB) && finite(state.velocity);
+}
+bool finite(const Event& event) {
+  return finite(event.time) && finite(event.p_WC) && finite(event.nhat_BA_W) && finite(event.P_A_W) &&
+         finite(event.after_a) && finite(event.after_b);
+}
 template <class T>
 bool finite(const std::optional<T>& said) {
   return !said || finite(*said);
@@ -87,9 +96,20 @@ bool finite(const Distance& answer) {
 bool finite(const Penetration& answer) { return finite(answer.depth) && finite(answer.nhat_BA_W); }
 bool finite(const Impulse& answer) {
   return finite(answer.P_A_W) && finite(answer.error) && finite(answer.ambiguous) &&
-         std::ranges::all_of(answer.after, [](const Velocity& v) { return finite(v.v_WBcm) && finite(v.w_WB); });
+         std::ranges::all_of(answer.after, [](const Velocity& v) { return finite(v); });
 }
 bool finite(const Pixels&) { return true; }
+bool finite(const TimeOfImpact& answer) {
+  return finite(answer.time) && finite(answer.enclosure) && finite(answer.gap);
+}
+bool finite(const Trajectory& answer) {
+  const auto of_bodies = [](const std::vector<State>& bodies) {
+    return std::ranges::all_of(bodies, [](const State& state) { return finite(state); });
+  };
+  const auto event = [](const Event& e) { return finite(e); };
+  return std::ranges::all_of(answer.states, of_bodies) && finite(answer.complete_until) &&
+         (!answer.events || std::ranges::all_of(*answer.events, event));
+}
 
 Finding holds() { return {}; }
 

@@ -20,6 +20,8 @@ bool finite(const Distance& answer);
 bool finite(const Penetration& answer);
 bool finite(const Impulse& answer);
 bool finite(const Pixels& answer);
+bool finite(const TimeOfImpact& answer);
+bool finite(const Trajectory& answer);
 
 /// A bound and the unit that errors against it are counted in.
 struct Allowance {

@@ -48,6 +48,11 @@ Answer<Distance> PipeSubject::distance(const Scene& scene) { return ask<Distance
 Answer<Penetration> PipeSubject::penetration(const Scene& scene) { return ask<Penetration>("penetration", scene); }
 Answer<Impulse> PipeSubject::impulse(const Scene& scene) { return ask<Impulse>("impulse", scene); }
 Answer<Pixels> PipeSubject::pixel(const Scene& scene) { return ask<Pixels>("pixel", scene); }
+Answer<TimeOfImpact> PipeSubject::time_of_impact(const Scene& scene) {
+  return ask<TimeOfImpact>("time_of_impact", scene);
+}
+Answer<Trajectory> PipeSubject::simulation(const Scene& scene) { return ask<Trajectory>("simulation", scene); }
+Answer<Trajectory> PipeSubject::constraint(const Scene& scene) { return ask<Trajectory>("constraint", scene); }
 
 void PipeSubject::restart() {
   if (child_) child_->say(protocol::stop(++seq_));

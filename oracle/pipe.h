@@ -37,6 +37,9 @@ class PipeSubject : public Subject {
   Answer<Penetration> penetration(const Scene& scene) override;
   Answer<Impulse> impulse(const Scene& scene) override;
   Answer<Pixels> pixel(const Scene& scene) override;
+  Answer<TimeOfImpact> time_of_impact(const Scene& scene) override;
+  Answer<Trajectory> simulation(const Scene& scene) override;
+  Answer<Trajectory> constraint(const Scene& scene) override;
 
   /// Ends the process; the next question is asked of a fresh one.
   void restart();

@@ -39,6 +39,15 @@ bool single(const Contact& contact) {
   return single(contact.p_WC) && single(contact.nhat_BA_W) && single(contact.restitution) && single(contact.friction);
 }
 
+bool single(const std::vector<double>& numbers) {
+  return std::ranges::all_of(numbers, [](double x) { return single(x); });
+}
+bool single(const Flight& flight) {
+  const auto push = [](const Push& p) { return single(p.time) && single(p.force_W); };
+  return single(flight.times) && single(flight.since) && single(flight.envelope.value_or(0)) &&
+         single(flight.force_bound) && std::ranges::all_of(flight.pushes, push);
+}
+
 bool single(const Body& body) {
   const auto each = [](const auto& alternative) { return single(alternative); };
   return single(body.X_WB) && std::visit(each, body.shape) && std::visit(each, body.mass);
@@ -54,6 +63,11 @@ bool exact_in(const Scene& scene, Precision precision) {
   const auto placed = [](const Placement& p) { return !p.X_WB || single(*p.X_WB); };
   const auto moving = [](const Body& b) { return single(b.velocity); };
   if (scene.contact && !(single(*scene.contact) && std::ranges::all_of(scene.bodies, moving))) return false;
+  const auto material = [](const Body& b) { return single(b.material.restitution) && single(b.material.friction); };
+  if (scene.flight && !(single(*scene.flight) && single(scene.gravity) && std::ranges::all_of(scene.bodies, moving) &&
+                        std::ranges::all_of(scene.bodies, material))) {
+    return false;
+  }
   return std::ranges::all_of(scene.bodies, [](const Body& b) { return single(b); }) &&
          std::ranges::all_of(scene.frames, [&](const Frame& f) { return std::ranges::all_of(f, placed); });
 }

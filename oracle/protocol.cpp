@@ -170,5 +170,7 @@ template Answer<Distance> read_answer<Distance>(std::string_view, Seq);
 template Answer<Penetration> read_answer<Penetration>(std::string_view, Seq);
 template Answer<Impulse> read_answer<Impulse>(std::string_view, Seq);
 template Answer<Pixels> read_answer<Pixels>(std::string_view, Seq);
+template Answer<TimeOfImpact> read_answer<TimeOfImpact>(std::string_view, Seq);
+template Answer<Trajectory> read_answer<Trajectory>(std::string_view, Seq);
 
 }  // namespace touchstone::oracle::protocol

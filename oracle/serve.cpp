@@ -60,6 +60,9 @@ std::string answer_to(const protocol::Request& request, Subject& subject) try {
   if (request.query == "penetration") return answered(&Subject::penetration);
   if (request.query == "impulse") return answered(&Subject::impulse);
   if (request.query == "pixel") return answered(&Subject::pixel);
+  if (request.query == "time_of_impact") return answered(&Subject::time_of_impact);
+  if (request.query == "simulation") return answered(&Subject::simulation);
+  if (request.query == "constraint") return answered(&Subject::constraint);
   return protocol::answer(request.seq, Abstains{"no " + request.query + " query"});
 } catch (const std::exception& error) {
   return protocol::answer(request.seq, Breaks{Breaks::Kind::threw, error.what()});

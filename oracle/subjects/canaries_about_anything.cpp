@@ -32,6 +32,12 @@ void nudge(Distance& said) { said.distance = nudged(said.distance.value_or(0)); 
 void nudge(Pixels& said) { ++said.overlap.count; }
 void nudge(Penetration& said) { said.depth = nudged(said.depth.value_or(0)); }
 void nudge(Impulse& said) { said.after[0].v_WBcm.x() = nudged(said.after[0].v_WBcm.x()); }
+void nudge(TimeOfImpact& said) { said.time = nudged(said.time.value_or(0)); }
+void nudge(Trajectory& said) {
+  for (std::vector<State>& bodies : said.states) {
+    for (State& state : bodies) state.velocity.v_WBcm.x() = nudged(state.velocity.v_WBcm.x());
+  }
+}
 
 // One rule for all queries.
 template <class Rule>
@@ -44,6 +50,9 @@ Lies all_queries(Rule rule) {
   lies.distance = rule;
   lies.penetration = rule;
   lies.pixel = rule;
+  lies.time_of_impact = rule;
+  lies.simulation = rule;
+  lies.constraint = rule;
   lies.impulse = rule;
   return lies;
 }

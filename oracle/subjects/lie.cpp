@@ -35,6 +35,15 @@ class Liar : public Subject {
   }
   Answer<Impulse> impulse(const Scene& scene) override { return told(scene, &Subject::impulse, lies_.impulse); }
   Answer<Pixels> pixel(const Scene& scene) override { return told(scene, &Subject::pixel, lies_.pixel); }
+  Answer<TimeOfImpact> time_of_impact(const Scene& scene) override {
+    return told(scene, &Subject::time_of_impact, lies_.time_of_impact);
+  }
+  Answer<Trajectory> simulation(const Scene& scene) override {
+    return told(scene, &Subject::simulation, lies_.simulation);
+  }
+  Answer<Trajectory> constraint(const Scene& scene) override {
+    return told(scene, &Subject::constraint, lies_.constraint);
+  }
 
  private:
   template <class T>

@@ -23,6 +23,9 @@ struct Lies {
   Lie<Penetration> penetration;
   Lie<Impulse> impulse;
   Lie<Pixels> pixel;
+  Lie<TimeOfImpact> time_of_impact;
+  Lie<Trajectory> simulation;
+  Lie<Trajectory> constraint;
   bool two_valued = false;  ///< does not know touching
   bool breaks = false;      ///< answers every query by Breaks
 };

@@ -84,6 +84,17 @@ TEST_CASE("answers survive text") {
   const Pixels pixels{{mask, mask}, {mask}, {4, std::pair{1, 0}}, mask, {"000", "000"}};
   CHECK(through_text(pixels) == pixels);
   CHECK(through_text(Pixels{}) == Pixels{});
+  CHECK(through_text(TimeOfImpact{}) == TimeOfImpact{});
+  const TimeOfImpact hit{TimeOfImpact::Meeting::hit, 0.1, Interval{0.1, 0.25}, 1e-310};
+  CHECK(through_text(hit) == hit);
+  const State state{{Vec3(1, -0.0, 3), {1, 2, 3, 4}}, {Vec3(0.1, 0, 0), Vec3(0, 0, 1)}};
+  const Event impact{Event::Kind::impact, 0.3, 0, 2, Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 5, 0), state, State{}};
+  Event push;
+  push.kind = Event::Kind::push;
+  push.after_a = state;
+  const Trajectory trajectory{{{state, State{}}, {State{}, state}}, std::vector{impact, push}, 0.75};
+  CHECK(through_text(trajectory) == trajectory);
+  CHECK(through_text(Trajectory{}) == Trajectory{});
 }
 
 TEST_CASE("what is not an answer is refused by place") {

@@ -1,5 +1,7 @@
 // Prints scenes as the program writes them, one a line, for schema_test.py. Numbers are random bit patterns made legal.
+#include <algorithm>
 #include <iostream>
+#include <limits>
 
 #include "model/json.h"
 #include "model/limits.h"
@@ -38,6 +40,20 @@ void legalise(Raster& raster) {
   ++raster.rows;
 }
 
+void legalise(Flight& flight, int bodies) {
+  for (std::vector<double>* numbers : {&flight.times, &flight.since}) {
+    for (double& x : *numbers) x = above_zero(x);
+    std::sort(numbers->begin(), numbers->end());
+  }
+  flight.times.erase(std::unique(flight.times.begin(), flight.times.end()), flight.times.end());
+  for (double& since : flight.since) since = std::min(since, flight.times.front());
+  flight.envelope.reset();  // a body's size may be too small for any
+  if (bodies == 0) flight.pushes.clear();
+  flight.force_bound = std::numeric_limits<double>::max();
+  for (Push& push : flight.pushes) push = {above_zero(push.time), push.body % bodies, push.force_W / 4};
+  std::ranges::sort(flight.pushes, {}, &Push::time);
+}
+
 Scene legal_scene(std::uint64_t seed) {
   Scene scene = tests::random_scene(seed);
   if (scene.bodies.size() != 2) scene.contact.reset();
@@ -46,6 +62,10 @@ Scene legal_scene(std::uint64_t seed) {
     scene.bodies[0].mass = Density{};
   }
   if (scene.raster) legalise(*scene.raster);
+  if (scene.flight) {
+    legalise(*scene.flight, static_cast<int>(scene.bodies.size()));
+    for (const Push& push : scene.flight->pushes) scene.bodies[static_cast<std::size_t>(push.body)].mass = Density{};
+  }
   for (Body& body : scene.bodies) {
     std::visit([](auto& shape) { legalise(shape); }, body.shape);
     std::visit([](auto& mass) { legalise(mass); }, body.mass);

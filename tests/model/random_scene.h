@@ -108,6 +108,15 @@ inline Scene random_scene(std::uint64_t seed) {
     scene.raster = {bits.finite(),  bits.finite(),       bits.finite(),      bits.below(99),
                     bits.below(99), bits.below(99) - 50, bits.below(99) - 50};
   }
+  if (bits.below(2)) {
+    Flight& flight = scene.flight.emplace();
+    for (int i = bits.below(4); i >= 0; --i) flight.times.push_back(bits.finite());
+    if (bits.below(2)) flight.since.assign(scene.bodies.size(), bits.finite());
+    if (bits.below(2)) flight.envelope = bits.finite();
+    flight.law = static_cast<Law>(bits.below(3));
+    if (bits.below(2)) flight.force_bound = bits.finite();
+    for (int i = bits.below(3); i > 0; --i) flight.pushes.push_back({bits.finite(), bits.below(4), bits.vec3()});
+  }
   return scene;
 }
 

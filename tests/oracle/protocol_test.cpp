@@ -59,7 +59,8 @@ std::vector<std::string> conversation(const std::vector<std::string>& command) {
   protocol::Seq seq = 0;
   exchange(protocol::start(++seq));
   for (const char* query :
-       {"mass", "bounds", "broad_phase", "pair_history", "distance", "penetration", "impulse", "pixel"}) {
+       {"mass", "bounds", "broad_phase", "pair_history", "distance", "penetration", "impulse", "pixel", "time_of_impact",
+        "simulation", "constraint"}) {
     exchange(protocol::ask(++seq, query, json_of(scene()).dump()));
   }
   lines.push_back(protocol::stop(++seq));
@@ -96,6 +97,13 @@ TEST_CASE("the session in the document is what is really said") {
   CHECK(by_schema(lines) == std::vector<std::string>(lines.size(), "ok"));
 }
 
+Event two_bodies() {
+  Event event;
+  event.kind = Event::Kind::release;
+  event.b = 1;
+  return event;
+}
+
 TEST_CASE("every kind of answer that we write fits the schema") {
   Distance whole;
   whole.verdict = Verdict::touching;
@@ -113,6 +121,8 @@ TEST_CASE("every kind of answer that we write fits the schema") {
       protocol::answer(8, json_of(PairHistory{{{{0, 1}}, PairSet{{0, 1}}, PairSet{}}, {{}, {}, {}}})),
       protocol::answer(9, json_of(Impulse{{}, Vec3(1, 2, 3), 1e-16, 1e-12})),
       protocol::answer(10, json_of(Pixels{{{"01"}, {"11"}}, {{"11"}, {"11"}}, {1, std::pair{1, 0}}, {"01"}, {"11"}})),
+      protocol::answer(11, json_of(TimeOfImpact{TimeOfImpact::Meeting::hit, 0.5, Interval{0.25, 0.5}, 1e-9})),
+      protocol::answer(12, json_of(Trajectory{{{State{}}}, std::vector{Event{}, two_bodies()}, 0.5})),
       protocol::answer(7, json_of(Penetration{Verdict::overlapping, 1.0, Vec3(0, 0, 1)}))};
   for (std::string& line : lines) line.pop_back();
   CHECK(by_schema(lines) == std::vector<std::string>(lines.size(), "ok"));
