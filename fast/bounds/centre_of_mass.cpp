@@ -23,13 +23,7 @@ struct Solid {
   double error = 0;
 };
 
-/// x/y; both are cut to 53 bits (2u each), and their quotient rounds: relative error < 6u.
-constexpr double quotient_error = 6 * u;
-double quotient(const Dyadic& x, const Dyadic& y) {
-  const Dyadic::Scientific a = x.scientific();
-  const Dyadic::Scientific b = y.scientific();
-  return std::ldexp(a.m / b.m, static_cast<int>(std::clamp(a.exponent - b.exponent, -3000L, 3000L)));
-}
+constexpr double quotient_error = 6 * u;  // exact/dyadic.h
 
 Solid solid(const Sphere& sphere) {
   const Dyadic r(sphere.radius);
@@ -59,7 +53,7 @@ Solid solid(const Polytope& polytope) {
   }
   if (sixfold.sign() <= 0) throw InputError("shape.faces", "bound no positive volume");
   const Dyadic times = Dyadic(4 * unit) * sixfold;
-  const Vec3 centroid{quotient(moment.x, times), quotient(moment.y, times), quotient(moment.z, times)};
+  const Vec3 centroid{exact::ratio(moment.x, times), exact::ratio(moment.y, times), exact::ratio(moment.z, times)};
   return {sixfold, centroid, quotient_error * centroid.lpNorm<Eigen::Infinity>() + underflow};
 }
 
@@ -78,7 +72,7 @@ Solid solid(const Compound& compound) {
   for (std::size_t k = 0; k < parts.size(); ++k) {
     const Motion X = motion(compound.parts[k].X_BP);
     const Vec3 centroid = X.R * parts[k].centroid + X.t;
-    whole.centroid += quotient(parts[k].sixfold, sixfold) * centroid;
+    whole.centroid += exact::ratio(parts[k].sixfold, sixfold) * centroid;
     greatest = std::max(greatest, centroid.lpNorm<Eigen::Infinity>());
     worst = std::max(worst, place_error(X, parts[k].centroid.lpNorm<1>()) + 2 * parts[k].error);
   }
@@ -94,7 +88,7 @@ std::optional<CentreOfMass> centre(const Shape&, const MassProperties& given) {
 
 std::optional<CentreOfMass> centre(const Shape& shape, const Density& density) {
   const Solid whole = std::visit([](const auto& s) { return solid(s); }, shape);
-  const double mass = quotient(Dyadic(density.value) * whole.sixfold, Dyadic(6));
+  const double mass = exact::ratio(Dyadic(density.value) * whole.sixfold, Dyadic(6));
   return CentreOfMass{whole.centroid, whole.error, mass * (1 - 12 * u)};
 }
 

@@ -148,4 +148,11 @@ double Dyadic::approximate() const {
   return std::ldexp(x.m, static_cast<int>(std::clamp(x.exponent, -beyond, beyond)));
 }
 
+/// Both are cut to 53 bits (2u each), and their quotient rounds.
+double ratio(const Dyadic& x, const Dyadic& y) {
+  const Dyadic::Scientific a = x.scientific();
+  const Dyadic::Scientific b = y.scientific();
+  return std::ldexp(a.m / b.m, static_cast<int>(std::clamp(a.exponent - b.exponent, -3000L, 3000L)));
+}
+
 }  // namespace touchstone::fast::exact

@@ -42,4 +42,7 @@ class Dyadic {
   std::vector<std::uint32_t> limbs_;  ///< first and last are not 0; none for 0
 };
 
+/// x/y in doubles, y ≠ 0: relative error < 6u; beyond the range ±infinity or 0.
+double ratio(const Dyadic& x, const Dyadic& y);
+
 }  // namespace touchstone::fast::exact

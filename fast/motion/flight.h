@@ -1,8 +1,6 @@
 // One body in free flight: where it is, how fast, and where it cannot be.
 #pragma once
 
-#include <vector>
-
 #include "fast/motion/flyer.h"
 #include "fast/motion/tumble.h"
 #include "model/answers.h"
@@ -10,15 +8,23 @@
 
 namespace touchstone::fast::motion {
 
-/// Where a flight has brought its body, and how far from the exact motion that may be: for points p of the body,
-/// |computed R (p − p_BBcm) + p_WBcm − exact| ≤ turn_error |p − p_BBcm| + shift_error.
+/// A centre of mass, as seen from a point O of W, and how far the exact one may be from it.
+struct Centre {
+  Vec3 p_WOBcm = Vec3::Zero();  ///< m
+  Vec3 v_WBcm = Vec3::Zero();   ///< m/s
+  double error = 0;             ///< m
+  double v_error = 0;           ///< m/s
+};
+
+/// Where a flight has brought its body, seen from O. For points p of the body,
+/// |computed R (p − p_BBcm) + p_WOBcm − exact| ≤ turn_error |p − p_BBcm| + centre.error.
 struct Stand {
+  Centre centre;
+  Quaternion q_WB;
   Mat3 R_WB = Mat3::Identity();
-  Vec3 p_WBcm = Vec3::Zero();
-  Vec3 w_WB = Vec3::Zero();    ///< rad/s
-  Vec3 v_WBcm = Vec3::Zero();  ///< m/s
-  double turn_error = 0;       ///< rad
-  double shift_error = 0;      ///< m
+  Vec3 w_WB = Vec3::Zero();  ///< rad/s
+  double turn_error = 0;     ///< rad; R's own rounding is in it
+  double w_error = 0;        ///< rad/s
 };
 
 /// A flight from a state at time `since`, as docs/design/simulation.md says: the centre of mass moves along
@@ -26,10 +32,11 @@ struct Stand {
 /// velocity, its axes turn steadily. Times asked are not before `since`.
 ///
 /// Only + − × ÷ and sqrt, in one order: the same bits everywhere. Not safe to share between threads: a tumbling body
-/// remembers the steps that it has taken.
+/// remembers the steps that it has taken. Errors: docs/design/time_of_impact.md.
 class Flight {
  public:
-  /// `acceleration`: gravity and push over mass; 0 is used for a fixed body. The flyer must outlive the flight.
+  /// `acceleration`: gravity, and push over mass, that within 64u; a fixed body has none, whatever is said. The flyer
+  /// must outlive the flight.
   Flight(const Flyer& flyer, double since, const Pose& X_WB, const Velocity& velocity, const Vec3& acceleration);
 
   const Flyer& flyer() const { return *flyer_; }
@@ -41,25 +48,29 @@ class Flight {
   Pose pose(double t) const { return state(t).X_WB; }
   Velocity velocity(double t) const { return state(t).velocity; }
 
-  Stand stand(double t) const;
+  /// A point O near the body keeps the errors small far from W's origin.
+  Centre centre(double t, const Vec3& p_WO = Vec3::Zero()) const;
+  Stand stand(double t, const Vec3& p_WO = Vec3::Zero()) const;
 
   /// ≥ |ω(t)| at all times (rad/s), and least so up to rounding: Ω² = 2T(1/I₁ + 1/I₃) − L²/(I₁ I₃).
   double rate() const { return rate_; }
   /// ≥ |p̈ − acceleration| / |p − p_BBcm| for all points p of the body, at all times (rad²/s²).
   double curl() const { return curl_; }
 
-  /// Holds the body at all times of [from, until], both ≥ since, also if from `from` on an unknown force of at most
-  /// `greatest_force` (N) acts on it anywhere: the parabola with its apex, and around it the ball about the centre of
-  /// mass, or, where the body does not turn, its tight box. Rounded outward.
+  /// Holds the body at all times of [from, until], also if from `from` on an unknown force of at most `greatest_force`
+  /// (N) acts on it anywhere: the parabola with its apex, and around it the ball about the centre of mass; of a body
+  /// that does not turn, its tight box instead. Rounded outward.
   Aabb box(double from, double until, double greatest_force = 0) const;
 
  private:
+  bool turns() const { return rate_ > 0; }
+
   const Flyer* flyer_;
   double since_;
   Pose start_;
   Velocity velocity_;
   Vec3 acceleration_;
-  Vec3 p_WBcm_;
+  Vec3 p_BBcm_W_;  ///< at `since`
   double rate_ = 0;
   double curl_ = 0;
   mutable Tumble tumble_;  ///< of a tumbling body

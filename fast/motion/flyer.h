@@ -2,6 +2,7 @@
 #pragma once
 
 #include "fast/lin_canny/solid.h"
+#include "fast/motion/inertia.h"
 #include "model/scene.h"
 
 namespace touchstone::fast::motion {
@@ -13,7 +14,6 @@ enum class Turning {
   tumbling     ///< three moments: Euler's equations
 };
 
-/// Frames: B the body's own, P its principal axes (P's origin is B's centre of mass).
 struct Flyer {
   /// Requires a valid body whose polytopes have their faces. Throws InputError where a shape is no solid.
   explicit Flyer(const Body& body);
@@ -21,16 +21,14 @@ struct Flyer {
   lin_canny::Solid solid;
   Shape shape;
   bool is_fixed = false;
-  double mass = 0;                    ///< kg; 0 if fixed
-  Vec3 p_BBcm = Vec3::Zero();         ///< m; of a fixed body, its origin
-  double centre_error = 0;            ///< m; ≥ |p_BBcm − exact|
-  Mat3 I_BBcm_B = Mat3::Zero();       ///< kg m²; 0 if fixed
-  double radius = 0;                  ///< m; ≥ |p − p_BBcm| + 2 centre_error for all points p of the body
-  Turning turning = Turning::steady;  //
-  int axis = 2;                       ///< of P, if precessing: the one whose moment is not like the others
-  Vec3 moments = Vec3::Ones();        ///< along P's axes, of any scale
-  double moment_error = 0;            ///< relative, of each moment; with P's axes off by at most this (rad)
-  Mat3 R_BP = Mat3::Identity();
+  double mass = 0;               ///< kg; 0 if fixed
+  Vec3 p_BBcm = Vec3::Zero();    ///< m; of a fixed body, its origin
+  double centre_error = 0;       ///< m; ≥ |p_BBcm − exact|
+  Mat3 I_BBcm_B = Mat3::Zero();  ///< kg m²; 0 if fixed
+  double radius = 0;             ///< m; ≥ |p − exact centre of mass| + centre_error for all points p of the body
+  Inertia inertia;               ///< of a fixed body, none
+  Turning turning = Turning::steady;
+  int axis = 2;  ///< if precessing: the axis whose moment is not like the others
 };
 
 }  // namespace touchstone::fast::motion

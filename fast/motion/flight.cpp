@@ -1,0 +1,149 @@
+#include "fast/motion/flight.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <variant>
+
+#include "fast/bounds/displacement.h"
+#include "fast/bounds/outward.h"
+#include "fast/lin_canny/rotation.h"
+#include "fast/motion/quaternion.h"
+#include "fast/motion/steady_turn.h"
+
+namespace touchstone::fast::motion {
+namespace {
+
+using lin_canny::rotation;
+using lin_canny::u;
+
+/// Ω² = |ω|² + c_j c_k ω_i², i the middle axis: the only one whose c_j c_k is not below 0. (2T(1/I₁ + 1/I₃) − L²/(I₁I₃)
+/// is Σ ω_i² I_i (I₁ + I₃ − I_i)/(I₁I₃), and I₂(I₁ + I₃ − I₂) = I₁I₃ + (I₁ − I₂)(I₂ − I₃).) The exact c are off by
+/// c_error, and the flight of exact Euler equations has the exact ones: both go into the bound.
+double greatest_rate(const Inertia& inertia, const Vec3& w_P) {
+  const double rate = length(w_P);
+  if (rate == 0 || inertia.c.isZero(0)) return rate * (1 + 8 * u);
+  const Vec3& c = inertia.c;
+  const Vec3 s = w_P / rate;
+  double sum = 1;
+  for (int i = 0; i < 3; ++i) {
+    const double product = c[(i + 1) % 3] * c[(i + 2) % 3] + 3 * inertia.c_error;
+    sum += std::max(0.0, product) * s[i] * s[i];
+  }
+  return rate * std::sqrt(sum) * (1 + 128 * u);
+}
+
+/// p̈ − c̈ = α × r + ω × (ω × r), and α_i = c_i ω_j ω_k: |α|² ≤ max c² |ω|⁴/3.
+double greatest_curl(const Inertia& inertia, double rate) {
+  const double c = inertia.c.lpNorm<Eigen::Infinity>() + 2 * inertia.c_error;
+  return rate * rate * (1 + c / std::numbers::sqrt3) * (1 + 8 * u);
+}
+
+}  // namespace
+
+Flight::Flight(const Flyer& flyer, double since, const Pose& X_WB, const Velocity& velocity, const Vec3& acceleration)
+    : flyer_(&flyer), since_(since), start_(X_WB), velocity_(velocity), acceleration_(acceleration) {
+  if (flyer.is_fixed) acceleration_ = Vec3::Zero();
+  p_BBcm_W_ = flyer.p_BBcm.isZero(0) ? flyer.p_BBcm : Vec3(rotation(X_WB.q_WB) * flyer.p_BBcm);
+  if (flyer.turning != Turning::tumbling) {
+    rate_ = length(velocity.w_WB) * (1 + 8 * u);
+  } else {
+    const Quaternion q_WP = product(unit(X_WB.q_WB), flyer.inertia.q_BP);
+    const Vec3 w_P = rotation(q_WP).transpose() * velocity.w_WB;
+    rate_ = greatest_rate(flyer.inertia, w_P);
+    tumble_ = Tumble(flyer.inertia.c, flyer.inertia.c_error, w_P);
+  }
+  curl_ = greatest_curl(flyer.inertia, rate_);
+}
+
+/// τ, v τ and a τ²/2 round by u, 3u and 6u (a itself by 64u more), p_WB − O by u, R p_BBcm by 18u; three sums. Where
+/// the exact centre of mass is δ elsewhere in the body, its point moves along the same parabola, but turns: 2δ.
+Centre Flight::centre(double t, const Vec3& p_WO) const {
+  const double tau = t - since_;
+  const Vec3 start = (start_.p_WB - p_WO) + p_BBcm_W_;
+  const Vec3 gained = acceleration_ * tau;
+  const Vec3 moved = (velocity_.v_WBcm + gained / 2) * tau;
+  const double lengths = (start_.p_WB - p_WO).lpNorm<1>() + velocity_.v_WBcm.lpNorm<1>() * tau;
+  const double fallen = gained.lpNorm<1>();
+  return {
+      start + moved, velocity_.v_WBcm + gained,
+      8 * u * lengths + 32 * u * p_BBcm_W_.lpNorm<1>() + 40 * u * fallen * tau + 2 * flyer_->centre_error + 0x1p-1000,
+      4 * u * velocity_.v_WBcm.lpNorm<1>() + 72 * u * fallen};
+}
+
+/// Turns off by: q₀/|q₀| 24u, each product of quaternions 16u, q_BP 24u (twice), R's own rounding 12u.
+Stand Flight::stand(double t, const Vec3& p_WO) const {
+  const double tau = t - since_;
+  Stand now{centre(t, p_WO), start_.q_WB, {}, velocity_.w_WB, 12 * u, 0};
+  const Vec3& w = velocity_.w_WB;
+  if (turns() && tau > 0) {
+    const Quaternion q_WB0 = unit(start_.q_WB);
+    if (flyer_->turning == Turning::steady) {
+      const SteadyTurn turn = steady_turn(w, tau);
+      now.q_WB = product(turn.q, q_WB0);
+      now.turn_error = turn.error + 56 * u;
+    } else if (flyer_->turning == Turning::precessing) {
+      // With moments I along axis a and J across it, ω = L/J + s e_a and s = (1 − I/J) ω_a = c ω_a: about L the body
+      // turns at L/J, about its own axis at s. ω_a, s, e_a and L/J are off by 25u, 32u, 42u, 80u of |ω|.
+      const int a = flyer_->axis;
+      const double c = flyer_->inertia.c[(a + 1) % 3];
+      const Vec3 e_W = rotation(q_WB0).col(a);
+      const double s = c * e_W.dot(w);
+      const SteadyTurn about_L = steady_turn(w - s * e_W, tau);
+      const SteadyTurn about_e = steady_turn(s * Vec3::Unit(a), tau);
+      now.q_WB = product(product(about_L.q, q_WB0), about_e.q);
+      now.R_WB = rotation(now.q_WB);
+      now.w_WB = (w - s * e_W) + s * now.R_WB.col(a);
+      now.turn_error = about_L.error + about_e.error + 112 * u * rate_ * tau + 72 * u;
+      now.w_error = rate_ * (2 * now.turn_error + 128 * u);
+    } else {
+      const Tumble::Now tumbled = tumble_.at(tau);
+      const Quaternion q_WP = product(product(q_WB0, flyer_->inertia.q_BP), tumbled.q_P0P);
+      now.q_WB = product(q_WP, conjugate(flyer_->inertia.q_BP));
+      now.w_WB = rotation(q_WP) * tumbled.w_P;
+      now.turn_error = tumbled.error + 140 * u;
+      now.w_error = rate_ * (now.turn_error + 64 * u) + tumbled.w_error;
+    }
+  }
+  now.R_WB = rotation(now.q_WB);
+  return now;
+}
+
+State Flight::state(double t) const {
+  if (t == since_) return {start_, velocity_};
+  const Stand now = stand(t);
+  const Vec3 p_BBcm_W = turns() ? Vec3(now.R_WB * flyer_->p_BBcm) : p_BBcm_W_;
+  return {{now.centre.p_WOBcm - p_BBcm_W, now.q_WB}, {now.centre.v_WBcm, now.w_WB}};
+}
+
+Aabb Flight::box(double from, double until, double greatest_force) const {
+  using outward::unit;
+  const Centre c = centre(from, start_.p_WB);
+  const double duration = (until - from) * (1 + 2 * u);
+  const double slack = (c.error + c.v_error * duration) / unit;
+  outward::Grower grower;
+  if (turns() || greatest_force > 0) {
+    outward::Motion X;
+    X.t = start_.p_WB / unit;
+    X.offsets = X.t.lpNorm<1>() + c.p_WOBcm.lpNorm<1>() / unit;
+    X.poses = 1;
+    grower.add(X, c.p_WOBcm / unit, Vec3::Constant(flyer_->radius / unit + slack), flyer_->radius / unit);
+  } else {
+    std::visit([&](const auto& shape) { grow(grower, shape, outward::motion(start_)); }, flyer_->shape);
+    const Vec3 moved = (c.p_WOBcm - p_BBcm_W_) / unit;
+    const Vec3 step = Vec3::Constant(slack + 4 * u * (c.p_WOBcm.lpNorm<1>() + p_BBcm_W_.lpNorm<1>()) / unit);
+    grower.stretch(moved - step, moved + step);
+  }
+  const double f = greatest_force > 0 ? greatest_force / flyer_->mass / unit * (1 + 128 * u) : 0;
+  Vec3 lo, hi;
+  for (int i = 0; i < 3; ++i) {
+    const double v = c.v_WBcm[i] / unit, a = acceleration_[i] / unit;
+    const double step = 2 * u * (std::abs(a) + f);
+    lo[i] = outward::displacement(v, f > 0 ? (a - f) - step : a, duration).lo;
+    hi[i] = outward::displacement(v, f > 0 ? (a + f) + step : a, duration).hi;
+  }
+  grower.stretch(lo, hi);
+  return grower.box();
+}
+
+}  // namespace touchstone::fast::motion

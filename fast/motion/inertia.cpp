@@ -1,0 +1,186 @@
+#include "fast/motion/inertia.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <variant>
+#include <vector>
+
+#include "fast/exact/vector.h"
+#include "fast/lin_canny/rotation.h"
+#include "fast/motion/quaternion.h"
+#include "model/input_error.h"
+
+namespace touchstone::fast::motion {
+namespace {
+
+using exact::Dyadic;
+using lin_canny::u;
+
+/// About the centroid, of unit density; C is off by at most `error` (Frobenius).
+struct Spread {
+  double volume = 0;
+  Vec3 centroid = Vec3::Zero();
+  Mat3 C = Mat3::Zero();
+  double error = 0;
+};
+
+Spread spread(const Sphere& sphere) {
+  const double r2 = sphere.radius * sphere.radius;
+  const double volume = 4.1887902047863905 * sphere.radius * r2;  // 4π/3
+  return {volume, Vec3::Zero(), volume * r2 / 5 * Mat3::Identity(), 16 * u * volume * r2};
+}
+
+Spread spread(const Box& box) {
+  const Vec3& h = box.half_extents;
+  const double volume = 8 * h.x() * h.y() * h.z();
+  return {volume, Vec3::Zero(), (volume / 3 * h.cwiseProduct(h)).asDiagonal(), 8 * u * volume * h.squaredNorm()};
+}
+
+/// With tetrahedra from the origin, d = det(a, b, c), s = a + b + c: D = Σ d, M = Σ d s, S = Σ d (aaᵀ + bbᵀ + ccᵀ +
+/// ssᵀ); V = D/6, centroid M/(4D), C = S/120 − M Mᵀ/(96 D) = (4 D S − 5 M Mᵀ)/(480 D).
+Spread spread(const Polytope& polytope) {
+  if (polytope.faces.empty()) throw InputError("shape.faces", "are missing: moments of inertia need them");
+  Dyadic D;
+  std::array<Dyadic, 3> M;
+  std::array<std::array<Dyadic, 3>, 3> S;
+  const auto corner = [&](int v) { return exact::vector(polytope.vertices[static_cast<std::size_t>(v)]); };
+  const auto entries = [](const exact::Vector& x) { return std::array<Dyadic, 3>{x.x, x.y, x.z}; };
+  for (const std::vector<int>& face : polytope.faces) {
+    const exact::Vector a = corner(face[0]);
+    for (std::size_t k = 2; k < face.size(); ++k) {
+      const exact::Vector b = corner(face[k - 1]), c = corner(face[k]);
+      const Dyadic d = dot(a, cross(b, c));
+      const std::array<std::array<Dyadic, 3>, 4> corners{entries(a), entries(b), entries(c), entries(a + b + c)};
+      D = D + d;
+      for (std::size_t i = 0; i < 3; ++i) {
+        M[i] = M[i] + d * corners[3][i];
+        for (std::size_t j = i; j < 3; ++j) {
+          for (const auto& x : corners) S[i][j] = S[i][j] + d * (x[i] * x[j]);
+        }
+      }
+    }
+  }
+  if (D.sign() <= 0) throw InputError("shape.faces", "bound no positive volume");
+  Spread found;
+  found.volume = exact::ratio(D, Dyadic(6));
+  for (std::size_t i = 0; i < 3; ++i) {
+    found.centroid[static_cast<Eigen::Index>(i)] = exact::ratio(M[i], Dyadic(4) * D);
+    for (std::size_t j = i; j < 3; ++j) {
+      const double C_ij = exact::ratio(Dyadic(4) * D * S[i][j] - Dyadic(5) * M[i] * M[j], Dyadic(480) * D);
+      found.C(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = C_ij;
+      found.C(static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(i)) = C_ij;
+    }
+  }
+  found.error = 6 * u * found.C.norm();
+  return found;
+}
+
+/// Steiner's theorem. A part's turn rounds by 64u‖C‖; its distance from the whole's centroid by 32u of the lengths that
+/// occur, its volume by 16u and n sums.
+Spread spread(const Compound& compound) {
+  std::vector<Spread> parts;
+  Spread whole;
+  const double n = static_cast<double>(compound.parts.size());
+  for (const Part& part : compound.parts) {
+    Spread posed = std::visit([](const auto& shape) { return spread(shape); }, part.shape);
+    const Mat3 R = lin_canny::rotation(part.X_BP.q_WB);
+    posed.centroid = R * posed.centroid + part.X_BP.p_WB;
+    posed.C = R * posed.C * R.transpose();
+    posed.error += 64 * u * posed.C.norm();
+    whole.volume += posed.volume;
+    parts.push_back(posed);
+  }
+  double farthest = 0;
+  for (const Spread& part : parts) {
+    whole.centroid += part.volume / whole.volume * part.centroid;
+    farthest = std::max(farthest, part.centroid.norm());
+  }
+  for (const Spread& part : parts) {
+    const Vec3 off = part.centroid - whole.centroid;
+    whole.C += part.C + part.volume * off * off.transpose();
+    whole.error += part.error + (64 + 4 * n) * u * part.volume * (off.norm() + farthest) * off.norm();
+  }
+  whole.error += (16 + n) * u * whole.C.norm();
+  return whole;
+}
+
+/// From C's diagonal, in P.
+Vec3 coefficients(const Vec3& s) {
+  return {(s.z() - s.y()) / (s.y() + s.z()), (s.x() - s.z()) / (s.z() + s.x()), (s.y() - s.x()) / (s.x() + s.y())};
+}
+
+/// The axes of a symmetric matrix by Jacobi's rotations; sweeps end when nothing is left off the diagonal, or no more
+/// goes away.
+Quaternion axes(const Mat3& C) {
+  Quaternion q;
+  for (int sweep = 0; sweep < 12; ++sweep) {
+    for (int k = 0; k < 3; ++k) {
+      const Mat3 R = lin_canny::rotation(q);
+      const Mat3 D = R.transpose() * C * R;
+      const int i = (k + 1) % 3, j = (k + 2) % 3;
+      if (!(std::abs(D(i, j)) > 16 * u * C.norm())) continue;
+      // tan 2φ = 2 D_ij/(D_ii − D_jj) turns axes i and j about k by φ, |φ| ≤ π/4.
+      const double ratio = (D(i, i) - D(j, j)) / (2 * D(i, j));
+      const double tangent = (ratio < 0 ? -1 : 1) / (std::abs(ratio) + std::sqrt(1 + ratio * ratio));
+      const double cosine = 1 / std::sqrt(1 + tangent * tangent);
+      const double half_cosine = std::sqrt((1 + cosine) / 2);
+      Vec3 turn = Vec3::Zero();
+      turn[k] = tangent * cosine / (2 * half_cosine);
+      q = product(q, {half_cosine, turn.x(), turn.y(), turn.z()});
+    }
+  }
+  return unit(q);
+}
+
+Inertia in_own_axes(const Mat3& C, double error) {
+  Inertia found;
+  found.is_aligned = false;
+  found.q_BP = axes(C);
+  const Mat3 R = lin_canny::rotation(found.q_BP);
+  const Mat3 D = R.transpose() * C * R;
+  const Vec3 s = D.diagonal();
+  found.c = coefficients(s);
+  const double off = std::abs(D(0, 1)) + std::abs(D(1, 2)) + std::abs(D(2, 0));
+  const double least = s.sum() - s.maxCoeff();
+  found.c_error = 9 * (error + 2 * off + 64 * u * C.norm()) / least + 4 * u;
+  return found;
+}
+
+bool is_diagonal(const Mat3& M) { return M(0, 1) == 0 && M(0, 2) == 0 && M(1, 2) == 0; }
+
+/// `c` are right to 5u each: |ω'| errs by no more than the greatest of them.
+Inertia aligned(const Vec3& c) { return {{}, c, 5 * u * c.lpNorm<Eigen::Infinity>(), true}; }
+
+Inertia of(const Shape&, const Fixed&) { return {}; }
+
+Inertia of(const Shape&, const MassProperties& given) {
+  const Mat3& I = given.I_BBcm_B;
+  if (is_diagonal(I)) {
+    return aligned({(I(1, 1) - I(2, 2)) / I(0, 0), (I(2, 2) - I(0, 0)) / I(1, 1), (I(0, 0) - I(1, 1)) / I(2, 2)});
+  }
+  return in_own_axes(I.trace() / 2 * Mat3::Identity() - I, 4 * u * I.norm());
+}
+
+Inertia of(const Shape& shape, const Density&) {
+  if (std::holds_alternative<Sphere>(shape)) return {};
+  if (const auto* box = std::get_if<Box>(&shape)) {
+    // (z − y)(z + y)/(y² + z²) for (z² − y²)/(y² + z²): the difference keeps its digits.
+    const Vec3 h = box->half_extents / box->half_extents.maxCoeff();
+    const auto c = [&](int i) {
+      const double y = h[(i + 1) % 3], z = h[(i + 2) % 3];
+      return (z - y) * (z + y) / (y * y + z * z);
+    };
+    return aligned({c(0), c(1), c(2)});
+  }
+  const Spread whole = std::visit([](const auto& s) { return spread(s); }, shape);
+  return in_own_axes(whole.C, whole.error);
+}
+
+}  // namespace
+
+Inertia inertia(const Body& body) {
+  return std::visit([&](const auto& mass) { return of(body.shape, mass); }, body.mass);
+}
+
+}  // namespace touchstone::fast::motion
