@@ -172,7 +172,7 @@ void locate(const PosedPair& pair, const Minimum& m, CoreNearest& result) {
 }  // namespace
 
 CoreNearest nearest_certified(PosedPair& pair) {
-  std::vector<VertexPair> guess = guess_nearest(pair);
+  std::vector<VertexPair> guess = guess_nearest(pair.A.plain(), pair.B.plain());
   const RoundUpward rounding;
   pair.A.enclose();
   pair.B.enclose();

@@ -58,7 +58,7 @@ class PosedCore {
 
   const IntegerVec& exact(int vertex) const;
   const EnclosureVec& enclosed(int vertex) const { return enclosed_[static_cast<std::size_t>(vertex)]; }
-  const PlainVec& plain(int vertex) const { return plain_[static_cast<std::size_t>(vertex)]; }
+  const std::vector<PlainVec>& plain() const { return plain_; }
 
   void enclose();  ///< fills enclosed(); inside RoundUpward
 
