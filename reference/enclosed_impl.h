@@ -1,0 +1,114 @@
+// Interval numbers of 254 bits: every result encloses the exact one. For closed forms whose signs have to be certain.
+#pragma once
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+
+#include "model/frame.h"
+#include "reference/float_impl.h"
+
+namespace touchstone::reference {
+
+/// Two numbers that cannot be told apart: the caller's question has no certain answer.
+class Undecided : public std::runtime_error {
+ public:
+  explicit Undecided(const std::string& what) : std::runtime_error(what) {}
+};
+
+/// A closed interval that holds one real number. A number that a Float holds is a point, and sums and products of
+/// points that fit stay points: so what is exactly 0 in a scene stays exactly 0.
+class Enclosed {
+ public:
+  Enclosed() : Enclosed(0) {}
+  Enclosed(int n) : lo_(n), hi_(n) {}     // NOLINT: as Float does
+  Enclosed(double x) : lo_(x), hi_(x) {}  // NOLINT
+  Enclosed(const mpq_class& q) {          // NOLINT
+    mpfr_set_q(at(lo_), q.get_mpq_t(), MPFR_RNDD);
+    mpfr_set_q(at(hi_), q.get_mpq_t(), MPFR_RNDU);
+  }
+  Enclosed(Float lo, Float hi) : lo_(std::move(lo)), hi_(std::move(hi)) {}
+
+  const Float& lo() const { return lo_; }
+  const Float& hi() const { return hi_; }
+  Float width() const { return hi_ - lo_; }
+  Float middle() const { return lo_ + (hi_ - lo_) / 2; }
+
+  bool is_zero() const { return lo_ == 0 && hi_ == 0; }
+  bool holds_zero() const { return lo_ <= 0 && hi_ >= 0; }
+  bool is_positive() const { return lo_ > 0; }
+  bool is_negative() const { return hi_ < 0; }
+
+  /// Rounded outward to doubles.
+  Interval in_doubles() const {
+    return {mpfr_get_d(lo_.backend().data(), MPFR_RNDD), mpfr_get_d(hi_.backend().data(), MPFR_RNDU)};
+  }
+
+  friend Enclosed operator-(const Enclosed& a) { return {-a.hi_, -a.lo_}; }
+  friend Enclosed operator+(const Enclosed& a, const Enclosed& b) {
+    Enclosed c;
+    mpfr_add(at(c.lo_), at(a.lo_), at(b.lo_), MPFR_RNDD);
+    mpfr_add(at(c.hi_), at(a.hi_), at(b.hi_), MPFR_RNDU);
+    return c;
+  }
+  friend Enclosed operator-(const Enclosed& a, const Enclosed& b) { return a + -b; }
+  friend Enclosed operator*(const Enclosed& a, const Enclosed& b) {
+    if (a.is_zero() || b.is_zero()) return {};
+    Enclosed c = product(a.lo_, b.lo_);
+    for (const Enclosed& other : {product(a.lo_, b.hi_), product(a.hi_, b.lo_), product(a.hi_, b.hi_)}) {
+      c = hull(c, other);
+    }
+    return c;
+  }
+  /// Throws Undecided if b may be 0.
+  friend Enclosed operator/(const Enclosed& a, const Enclosed& b) {
+    if (b.holds_zero()) throw Undecided("a divisor that may be 0");
+    Enclosed inverse;
+    mpfr_ui_div(at(inverse.lo_), 1, at(b.hi_), MPFR_RNDD);
+    mpfr_ui_div(at(inverse.hi_), 1, at(b.lo_), MPFR_RNDU);
+    return a * inverse;
+  }
+
+  friend Enclosed hull(const Enclosed& a, const Enclosed& b) {
+    return {std::min(a.lo_, b.lo_), std::max(a.hi_, b.hi_)};
+  }
+  friend Enclosed square(const Enclosed& a) {
+    const Enclosed product = a * a;
+    return a.holds_zero() ? Enclosed(Float(0), product.hi_) : product;
+  }
+  /// Of what is known to be ≥ 0.
+  friend Enclosed root(const Enclosed& a) {
+    Enclosed c;
+    const Float lo = std::max(a.lo_, Float(0));
+    mpfr_sqrt(at(c.lo_), at(lo), MPFR_RNDD);
+    mpfr_sqrt(at(c.hi_), at(a.hi_), MPFR_RNDU);
+    return c;
+  }
+  friend Enclosed magnitude(const Enclosed& a) { return a.lo_ >= 0 ? a : a.hi_ <= 0 ? -a : root(square(a)); }
+
+ private:
+  static mpfr_ptr at(Float& f) { return f.backend().data(); }
+  static mpfr_srcptr at(const Float& f) { return f.backend().data(); }
+  static Enclosed product(const Float& a, const Float& b) {
+    Enclosed c;
+    mpfr_mul(at(c.lo_), at(a), at(b), MPFR_RNDD);
+    mpfr_mul(at(c.hi_), at(a), at(b), MPFR_RNDU);
+    return c;
+  }
+
+  Float lo_, hi_;
+};
+
+using EnclosedVec = Three<Enclosed>;
+
+/// −1, 0 (a point 0) or 1; throws Undecided, naming what, if the enclosure does not tell.
+inline int sign_of(const Enclosed& a, const char* what) {
+  if (a.is_zero()) return 0;
+  if (a.holds_zero()) throw Undecided(what);
+  return a.is_positive() ? 1 : -1;
+}
+
+/// Are all three exactly 0?
+inline bool is_zero(const EnclosedVec& a) { return a[0].is_zero() && a[1].is_zero() && a[2].is_zero(); }
+
+}  // namespace touchstone::reference

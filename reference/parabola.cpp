@@ -1,0 +1,138 @@
+#include "reference/parabola_impl.h"
+
+namespace touchstone::reference {
+namespace {
+
+/// How far c is beyond [−h, h], with its sign; it never falls while c grows.
+Enclosed beyond(const Enclosed& c, const Enclosed& h) {
+  const auto of = [&](const Float& end) {
+    const Enclosed x(end, end), above = x - h, below = x + h;
+    if (above.is_positive()) return above;
+    if (below.is_negative()) return below;
+    return Enclosed(std::min(below.lo(), Float(0)), std::max(above.hi(), Float(0)));
+  };
+  return {of(c.lo()).lo(), of(c.hi()).hi()};
+}
+
+/// f(τ) = |excess|² − r² along the way, in the box's axes.
+class Gap {
+ public:
+  Gap(const Parabola& way, const Slab& slab, const Enclosed& radius)
+      : p_(slab.in(way.p)),
+        v_(slab.turned_in(way.v)),
+        a_(slab.turned_in(way.a)),
+        half_(slab.half),
+        square_of_radius_(square(radius)) {}
+
+  Enclosed value(const Enclosed& from, const Enclosed& span) const { return value(centre(from, span)); }
+  Enclosed value(const Enclosed& tau) const { return value(centre(tau, 0)); }
+  Enclosed slope(const Enclosed& from, const Enclosed& span) const {
+    const EnclosedVec c = centre(from, span), v = velocity(from, span);
+    Enclosed sum;
+    for (std::size_t i = 0; i < 3; ++i) sum = sum + beyond(c[i], half_[i]) * v[i];
+    return 2 * sum;
+  }
+
+  /// Is f > 0 on (0, span], though f(0) = 0?
+  bool parts(const Enclosed& span) const { return slope(0, span).is_positive(); }
+  bool turns_off(const Enclosed& span, const Parting& parting) const {
+    const EnclosedVec c = centre(0, span), v = velocity(0, span);
+    const std::size_t other = 3 - parting.face - parting.over;
+    if (!(half_[other] - magnitude(c[other])).is_positive()) return false;
+    if (!(magnitude(c[parting.face]) - half_[parting.face]).is_positive()) return false;
+    // Beyond the edge, where f starts at |c| = h, and |c| grows.
+    const Enclosed side = p_[parting.over].is_positive() ? 1 : -1;
+    if (!(side * v[parting.over]).is_positive()) return false;
+    const auto bends = [&](std::size_t i, const Enclosed& out) { return square(v[i]) + out * a_[i]; };
+    const Enclosed past = side * Enclosed(Float(0), (side * v[parting.over] * span).hi());
+    return (bends(parting.over, past) + bends(parting.face, beyond(c[parting.face], half_[parting.face])))
+        .is_positive();
+  }
+
+ private:
+  EnclosedVec centre(const Enclosed& from, const Enclosed& span) const {
+    const EnclosedVec start = plus(p_, scaled(from, plus(v_, scaled(from / 2, a_))));
+    const EnclosedVec speed = plus(v_, scaled(from, a_));
+    const Enclosed within(Float(0), span.hi());
+    return plus(start, scaled(within, plus(speed, scaled(within / 2, a_))));
+  }
+  EnclosedVec velocity(const Enclosed& from, const Enclosed& span) const {
+    return plus(v_, scaled(from + Enclosed(Float(0), span.hi()), a_));
+  }
+  Enclosed value(const EnclosedVec& c) const {
+    Enclosed sum;
+    for (std::size_t i = 0; i < 3; ++i) sum = sum + square(beyond(c[i], half_[i]));
+    return sum - square_of_radius_;
+  }
+
+  EnclosedVec p_, v_, a_, half_;
+  Enclosed square_of_radius_;
+};
+
+Enclosed point(const Float& f) { return {f, f}; }
+
+/// Not the middle: changes like to be at simple fractions, where f would be 0.
+Float between(const Float& lo, const Float& hi) { return lo + (hi - lo) * 0.4932; }
+
+/// The zero of f in (lo, hi), f(lo) > 0 > f(hi), f falling.
+Enclosed narrowed(const Gap& gap, Float lo, Float hi) {
+  for (int i = 0; i < 300; ++i) {
+    const Float inside = between(lo, hi);
+    const Enclosed f = gap.value(point(inside));
+    if (f.holds_zero()) break;
+    (f.is_positive() ? lo : hi) = inside;
+  }
+  return {lo, hi};
+}
+
+/// f(from) > 0.
+std::optional<Enclosed> searched(const Gap& gap, const Float& from, const Float& to, const Float& least) {
+  const Enclosed start = point(from), span = point(to - from);
+  if (gap.value(start, span).is_positive()) return std::nullopt;
+  const Enclosed end = gap.value(point(to));
+  if (!end.holds_zero() && gap.slope(start, span).is_negative()) {
+    if (end.is_positive()) return std::nullopt;
+    return narrowed(gap, from, to);
+  }
+  if (to - from < least) throw Undecided("the ball grazes a box");
+  const Float inside = between(from, to);
+  if (const auto early = searched(gap, from, inside, least)) return early;
+  return searched(gap, inside, to, least);
+}
+
+/// Up to where a box that is touched at 0 is certainly left.
+Float left_by(const Gap& gap, const Parting& parting, const Float& horizon) {
+  Float span = horizon;
+  for (int i = 0; i < 200; ++i, span /= 2) {
+    const Enclosed until = point(span);
+    if (parting.turns_off ? gap.turns_off(until, parting) : gap.parts(until)) return span;
+  }
+  throw Undecided("whether the ball parts from a box");
+}
+
+}  // namespace
+
+Parabola Parabola::later(const Enclosed& tau) const {
+  return {start + tau,
+          plus(p, scaled(tau, plus(v, scaled(tau / 2, a)))),
+          plus(v, scaled(tau, a)),
+          a,
+          plus(w, scaled(tau, alpha)),
+          alpha};
+}
+
+EnclosedVec excess(const Slab& slab, const EnclosedVec& centre_W) {
+  const EnclosedVec c = slab.in(centre_W);
+  return {beyond(c[0], slab.half[0]), beyond(c[1], slab.half[1]), beyond(c[2], slab.half[2])};
+}
+
+std::optional<Enclosed> first_meeting(const Parabola& way, const Slab& slab, const Enclosed& radius,
+                                      const Enclosed& horizon, const std::optional<Parting>& parting) {
+  const Gap gap(way, slab, radius);
+  const Float end = horizon.hi(), least = ldexp(end, -120);
+  const Float from = parting ? left_by(gap, *parting, end) : Float(0);
+  if (from >= end) return std::nullopt;
+  return searched(gap, from, end, least);
+}
+
+}  // namespace touchstone::reference
