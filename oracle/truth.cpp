@@ -70,7 +70,7 @@ const reference::PenetrationTruth& penetration(const Scene& scene) {
 
 const reference::ImpulseTruth& impulse(const Scene& scene) {
   thread_local Memory<reference::ImpulseTruth> memory;
-  return memory.of(scene, [](const Scene& s) { return reference::impulse(s); });
+  return memory.of(scene, [](const Scene& s) { return reference::impulse(s, reference::Digits::some); });
 }
 
 const Pixels& pixel(const Scene& scene) {

@@ -3,6 +3,7 @@
 
 #include <gmpxx.h>
 
+#include "reference/double_double_impl.h"
 #include "reference/float_impl.h"
 #include "reference/impact_law_impl.h"
 
@@ -17,6 +18,7 @@ inline mpq_class root(const mpq_class& x) {
 }
 
 inline Float root(const Float& x) { return sqrt(x); }
+inline DoubleDouble root(const DoubleDouble& x) { return sqrt(x); }
 
 /// The tangential direction, of length μ ν, in which slip leaves 0 if it does not stick.
 inline Three<mpq_class> diverging(const Blow<mpq_class>& blow, const Three<mpq_class>& sticking) {

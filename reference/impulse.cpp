@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "reference/double_double_impl.h"
 #include "reference/float_impl.h"
 #include "reference/impact_impl.h"
 #include "reference/impact_law_impl.h"
@@ -75,6 +76,49 @@ Blow<Float> unit_normal(const Blow<mpq_class>& exact) {
   return blow;
 }
 
+/// A power of two that brings x > 0 near 1.
+int exponent_to_one(const Float& x) { return -static_cast<int>(mpfr_get_exp(x.backend().data())); }
+
+/// The impact in other units of mass and velocity, powers of two that bring K and u0 near 1: P is 2^shift times that of
+/// the scene.
+struct Scaled {
+  Blow<DoubleDouble> blow;
+  int shift = 0;
+  int shift_of_u = 0;  ///< u is 2^shift_of_u times that of the scene
+};
+
+DoubleDouble double_double(const Float& x, int shift) {
+  const Float scaled = ldexp(x, shift);
+  const auto hi = static_cast<double>(scaled);
+  return {hi, static_cast<double>(Float(scaled - hi))};
+}
+
+Three<DoubleDouble> double_double(const Three<Float>& a, int shift) {
+  return {double_double(a[0], shift), double_double(a[1], shift), double_double(a[2], shift)};
+}
+
+Square<DoubleDouble> double_double(const Square<Float>& M, int shift) {
+  return {double_double(M[0], shift), double_double(M[1], shift), double_double(M[2], shift)};
+}
+
+Scaled in_double_doubles(const Blow<Float>& blow) {
+  const int for_K = exponent_to_one(Float(blow.K[0][0] + blow.K[1][1] + blow.K[2][2]));
+  const int for_u = exponent_to_one(Float(abs(blow.u0[0]) + abs(blow.u0[1]) + abs(blow.u0[2])));
+  Scaled result;
+  result.shift = for_u - for_K;
+  result.shift_of_u = for_u;
+  result.blow.K = double_double(blow.K, for_K);
+  result.blow.K_inverse = double_double(blow.K_inverse, -for_K);
+  result.blow.u0 = double_double(blow.u0, for_u);
+  result.blow.N = double_double(blow.N, 0);
+  result.blow.square = 1.0;
+  result.blow.cone = double_double(blow.cone, 0);
+  result.blow.e = double_double(blow.e, 0);
+  result.blow.law = blow.law;
+  result.blow.facts = blow.facts;
+  return result;
+}
+
 template <class T>
 struct Outcome {
   Moment<T> end;
@@ -100,8 +144,9 @@ Outcome<mpq_class> exactly(const Blow<mpq_class>& blow) {
   return walked(blow, Lines<mpq_class>(blow));
 }
 
-Outcome<Float> nearly(const Blow<Float>& blow) {
-  return on_lines(blow.facts) ? walked(blow, Lines<Float>(blow)) : walked(blow, Slide(blow));
+template <class T>
+Outcome<T> nearly(const Blow<T>& blow) {
+  return on_lines(blow.facts) ? walked(blow, Lines<T>(blow)) : walked(blow, Slide<T>(blow));
 }
 
 template <class T>
@@ -130,27 +175,41 @@ ExactVelocity after(const Body& body, const Response& response, const Triple& P)
 }
 
 /// √(u0ᵀ K⁻¹ u0), the scale of all errors.
-Float energy_norm(const Blow<mpq_class>& blow) { return sqrt(float_of(dot(blow.u0, times(blow.K_inverse, blow.u0)))); }
+Float energy_norm(const Blow<Float>& blow) {
+  return sqrt(std::max(Float(0), inner(blow.u0, times(blow.K_inverse, blow.u0))));
+}
 
 /// Farther away, a jump is none of this scene's.
 constexpr double ambiguity = 1e-9;
 
 /// Where μ |K_tn| ≤ K_nn, U never falls and there is no jump; rounding must not make one.
-void set_ambiguous(ImpulseTruth& truth, const Blow<mpq_class>& blow, const Float& missing_u_n) {
+void set_ambiguous(ImpulseTruth& truth, const Blow<Float>& blow, const Float& missing_u_n) {
   if (!blow.facts.painleve) return;
-  const Float rise = sqrt(float_of(mpq_class(dot(blow.N, times(blow.K, blow.N)) / blow.square)));
-  const Float scale = rise * energy_norm(blow);
+  const Float scale = sqrt(inner(blow.N, times(blow.K, blow.N))) * energy_norm(blow);
   if (missing_u_n <= ambiguity * scale) truth.ambiguous = scale == 0 ? 0 : static_cast<double>(missing_u_n / scale);
 }
 
-/// Series are cut at 2^-165 and floats have 254 bits; 2^-150 is 45 digits and leaves 2^15 for what steps add up. The
-/// second term is what 254 bits leave of an ill-conditioned K.
-double stated_error(const Blow<mpq_class>& blow) {
-  const auto trace = [](const std::array<Triple, 3>& M) { return float_of(mpq_class(M[0][0] + M[1][1] + M[2][2])); };
-  const Float condition = trace(blow.K) * trace(blow.K_inverse);
-  const Float bound = energy_norm(blow) * (ldexp(Float(1), -150) + condition * ldexp(Float(1), -240));
-  return std::max(std::nextafter(static_cast<double>(bound), std::numeric_limits<double>::infinity()),
-                  std::numeric_limits<double>::denorm_min());
+/// At least cond(K).
+Float condition(const Blow<Float>& blow) {
+  const auto trace = [](const Square<Float>& M) { return Float(M[0][0] + M[1][1] + M[2][2]); };
+  return trace(blow.K) * trace(blow.K_inverse);
+}
+
+/// Of many digits: series are cut at 2^-165 and floats have 254 bits; 2^-150 is 45 digits and leaves 2^15 for what
+/// steps add up. Of some: cut at 2^-84, 106 bits, 2^-75. The second term is what the bits leave of an ill-conditioned
+/// K.
+double stated_error(const Blow<Float>& blow, Digits digits) {
+  const Float relative = digits == Digits::many ? ldexp(Float(1), -150) + condition(blow) * ldexp(Float(1), -240)
+                                                : ldexp(Float(1), -75) + condition(blow) * ldexp(Float(1), -95);
+  return std::max(
+      std::nextafter(static_cast<double>(Float(energy_norm(blow) * relative)), std::numeric_limits<double>::infinity()),
+      std::numeric_limits<double>::denorm_min());
+}
+
+/// Two doubles are enough for some digits: of a K that is not near singular, and an approach not lost beside the slip.
+bool two_doubles_do(const Blow<Float>& blow) {
+  const Float fast = abs(blow.u0[0]) + abs(blow.u0[1]) + abs(blow.u0[2]);
+  return condition(blow) <= 0x1p44 && -inner(blow.u0, blow.N) >= ldexp(fast, -200);
 }
 
 /// Of the normal, not of N: ν is a root in general, so these are within 2^-260 even where P is exact.
@@ -163,22 +222,44 @@ void set_normal_impulses(ImpulseTruth& truth, const mpq_class& square, const mpq
   truth.p_f = rational_of(times_length(p_f));
 }
 
-Triple strike(ImpulseTruth& truth, const Blow<mpq_class>& blow) {
-  const Float length = sqrt(float_of(blow.square));
+/// What a walk in floats found, `shift` and `shift_of_u` being the exponents of its units.
+template <class T>
+Triple told(ImpulseTruth& truth, const Blow<mpq_class>& exact, const Blow<Float>& blow, const Outcome<T>& outcome,
+            int shift, int shift_of_u) {
+  const auto in_si = [&](const T& p) {
+    mpq_class q = exact_of(p);
+    (shift < 0 ? mpq_mul_2exp : mpq_div_2exp)(q.get_mpq_t(), q.get_mpq_t(), static_cast<mp_bitcnt_t>(std::abs(shift)));
+    return q;
+  };
+  set_modes(truth.modes, exact, outcome);
+  truth.p_c = rational_of(in_si(outcome.p_c));
+  truth.p_f = rational_of(in_si(outcome.end.p));
+  if (outcome.near_jump) set_ambiguous(truth, blow, ldexp(float_of(exact_of(*outcome.near_jump)), -shift_of_u));
+  return {in_si(outcome.end.P[0]), in_si(outcome.end.P[1]), in_si(outcome.end.P[2])};
+}
+
+Triple strike_exactly(ImpulseTruth& truth, const Blow<mpq_class>& exact, const Blow<Float>& blow) {
+  const Outcome<mpq_class> outcome = exactly(exact);
+  set_modes(truth.modes, exact, outcome);
+  set_normal_impulses(truth, exact.square, outcome.p_c, outcome.end.p);
+  if (outcome.near_jump) {
+    set_ambiguous(truth, blow, float_of(*outcome.near_jump) / sqrt(float_of(exact.square)));
+  }
+  truth.certified = !truth.pi;
+  if (!truth.certified) truth.error = stated_error(blow, Digits::many);
+  return outcome.end.P;
+}
+
+Triple strike(ImpulseTruth& truth, const Blow<mpq_class>& exact, Digits digits) {
+  const Blow<Float> blow = unit_normal(exact);
   try {
-    const Outcome<mpq_class> outcome = exactly(blow);
-    set_modes(truth.modes, blow, outcome);
-    set_normal_impulses(truth, blow.square, outcome.p_c, outcome.end.p);
-    if (outcome.near_jump) set_ambiguous(truth, blow, float_of(*outcome.near_jump) / length);
-    truth.certified = !truth.pi;
-    return outcome.end.P;
+    return strike_exactly(truth, exact, blow);
   } catch (const Irrational&) {
-    const Outcome<Float> outcome = nearly(unit_normal(blow));
-    set_modes(truth.modes, blow, outcome);
-    truth.p_c = rational_of(exact_of(outcome.p_c));
-    truth.p_f = rational_of(exact_of(outcome.end.p));
-    if (outcome.near_jump) set_ambiguous(truth, blow, *outcome.near_jump);
-    return exact_of(outcome.end.P);
+    if (digits == Digits::some && !two_doubles_do(blow)) digits = Digits::many;
+    truth.error = stated_error(blow, digits);
+    if (digits == Digits::many) return told(truth, exact, blow, nearly(blow), 0, 0);
+    const Scaled scaled = in_double_doubles(blow);
+    return told(truth, exact, blow, nearly(scaled.blow), scaled.shift, scaled.shift_of_u);
   }
 }
 
@@ -188,12 +269,12 @@ void set_ambiguous_if_grazing(ImpulseTruth& truth, const Blow<mpq_class>& exact)
   const Blow<Float> blow = unit_normal(exact);
   const Three<Float> w = blow.tangential(blow.u0);
   const Three<Float> zeta = minus(blow.N, scaled(Float(sqrt(blow.cone / inner(w, w))), w));
-  if (inner(blow.N, times(blow.K, zeta)) < 0) set_ambiguous(truth, exact, inner(blow.u0, blow.N));
+  if (inner(blow.N, times(blow.K, zeta)) < 0) set_ambiguous(truth, blow, inner(blow.u0, blow.N));
 }
 
 }  // namespace
 
-ImpulseTruth impulse(const Scene& scene) {
+ImpulseTruth impulse(const Scene& scene, Digits digits) {
   const Impact hit = impact(scene);
   const Blow<mpq_class> blow = blow_of(hit);
   ImpulseTruth truth;
@@ -206,9 +287,8 @@ ImpulseTruth impulse(const Scene& scene) {
     truth.certified = true;
     set_ambiguous_if_grazing(truth, blow);
   } else {
-    P = strike(truth, blow);
+    P = strike(truth, blow, digits);
   }
-  if (!truth.certified) truth.error = stated_error(blow);
   truth.P_A_W = vec_of(P);
   truth.after = {after(scene.bodies[0], hit.bodies[0], P), after(scene.bodies[1], hit.bodies[1], minus(Triple{}, P))};
   return truth;
