@@ -95,6 +95,14 @@ double rounding(const Placed& A, const Placed& B) {
   return reach + 8 * u * (B.t - A.t).norm() + A.shift_error + B.shift_error + 0x1p-900;
 }
 
+Vec3 separating_direction(const Placed& A, const Placed& B, const Closest& c) {
+  if (c.features.a.kind == Kind::face) return A.turned_out(A.hull->face(c.features.a.index).normal);
+  if (c.features.b.kind == Kind::face) return -B.turned_out(B.hull->face(c.features.b.index).normal);
+  const Vec3 n = direction(A, B, c);
+  const double length = n.norm();
+  return length > 0 ? Vec3(n / length) : Vec3(Vec3::Zero());
+}
+
 Bracket bracket(const Placed& A, const Placed& B, const Closest& c) {
   const double error = rounding(A, B);
   const double error_of_hi = error + 7 * u * (A.hull->radius() + B.hull->radius()) - 6 * u * (B.t - A.t).norm();
@@ -102,17 +110,8 @@ Bracket bracket(const Placed& A, const Placed& B, const Closest& c) {
   found.a = witness(A, c.features.a, c.a);
   found.b = witness(B, c.features.b, c.b);
   found.hi = (found.b - found.a).norm() * (1 + 4 * u) + error_of_hi;
-  Vec3 n;
-  if (c.features.a.kind == Kind::face) {
-    n = A.turned_out(A.hull->face(c.features.a.index).normal);
-  } else if (c.features.b.kind == Kind::face) {
-    n = -B.turned_out(B.hull->face(c.features.b.index).normal);
-  } else {
-    n = direction(A, B, c);
-    const double length = n.norm();
-    if (!(length > 0)) return found;
-    n /= length;
-  }
+  const Vec3 n = separating_direction(A, B, c);
+  if (n.isZero(0)) return found;
   found.lo = lower_end(A, B, c.features, n, error);
   return found;
 }

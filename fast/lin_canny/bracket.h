@@ -35,6 +35,9 @@ struct Bracket {
   Vec3 b = Vec3::Zero();
 };
 
+/// The n for lo, from A to B, of length 1 within 1.5u; 0 if the closest points are one and no feature names one.
+Vec3 separating_direction(const Placed& A, const Placed& B, const Closest& closest);
+
 Bracket bracket(const Placed& A, const Placed& B, const Closest& closest);
 
 /// The bound for lo, about as large as that for hi: the width is at most twice that, and 5 % more, when the features

@@ -41,6 +41,7 @@ class Flight {
 
   const Flyer& flyer() const { return *flyer_; }
   double since() const { return since_; }
+  const Pose& start() const { return start_; }
   const Vec3& acceleration() const { return acceleration_; }
 
   /// At `since` itself: the very doubles that the flight was made from.

@@ -1,0 +1,152 @@
+#include "fast/time_of_impact/advance.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "fast/lin_canny/rotation.h"
+#include "fast/motion/steady_turn.h"
+
+namespace touchstone::fast::meeting {
+namespace {
+
+using lin_canny::u;
+using motion::Centre;
+using Kind = TimeOfImpact::Meeting;
+
+constexpr int most_looks = 200'000;
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// t + h, or a double before it where rounding would go further.
+double later(double t, double h) {
+  const double sum = t + h;
+  return sum - t <= h * (1 - 2 * u) ? sum : std::max(t, sum - 2 * u * std::abs(sum));
+}
+
+/// How long the balls around the two centres of mass surely keep apart; none if they are near each other or meet. Their
+/// gap along the line of centres is a parabola.
+std::optional<double> balls_apart(const Pair& pair, double t) {
+  const Centre a = pair.a.centre(t, pair.p_WO), b = pair.b.centre(t, pair.p_WO);
+  const Vec3 d = b.p_WOBcm - a.p_WOBcm;
+  const double radii = pair.a.flyer().radius + pair.b.flyer().radius;
+  const double distance = motion::length(d);
+  const double gap = distance - radii - 8 * u * (distance + radii) - (a.error + b.error);
+  if (!(gap > radii / 4)) return std::nullopt;
+  const Vec3 n = d / distance;
+  const Vec3 v = b.v_WBcm - a.v_WBcm, fall = pair.b.acceleration() - pair.a.acceleration();
+  const double s = n.dot(v) - 8 * u * v.lpNorm<1>() - (a.v_error + b.v_error);
+  const double c = n.dot(fall) - 128 * u * (pair.a.acceleration().lpNorm<1>() + pair.b.acceleration().lpNorm<1>());
+  return first_root(gap, s, std::min(0.0, c)) * (1 - 0x1p-30);
+}
+
+class Advance {
+ public:
+  Advance(const Pair& pair, double from, double until, double envelope, lin_canny::FeaturePair& memory)
+      : pair_(pair), until_(until), envelope_(envelope), memory_(memory), t_(from) {}
+
+  Meeting run() {
+    for (int looks = 0; looks < most_looks; ++looks) {
+      if (const std::optional<double> h = balls_apart(pair_, t_)) {
+        if (!go_on(*h)) return apart();
+        continue;
+      }
+      const Look look(pair_, t_, memory_, known_);
+      known_ = look.slab().direction();
+      if (is_clear(look.slab()) || parts(look.slab())) {
+        const double before = t_;
+        if (!go_on(look.slab().clear_until(left()))) return apart();
+        if (t_ > before) continue;
+      }
+      if (const std::optional<Meeting> met = touch(look)) return *met;
+      if (t_ >= until_) return apart();
+    }
+    return doubtful(t_, until_, Look(pair_, t_, memory_, known_).at_most());
+  }
+
+ private:
+  /// The time left, rounded up.
+  double left() const { return (until_ - t_) * (1 + 2 * u); }
+
+  /// Goes h further, as far as time's grain lets; false at the end.
+  bool go_on(double h) {
+    if (h >= left()) return false;
+    t_ = later(t_, h);
+    return true;
+  }
+
+  /// Surely apart, and by more than rounding.
+  static bool is_clear(const Slab& slab) { return slab.gap() > 2 * slab.error(); }
+
+  /// All points that may touch surely part. (That the two do not overlap was proved on the way here.)
+  static bool parts(const Slab& slab) {
+    return slab.gap() > -8 * slab.error() && slab.least_speed(8 * slab.error()) > 0;
+  }
+
+  /// No more than rounding keeps the two apart at t_.
+  std::optional<Meeting> touch(const Look& look) {
+    if (envelope_ > 0 && look.at_most() <= envelope_ && !parts(look.slab())) return hit(look, t_);
+    for (double h = first_wait(look.slab());; h *= 2) {
+      const double t = std::min(t_ + h, until_);
+      lin_canny::FeaturePair memory = memory_;
+      const Look next(pair_, t, memory, known_);
+      if (next.overlap()) return hit(look, t);
+      if (is_clear(next.slab())) {
+        doubt(look.at_most(), t);
+        memory_ = memory;
+        return std::nullopt;
+      }
+      if (t >= until_) return doubtful(t_, until_, look.at_most());
+    }
+  }
+
+  /// In which the approach, or the fall, takes the two through what rounding hides.
+  double first_wait(const Slab& slab) const {
+    const double depth = 4 * slab.error();
+    const double approach = -slab.least_speed(8 * slab.error());
+    const double by_speed = approach > 0 ? depth / approach : infinity;
+    const double by_fall = slab.curvature() < 0 ? std::sqrt(2 * depth / -slab.curvature()) : infinity;
+    const double grain = 4 * u * std::abs(t_) + 0x1p-1000;
+    return std::max(grain, std::min({by_speed, by_fall, left()}));
+  }
+
+  /// They may have met between t_ and t.
+  void doubt(double at_most, double t) {
+    if (!doubt_) doubt_ = Doubt{t_, t, at_most};
+    doubt_->until = t;
+    doubt_->gap = std::min(doubt_->gap, at_most);
+    t_ = t;
+  }
+
+  Meeting hit(const Look& look, double hi) const {
+    const double lo = doubt_ ? doubt_->from : t_;
+    return {Kind::hit, lo, hi, 0, pair_.p_WO + look.middle(), -look.slab().direction()};
+  }
+  Meeting apart() const {
+    if (doubt_) return doubtful(doubt_->from, doubt_->until, doubt_->gap);
+    return {Kind::miss, until_, until_, 0, Vec3::Zero(), Vec3::Zero()};
+  }
+  Meeting doubtful(double lo, double hi, double gap) const {
+    if (doubt_) return {Kind::undecided, doubt_->from, hi, std::min(gap, doubt_->gap), Vec3::Zero(), -known_};
+    return {Kind::undecided, lo, hi, gap, Vec3::Zero(), -known_};
+  }
+
+  struct Doubt {
+    double from, until, gap;
+  };
+
+  const Pair& pair_;
+  double until_, envelope_;
+  lin_canny::FeaturePair& memory_;
+  double t_;
+  Vec3 known_ = Vec3::Zero();
+  std::optional<Doubt> doubt_;
+};
+
+}  // namespace
+
+Meeting advance(const Pair& pair, double from, double until, double envelope, lin_canny::FeaturePair& memory) {
+  return Advance(pair, from, until, envelope, memory).run();
+}
+
+}  // namespace touchstone::fast::meeting

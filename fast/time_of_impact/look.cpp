@@ -1,0 +1,123 @@
+#include "fast/time_of_impact/look.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "fast/lin_canny/bracket.h"
+#include "fast/lin_canny/surround.h"
+
+namespace touchstone::fast::meeting {
+
+using lin_canny::FeaturePair;
+using lin_canny::Hull;
+using lin_canny::Placed;
+using lin_canny::u;
+
+namespace {
+
+double highest(const Hull& hull, const Vec3& up) {
+  double most = up.dot(hull.vertex(0));
+  for (const Vec3& v : hull.vertices()) most = std::max(most, up.dot(v));
+  return most;
+}
+
+/// The cores' gap along n, as computed.
+double gap(const Placed& A, const Placed& B, const Vec3& n) {
+  return n.dot(B.t - A.t) - highest(*A.hull, A.turned_in(n)) - highest(*B.hull, B.turned_in(-n));
+}
+
+/// Of several directions the one along which the gap is widest.
+class Widest {
+ public:
+  Widest(const Placed& A, const Placed& B) : A_(A), B_(B) {}
+
+  void ask(const Vec3& n) {
+    if (n.isZero(0)) return;
+    const double wide = gap(A_, B_, n);
+    if (has_one_ && !(wide > gap_)) return;
+    n_ = n;
+    gap_ = wide;
+    has_one_ = true;
+  }
+  void ask_faces() {
+    for (int f = 0; f < A_.hull->face_count(); ++f) ask(A_.turned_out(A_.hull->face(f).normal));
+    for (int f = 0; f < B_.hull->face_count(); ++f) ask(-B_.turned_out(B_.hull->face(f).normal));
+  }
+  bool has_one() const { return has_one_; }
+  double found_gap() const { return gap_; }
+  const Vec3& direction() const { return n_; }
+
+ private:
+  const Placed& A_;
+  const Placed& B_;
+  Vec3 n_ = Vec3::UnitZ();
+  double gap_ = 0;
+  bool has_one_ = false;
+};
+
+bool fit_doubles(const Placed& A, const Placed& B) {
+  return A.hull->fits_doubles() && B.hull->fits_doubles() && (B.t - A.t).lpNorm<Eigen::Infinity>() < 0x1p250;
+}
+
+lin_canny::Walked walked(const Placed& A, const Placed& B, FeaturePair& memory) {
+  if (!fit_doubles(A, B)) throw std::range_error("lengths or paths beyond what doubles can multiply");
+  const lin_canny::Walked walked = lin_canny::walk(A, B, memory);
+  if (!walked.inside) memory = walked.closest.features;
+  return walked;
+}
+
+}  // namespace
+
+Look::Look(const Pair& pair, double t, FeaturePair& memory, const Vec3& known)
+    : A_(side(pair.a, pair.part_A, t, pair.p_WO)),
+      B_(side(pair.b, pair.part_B, t, pair.p_WO)),
+      walked_(walked(A_.core, B_.core, memory)),
+      slab_(best_slab(memory, known)) {}
+
+/// Features that are apart name their direction well. Where they are no further apart than rounding tells, they do not:
+/// two vertices' difference is noise, two edges' normal may have the wrong sign, and inside there is none.
+Slab Look::best_slab(const FeaturePair& before, const Vec3& known) const {
+  const Vec3 n =
+      walked_.inside ? Vec3(Vec3::Zero()) : lin_canny::separating_direction(A_.core, B_.core, walked_.closest);
+  if (!n.isZero(0)) {
+    Slab slab(A_, B_, n);
+    if (slab.gap() > 4 * slab.error()) return slab;
+  }
+  Widest widest(A_.core, B_.core);
+  widest.ask(n);
+  widest.ask(-n);
+  widest.ask(known);
+  if (walked_.inside) {
+    const lin_canny::Closest last = lin_canny::closest(A_.core, B_.core, before);
+    const Vec3 m = lin_canny::separating_direction(A_.core, B_.core, last);
+    widest.ask(m);
+    widest.ask(-m);
+  }
+  const double radii = A_.radius + B_.radius;
+  if (!widest.has_one() || widest.found_gap() < radii - 8 * lin_canny::rounding(A_.core, B_.core)) widest.ask_faces();
+  return {A_, B_, widest.direction()};
+}
+
+double Look::at_most() const {
+  if (walked_.inside) return 2 * lin_canny::rounding(A_.core, B_.core);
+  const double radii = A_.radius + B_.radius;
+  return std::max(0.0, (lin_canny::bracket(A_.core, B_.core, walked_.closest).hi - radii) * (1 + 4 * u));
+}
+
+bool Look::overlap() const {
+  const double radii = A_.radius + B_.radius;
+  if (radii > 0 && !walked_.inside) {
+    const double cores = lin_canny::bracket(A_.core, B_.core, walked_.closest).hi;
+    if (cores < radii * (1 - 4 * u)) return true;
+  }
+  return lin_canny::common_point(A_.core, B_.core).has_value();
+}
+
+/// Of the features' closest points, each moved out by its radius along n.
+Vec3 Look::middle() const {
+  const Vec3& n = slab_.direction();
+  const lin_canny::Bracket found = lin_canny::bracket(A_.core, B_.core, walked_.closest);
+  return ((found.a + A_.radius * n) + (found.b - B_.radius * n)) / 2;
+}
+
+}  // namespace touchstone::fast::meeting

@@ -1,0 +1,40 @@
+// Two parts at one time: how near, across which slab, and whether they surely share a point.
+#pragma once
+
+#include "fast/lin_canny/walk.h"
+#include "fast/time_of_impact/slab.h"
+
+namespace touchstone::fast::meeting {
+
+/// Of part `part_A` of a's body and part `part_B` of b's.
+struct Pair {
+  const motion::Flight& a;
+  const motion::Flight& b;
+  std::size_t part_A, part_B;
+  Vec3 p_WO;  ///< the pair frame's origin: near a, so that roundings are small far from W's
+};
+
+class Look {
+ public:
+  /// `memory`: where the walk starts and, afterwards, where it ended. `known`: a direction that was good a moment ago,
+  /// or 0; it is taken where the features' own is worse, as it is when rounding is all that parts the two. Throws
+  /// std::range_error where lengths do not fit doubles (lin_canny::Hull).
+  Look(const Pair& pair, double t, lin_canny::FeaturePair& memory, const Vec3& known);
+
+  const Slab& slab() const { return slab_; }
+  /// ≥ the distance (m).
+  double at_most() const;
+  /// A point that both surely have: proved, not likely.
+  bool overlap() const;
+  /// Midway between the closest points, in the pair's frame.
+  Vec3 middle() const;
+
+ private:
+  Slab best_slab(const lin_canny::FeaturePair& before, const Vec3& known) const;
+
+  Side A_, B_;
+  lin_canny::Walked walked_;
+  Slab slab_;
+};
+
+}  // namespace touchstone::fast::meeting

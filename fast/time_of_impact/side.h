@@ -1,0 +1,25 @@
+// One convex part of a flying body at one time, with what bounds its motion from then on.
+#pragma once
+
+#include "fast/lin_canny/placed.h"
+#include "fast/motion/flight.h"
+
+namespace touchstone::fast::meeting {
+
+/// For a point at r from the centre of mass, in W: it stands within the placement's errors, moves at v + w × r (w
+/// within w_error, v within v_error), and |p̈ − acceleration| ≤ curl |r|.
+struct Side {
+  lin_canny::Placed core;   ///< in the pair's frame; its errors hold the flight's
+  double radius = 0;        ///< m; by which the part is swollen around its core
+  Vec3 arm = Vec3::Zero();  ///< m; from the centre of mass to the core's origin
+  Vec3 v = Vec3::Zero();    ///< m/s
+  Vec3 w = Vec3::Zero();    ///< rad/s
+  double slope_error = 0;   ///< m/s; of n·velocity of any core point, |n| = 1
+  Vec3 acceleration = Vec3::Zero();
+  double swirl = 0;  ///< m/s²; ≥ curl |r| for all core points
+};
+
+/// Part `part` of the flight's body at time t, in W's axes, seen from O.
+Side side(const motion::Flight& flight, std::size_t part, double t, const Vec3& p_WO);
+
+}  // namespace touchstone::fast::meeting
