@@ -1,0 +1,42 @@
+// What happens next: impulse-based simulation as in the lecture notes.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "fast/simulation/books.h"
+#include "model/answers.h"
+#include "model/scene.h"
+
+namespace touchstone::fast {
+
+struct SimulationOptions {
+  double frame = 1.0 / 30;      ///< s; how far ahead boxes look. No path depends on it where closed forms do
+  bool exact_momentum = false;  ///< linear momentum on a grid of a power of two: its total never changes a bit
+  bool keep_events = true;      ///< else they are counted only
+  std::int64_t most_events = 20'000'000;
+};
+
+/// Why a simulation ended before its time.
+struct Stopped {
+  double time = 0;
+  int a = 0, b = 0;  ///< the pair whose turn it was
+  std::string why;
+};
+
+struct Simulated {
+  Trajectory trajectory;
+  world::Books books;
+  std::optional<Stopped> stopped;
+};
+
+/// Requires a valid scene with a flight whose polytopes have their faces. Throws InputError where there is no flight, a
+/// shape is no solid, or two bodies overlap at the start (naming the pair and the depth).
+///
+/// Motion, meetings and events: docs/design/simulation.md. Laws: the same scene gives the same bits everywhere; a body
+/// that never comes near others changes no bit of their paths.
+Simulated simulate(const Scene& scene, const SimulationOptions& options = {});
+
+Trajectory simulation(const Scene& scene);
+
+}  // namespace touchstone::fast

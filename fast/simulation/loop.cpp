@@ -1,0 +1,331 @@
+#include "fast/simulation/loop.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "model/input_error.h"
+#include "model/limits.h"
+
+namespace touchstone::fast::world {
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr std::int64_t patience = 1'000'000;  // events at one time, before a heap is said not to advance
+
+Vec3 on_grid(const Vec3& P, double grid) {
+  return grid * (P / grid).unaryExpr([](double x) { return std::floor(x + 0.5); });
+}
+
+const Flight& flight_of(const Scene& scene) {
+  if (!scene.flight) throw InputError("flight", "is missing: a simulation needs one");
+  return *scene.flight;
+}
+
+std::vector<Mover> movers(const Scene& scene) {
+  const Flight& flight = flight_of(scene);
+  std::vector<Mover> bodies;
+  bodies.reserve(scene.bodies.size());
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    bodies.emplace_back(scene.bodies[i], flight.since.empty() ? 0 : flight.since[i], scene.gravity);
+  }
+  return bodies;
+}
+
+/// As long as most boxes of a frame: the median of those that move.
+double usual_extent(const std::vector<Mover>& bodies, double frame) {
+  std::vector<double> extents;
+  for (const Mover& body : bodies) {
+    if (body.fixed()) continue;
+    const Path& path = body.path();
+    extents.push_back(2 * body.radius() +
+                      frame * (path.v.cwiseAbs().maxCoeff() + frame * path.a.cwiseAbs().maxCoeff()));
+  }
+  if (extents.empty()) return 1;
+  const auto middle = extents.begin() + static_cast<std::ptrdiff_t>(extents.size() / 2);
+  std::ranges::nth_element(extents, middle);
+  return *middle;
+}
+
+/// Frames are as long as asked, but never more than 2^20 of them.
+double frame_length(const Scene& scene, const SimulationOptions& options) {
+  return std::max(options.frame, flight_of(scene).times.back() * 0x1p-20);
+}
+
+std::uint64_t key(BodyId a, BodyId b) { return std::uint64_t{a} << 32 | b; }
+
+std::string name(BodyId id) { return "bodies[" + std::to_string(id) + "]"; }
+
+}  // namespace
+
+Loop::Loop(const Scene& scene, const SimulationOptions& options)
+    : scene_(&scene),
+      options_(options),
+      envelope_(touchstone::envelope(scene)),
+      end_(flight_of(scene).times.back()),
+      bodies_(movers(scene)),
+      heap_(bodies_.size()),
+      rest_(bodies_.size()),
+      tiling_(usual_extent(bodies_, frame_length(scene, options)), bodies_.size()) {
+  options_.frame = frame_length(scene, options);
+  if (options_.keep_events) done_.trajectory.events.emplace();
+  if (options_.exact_momentum) keep_momentum();
+}
+
+Simulated Loop::run() {
+  while (now_ < end_ && !done_.stopped) {
+    begin_frame();
+    while (!heap_.empty() && !done_.stopped) {
+      const Due due = heap_.top();
+      heap_.pop();
+      attend(due);
+    }
+    if (done_.stopped) break;
+    look_until(frame_end_, true);
+    now_ = frame_end_;
+  }
+  if (done_.stopped) done_.trajectory.complete_until = now_;
+  return std::move(done_);
+}
+
+/// Boxes that enclose the paths over the frame; the pairs whose boxes intersect; for each, when it may first meet.
+void Loop::begin_frame() {
+  ++done_.books.frames;
+  frame_end_ = std::min(end_, static_cast<double>(done_.books.frames) * options_.frame);
+  for (BodyId id = 0; id < bodies_.size(); ++id) {
+    if (moves(id) || done_.books.frames == 1) file(id);
+  }
+  for (BodyId a = 0; a < bodies_.size(); ++a) {
+    if (!moves(a)) continue;
+    near_.clear();
+    tiling_.near(a, near_);
+    for (const BodyId b : near_) {
+      if (!moves(b) || a < b) watch(std::min(a, b), std::max(a, b), 0);
+    }
+  }
+}
+
+/// Time goes on to the pair that may meet first. If it does: the impact, new boxes for the two, and the heap made true
+/// of them; if it was a bound only, a new bound.
+void Loop::attend(const Due& due) {
+  look_until(due.time, false);
+  same_time_ = due.time > now_ ? 0 : same_time_ + 1;
+  now_ = std::max(now_, due.time);
+  if (same_time_ > patience) return stop(due, "time does not go on");
+  if (rests_on(due.a, due.b)) return change(due.a);
+  if (rests_on(due.b, due.a)) return change(due.b);
+  const Mover &a = bodies_[due.a], &b = bodies_[due.b];
+  const Touch touch = world::touch(a, b, now_, memory(due.a, due.b));
+  if (touch.gap > std::max(envelope_, 2 * clearance(a, b, now_, infinite))) return watch(due.a, due.b, now_);
+  meet(due, touch);
+  if (events_ > options_.most_events) stop(due, "more events than allowed");
+}
+
+/// A meeting is an impact, unless it is so slow that the hop after it would stay within the envelope: then the body
+/// rests, or where there is no closed form for that, hops that high in its stead. The hops after an impact that would
+/// all be so low are completed at once: they end 2v/(press (1 − e)) later.
+void Loop::meet(const Due& due, const Touch& touch) {
+  const Mover &a = bodies_[due.a], &b = bodies_[due.b];
+  const State at_a = a.state(now_), at_b = b.state(now_);
+  const Coefficients c = coefficients(a, b, scene_->flight->law);
+  const double u_n = approach(a, at_a, b, at_b, touch), presses = press(a, b, touch);
+  const double hop = least_speed(presses, envelope_), rebound = c.restitution * -u_n;
+  if (hop > 0 && -u_n <= hop) {
+    if (hold(due, touch, {}, now_)) return;
+    return strike(Event::Kind::micro_collision, due, touch, world::micro_collision(a, at_a, b, at_b, touch, c, hop));
+  }
+  if (!(u_n < 0)) return watch(due.a, due.b, now_);
+  strike(Event::Kind::impact, due, touch, impact(a, at_a, b, at_b, touch, c));
+  if (rebound <= hop && c.restitution < 1) {
+    hold(due, touch, {rebound, (1 + c.restitution) / 2}, now_ + 2 * rebound / (presses * (1 - c.restitution)));
+  }
+}
+
+/// What an impulse does, and the two bodies on their new ways.
+void Loop::strike(Event::Kind kind, const Due& due, const Touch& touch, Hit hit) {
+  if (grid_ > 0) move_exactly(due, hit);
+  const State a{bodies_[due.a].state(now_).X_WB, hit.after_a}, b{bodies_[due.b].state(now_).X_WB, hit.after_b};
+  done_.books.loss += hit.loss;
+  if (bodies_[due.a].fixed()) done_.books.to_fixed += hit.P_A_W;
+  if (bodies_[due.b].fixed()) done_.books.to_fixed -= hit.P_A_W;
+  record({kind, now_, static_cast<int>(due.a), static_cast<int>(due.b), touch.p_WC, touch.nhat_BA_W, hit.P_A_W, a, b});
+  for (const BodyId id : {due.a, due.b}) {
+    if (rest_[id]) release(id, id == due.a ? a : b);
+  }
+  set_out(due.a, a);
+  set_out(due.b, b);
+  if (!bodies_[due.a].fixed()) watch_all(due.a, due.a);
+  if (!bodies_[due.b].fixed()) watch_all(due.b, bodies_[due.a].fixed() ? due.b : due.a);
+}
+
+/// From now on the one rests on the other, if there is a closed form; hops that are left end at `until`.
+bool Loop::hold(const Due& due, const Touch& touch, const Hops& hops, double until) {
+  if (bodies_[due.a].fixed() == bodies_[due.b].fixed()) return false;
+  const BodyId id = bodies_[due.a].fixed() ? due.b : due.a, on = bodies_[due.a].fixed() ? due.a : due.b;
+  const State before = bodies_[id].state(now_);
+  const State state = without_normal(bodies_[on], before, touch.nhat_BA_W);
+  if (!lay(id, on, state, touch.nhat_BA_W * (id == due.a ? 1 : -1), until > now_ ? hops : Hops{}, until)) return false;
+  if (until <= now_) record_contact(Event::Kind::contact, id, before.velocity.v_WBcm, now_);
+  return true;
+}
+
+/// The body's path while it rests; false where there is no closed form.
+bool Loop::lay(BodyId id, BodyId on, const State& state, const Vec3& nhat_W, const Hops& hops, double hops_end) {
+  const double friction = coefficients(bodies_[id], bodies_[on], scene_->flight->law).friction;
+  std::optional<Rest> rest =
+      world::rest(bodies_[id], bodies_[on], state, now_, nhat_W, scene_->gravity, friction, hops.load);
+  if (!rest) return false;
+  if (hops_end > now_ && hops_end <= rest->until) {
+    rest->until = hops_end;
+    rest->then = Rest::Then::hops_end;
+  }
+  rest->on = on;
+  rest->hops = hops;
+  rest->hops_end = hops_end;
+  if (rest_[id] && rest_[id]->on != on) release(id, state);
+  bodies_[id].fly(now_, state, rest->acceleration, rest->alpha);
+  heap_.drop(id);
+  file(id);
+  rest_[id] = rest;
+  watch_all(id, id);
+  return true;
+}
+
+/// A rest comes to its next change: the hops before it are over, slip ends, or the foot leaves the face.
+void Loop::change(BodyId id) {
+  const Rest was = *rest_[id];
+  const Vec3 v_before = bodies_[id].path().v + was.hops.speed * was.nhat_W;
+  const double since = bodies_[id].path().since;
+  State state = without_normal(bodies_[was.on], bodies_[id].state(now_), was.nhat_W);
+  if (was.then == Rest::Then::slip_ends) state = rolling(bodies_[id], bodies_[was.on], state, was.nhat_W);
+  const bool hops_on = was.hops_end > now_;
+  if (was.then != Rest::Then::leaves &&
+      lay(id, was.on, state, was.nhat_W, hops_on ? Hops{0, was.hops.load} : Hops{}, was.hops_end)) {
+    return record_contact(was.then == Rest::Then::hops_end ? Event::Kind::completed : Event::Kind::contact, id,
+                          v_before, since);
+  }
+  release(id, state);
+  set_out(id, state);
+  watch_all(id, id);
+}
+
+/// A rest begins or changes. Its impulse since then: what the body gained beyond what gravity gave.
+void Loop::record_contact(Event::Kind kind, BodyId id, const Vec3& v_before, double since) {
+  const Rest& rest = *rest_[id];
+  const State state = bodies_[id].state(now_), support = bodies_[rest.on].state(now_);
+  const Vec3 P = (state.velocity.v_WBcm - v_before - (now_ - since) * scene_->gravity) / bodies_[id].inverse_mass();
+  const Vec3 C = state.X_WB.p_WB - bodies_[id].radius() * rest.nhat_W;
+  const bool first = id < rest.on;
+  record({kind, now_, static_cast<int>(std::min(id, rest.on)), static_cast<int>(std::max(id, rest.on)), C,
+          first ? rest.nhat_W : -rest.nhat_W, first ? P : -P, first ? state : support, first ? support : state});
+}
+
+void Loop::release(BodyId id, const State& state) {
+  const Rest& rest = *rest_[id];
+  const State support = bodies_[rest.on].state(now_);
+  const bool first = id < rest.on;
+  record({Event::Kind::release, now_, static_cast<int>(std::min(id, rest.on)), static_cast<int>(std::max(id, rest.on)),
+          state.X_WB.p_WB - bodies_[id].radius() * rest.nhat_W, first ? rest.nhat_W : -rest.nhat_W, Vec3::Zero(),
+          first ? state : support, first ? support : state});
+  rest_[id].reset();
+}
+
+/// The states at the scene's times up to this one; at the time itself only once its events are over.
+void Loop::look_until(double time, bool over) {
+  const std::vector<double>& times = scene_->flight->times;
+  for (; looked_ < times.size() && (over ? times[looked_] <= time : times[looked_] < time); ++looked_) {
+    std::vector<State>& states = done_.trajectory.states.emplace_back();
+    for (const Mover& body : bodies_) states.push_back(body.state(times[looked_]));
+  }
+}
+
+double Loop::start(BodyId id) const {
+  const std::vector<double>& since = scene_->flight->since;
+  return since.empty() ? 0 : since[id];
+}
+
+void Loop::file(BodyId id) {
+  const double from = std::max(now_, bodies_[id].path().since);
+  tiling_.file(id, bodies_[id].box(from, std::max(from, frame_end_), envelope_));
+}
+
+void Loop::watch_all(BodyId id, BodyId but) {
+  near_.clear();
+  tiling_.near(id, near_);
+  for (const BodyId other : near_) {
+    if (other != but) watch(std::min(id, other), std::max(id, other), now_);
+  }
+}
+
+/// Enters the pair into the heap, if it may meet within the frame.
+void Loop::watch(BodyId id_a, BodyId id_b, double from) {
+  const Mover &a = bodies_[id_a], &b = bodies_[id_b];
+  if (a.fixed() && b.fixed()) return;
+  from = std::max({from, a.path().since, b.path().since});
+  if (from > frame_end_) return;
+  ++done_.books.pairs;
+  Memory& walks = memory(id_a, id_b);
+  if (from == std::max(start(id_a), start(id_b))) refuse_overlap(id_a, id_b, world::touch(a, b, from, walks));
+  const Rest* rest = rests_on(id_a, id_b) ? &*rest_[id_a] : rests_on(id_b, id_a) ? &*rest_[id_b] : nullptr;
+  const double time = rest ? rest->until : meeting(a, b, from, frame_end_, envelope_, walks);
+  if (time <= frame_end_) heap_.put({std::max(time, now_), id_a, id_b});
+}
+
+Memory& Loop::memory(BodyId a, BodyId b) {
+  return has_closed_form(bodies_[a], bodies_[b]) ? no_memory_ : memory_[key(a, b)];
+}
+
+void Loop::refuse_overlap(BodyId a, BodyId b, const Touch& touch) const {
+  if (touch.gap >= -clearance(bodies_[a], bodies_[b], start(a), infinite)) return;
+  throw InputError(name(a),
+                   "overlaps " + name(b) + " at the start" +
+                       (has_closed_form(bodies_[a], bodies_[b]) ? " by " + std::to_string(-touch.gap) + " m" : ""));
+}
+
+void Loop::set_out(BodyId id, const State& state) {
+  if (bodies_[id].fixed()) return;
+  bodies_[id].fly(now_, state, scene_->gravity);
+  heap_.drop(id);
+  file(id);
+}
+
+void Loop::record(const Event& event) {
+  ++done_.books.count[static_cast<std::size_t>(event.kind)];
+  ++events_;
+  if (done_.trajectory.events) done_.trajectory.events->push_back(event);
+}
+
+void Loop::stop(const Due& due, const std::string& why) {
+  done_.stopped = {now_, static_cast<int>(due.a), static_cast<int>(due.b), why};
+}
+
+/// The grid: below 2^-52 of the greatest momentum that a body can have while energy does not rise, so that momenta and
+/// all their sums are exact.
+void Loop::keep_momentum() {
+  if (!scene_->gravity.isZero(0) || !scene_->flight->pushes.empty()) {
+    throw InputError("gravity", "changes momentum; it can be kept exact only without gravity and pushes");
+  }
+  double energy = 0, heaviest = 0;
+  for (const Mover& body : bodies_) {
+    if (body.fixed()) continue;
+    const Vec3 w = body.path().w;
+    energy += body.path().v.squaredNorm() / body.inverse_mass() / 2 + w.squaredNorm() * body.inertia().trace() / 2;
+    heaviest = std::max(heaviest, 1 / body.inverse_mass());
+  }
+  int exponent = 0;
+  std::frexp(std::sqrt(2 * heaviest * energy), &exponent);
+  grid_ = std::ldexp(1, exponent - 50);
+  for (const Mover& body : bodies_) {
+    momentum_.push_back(body.fixed() ? Vec3(Vec3::Zero()) : on_grid(body.path().v / body.inverse_mass(), grid_));
+  }
+}
+
+void Loop::move_exactly(const Due& due, Hit& hit) {
+  hit.P_A_W = on_grid(hit.P_A_W, grid_);
+  momentum_[due.a] += hit.P_A_W;
+  momentum_[due.b] -= hit.P_A_W;
+  if (!bodies_[due.a].fixed()) hit.after_a.v_WBcm = bodies_[due.a].inverse_mass() * momentum_[due.a];
+  if (!bodies_[due.b].fixed()) hit.after_b.v_WBcm = bodies_[due.b].inverse_mass() * momentum_[due.b];
+}
+
+}  // namespace touchstone::fast::world

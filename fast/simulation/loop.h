@@ -1,0 +1,70 @@
+// The loop of the lecture notes: frames, boxes, a heap of pairs, impacts.
+#pragma once
+
+#include <unordered_map>
+#include <vector>
+
+#include "fast/simulation.h"
+#include "fast/simulation/body.h"
+#include "fast/simulation/impact.h"
+#include "fast/simulation/meeting.h"
+#include "fast/simulation/pair_heap.h"
+#include "fast/simulation/resting.h"
+#include "fast/simulation/tiling.h"
+
+namespace touchstone::fast::world {
+
+/// One run of a scene. Each body has a path of its own, from its own last event on; nothing is stepped.
+class Loop {
+ public:
+  /// The scene must outlive the loop.
+  Loop(const Scene& scene, const SimulationOptions& options);
+
+  Simulated run();
+
+ private:
+  void begin_frame();
+  void attend(const Due& due);
+  void meet(const Due& due, const Touch& touch);
+  void strike(Event::Kind kind, const Due& due, const Touch& touch, Hit hit);
+  bool hold(const Due& due, const Touch& touch, const Hops& hops, double until);
+  bool lay(BodyId id, BodyId on, const State& state, const Vec3& nhat_W, const Hops& hops, double hops_end);
+  void change(BodyId id);
+  void release(BodyId id, const State& state);
+  void look_until(double time, bool over);
+
+  bool moves(BodyId id) const { return !bodies_[id].still(); }
+  double start(BodyId id) const;
+  void file(BodyId id);
+  void watch(BodyId a, BodyId b, double from);
+  void watch_all(BodyId id, BodyId but);
+  void set_out(BodyId id, const State& state);
+  Memory& memory(BodyId a, BodyId b);
+  void refuse_overlap(BodyId a, BodyId b, const Touch& touch) const;
+  bool rests_on(BodyId id, BodyId on) const { return rest_[id] && rest_[id]->on == on; }
+  void record(const Event& event);
+  void record_contact(Event::Kind kind, BodyId id, const Vec3& v_before, double since);
+  void stop(const Due& due, const std::string& why);
+  void keep_momentum();
+  void move_exactly(const Due& due, Hit& hit);
+
+  const Scene* scene_;
+  SimulationOptions options_;
+  double envelope_;
+  double now_ = 0, frame_end_ = 0, end_ = 0;
+  std::int64_t same_time_ = 0;  ///< turns since time moved on
+  std::int64_t events_ = 0;
+  std::vector<Mover> bodies_;
+  PairHeap heap_;
+  std::vector<std::optional<Rest>> rest_;  ///< by body
+  Tiling tiling_;
+  std::unordered_map<std::uint64_t, Memory> memory_;  ///< looked up only, never walked
+  Memory no_memory_;
+  std::vector<BodyId> near_;
+  std::vector<Vec3> momentum_;  ///< by body, in multiples of the grid, if it is kept exact
+  double grid_ = 0;             ///< N s; 0: velocities are what is kept
+  std::size_t looked_ = 0;
+  Simulated done_;
+};
+
+}  // namespace touchstone::fast::world

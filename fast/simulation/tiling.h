@@ -1,0 +1,59 @@
+// Overmars' tiling, kept up box by box: who is near this box, asked after every impact.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "fast/broad_phase/strategy.h"
+
+namespace touchstone::fast::world {
+
+/// Space in cells on several scales, each twice as long as the one before. A box is filed once, in the cell of its lo,
+/// on the first level whose cells are at least as long as the box; a question looks on every level that has boxes, in
+/// the cells where the lo of a box that it meets may stand. Cells are wrapped like a torus onto a table, so that empty
+/// space costs nothing; a level with few boxes is looked through as a list.
+///
+/// Unlike fast/broad_phase/hierarchical_hash.h one box changes in O(1), and is asked about in O(levels + boxes near).
+class Tiling {
+ public:
+  /// `cell`: the length for which most boxes are meant. `bodies`: ids are below it.
+  Tiling(double cell, std::size_t bodies);
+
+  void file(BodyId id, const Aabb& box);  ///< where it stands from now on
+  const Aabb& box(BodyId id) const { return box_[id]; }
+
+  /// Appends whom the body's box overlaps, without itself; in no order that means anything.
+  void near(BodyId id, std::vector<BodyId>& found) const;
+
+ private:
+  static constexpr std::uint32_t nobody = 0xffffffff;
+  static constexpr int levels = 64;
+  static constexpr int middle = 24;  ///< the level of the given cell
+  static constexpr std::size_t few = 16;
+
+  struct Place {
+    std::int32_t level = -1;                        ///< −1: not filed
+    std::uint32_t cell = 0;                         ///< in the level's table
+    std::uint32_t at = 0;                           ///< in the level's list
+    std::uint32_t before = nobody, after = nobody;  ///< in the cell's chain
+  };
+  struct Level {
+    double per_metre = 0;  ///< 1 / cell
+    std::vector<BodyId> all;
+    std::vector<std::uint32_t> first;  ///< by cell; empty until the level has boxes
+  };
+
+  std::int64_t row(const Level& level, double x) const;
+  std::uint32_t cell(std::int64_t x, std::int64_t y, std::int64_t z) const;
+  void take(BodyId id);
+  template <class Meet>
+  void look(const Level& level, const Aabb& box, const Meet& meet) const;
+
+  std::int64_t side_ = 1;  ///< cells of a table along each axis: a power of two
+  int shift_ = 0;          ///< side_ = 2^shift_
+  std::vector<Aabb> box_;
+  std::vector<Place> place_;
+  std::vector<Level> level_;
+};
+
+}  // namespace touchstone::fast::world
