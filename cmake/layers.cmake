@@ -10,7 +10,7 @@ set(TOUCHSTONE_MAY_USE_properties model oracle)
 set(TOUCHSTONE_MAY_USE_app model reference fast oracle subject properties)
 set(TOUCHSTONE_MAY_USE_tests model reference fast oracle subject properties app)
 
-# Headers of CGAL and FCL cost 0.5 to 1 GB a source: one at a time, so that two jobs stay below 1.5 GB.
+# Headers of CGAL, FCL and Simbody cost 0.5 to 1 GB a source: one at a time, so that two jobs stay below 1.5 GB.
 set_property(GLOBAL PROPERTY JOB_POOLS heavy=1)
 
 # touchstone_layer(<target> LAYER <layer> [EXECUTABLE] SOURCES … [USES <touchstone targets> …] [LINKS <foreign, public> …]
@@ -40,7 +40,7 @@ function(touchstone_layer target)
   target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:include/touchstone>)
   target_compile_features(${target} PUBLIC cxx_std_20)
   target_link_libraries(${target} PUBLIC ${ARG_USES} ${ARG_LINKS} PRIVATE $<BUILD_INTERFACE:touchstone_flags> ${ARG_BEHIND})
-  if(ARG_BEHIND MATCHES "CGAL|fcl")
+  if(ARG_BEHIND MATCHES "CGAL|fcl|simbody")
     set_target_properties(${target} PROPERTIES JOB_POOL_COMPILE heavy)
   endif()
   touchstone_install(${target} ${ARG_LAYER} "${ARG_EXECUTABLE}")

@@ -3,7 +3,6 @@
 #include <btBulletDynamicsCommon.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "oracle/subjects/bullet_input.h"
 #include "oracle/subjects/impact_input.h"
@@ -41,13 +40,6 @@ class RigidBody {
   Velocity velocity() const { return {vec3(body_->getLinearVelocity()), vec3(body_->getAngularVelocity())}; }
 
  private:
-  static double volume(const Shape& shape) {
-    if (const auto* sphere = std::get_if<Sphere>(&shape)) {
-      return 4.0 / 3 * std::numbers::pi * sphere->radius * sphere->radius * sphere->radius;
-    }
-    return 8 * std::get<Box>(shape).half_extents.prod();
-  }
-
   ConvexPtr shape_;
   std::unique_ptr<btRigidBody> body_;
 };

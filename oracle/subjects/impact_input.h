@@ -1,6 +1,7 @@
-// Impacts as engines take them: rigid bodies about their centres of mass, restitution by Newton's law.
+// Impacts as engines take them: rigid bodies about their centres of mass, restitution by one law.
 #pragma once
 
+#include <numbers>
 #include <optional>
 
 #include "oracle/subjects/engine.h"
@@ -17,10 +18,18 @@ inline Pose centre_of_mass(const Body& body) {
 
 inline bool is_fixed(const Body& body) { return std::holds_alternative<Fixed>(body.mass); }
 
-/// What engines of Newton's law and static ground do not offer; none: the scene can be asked.
-inline std::optional<Abstains> no_such_impact(const Scene& scene) {
+/// m³, of a sphere or a box: engines take a mass, and leave it to their users what a density makes of a volume.
+inline double volume(const Shape& shape) {
+  if (const auto* sphere = std::get_if<Sphere>(&shape)) {
+    return 4.0 / 3 * std::numbers::pi * sphere->radius * sphere->radius * sphere->radius;
+  }
+  return 8 * std::get<Box>(shape).half_extents.prod();
+}
+
+/// What engines of one law of restitution and static ground do not offer; none: the scene can be asked.
+inline std::optional<Abstains> no_such_impact(const Scene& scene, Law law = Law::newton) {
   if (!scene.contact) return Abstains{"no contact"};
-  if (scene.contact->law != Law::newton) return Abstains{"restores by Newton's law alone"};
+  if (scene.contact->law != law) return Abstains{"restores by another law"};
   for (const Body& body : scene.bodies) {
     if (is_fixed(body) && !(body.velocity == Velocity{})) return Abstains{"static bodies do not move"};
     const bool weighed = std::holds_alternative<Sphere>(body.shape) || std::holds_alternative<Box>(body.shape);
