@@ -58,10 +58,10 @@ std::string distribution(const std::vector<const Row*>& rows) {
   std::size_t last = all.size() - 1;
   while (last > first && all[last] == 0) --last;
   std::string html = fmt::format(
-      "<details><summary>{}: {}, in {}</summary><div class=\"scroll\" tabindex=\"0\" role=\"region\" "
+      "<details><summary>{}, in {}: {}</summary><div class=\"scroll\" tabindex=\"0\" role=\"region\" "
       "aria-label=\"Errors of {}\"><table><thead><tr><th scope=\"col\">subject</th>",
-      escaped(rows.front()->property), escaped(properties::find(rows.front()->property).says),
-      escaped(rows.front()->errors.unit), escaped(rows.front()->property));
+      escaped(rows.front()->property), escaped(rows.front()->errors.unit),
+      escaped(properties::find(rows.front()->property).says), escaped(rows.front()->property));
   for (std::size_t c = first; c <= last; ++c) html += fmt::format("<th scope=\"col\">{}</th>", heading(c));
   html += "<th scope=\"col\">largest</th></tr></thead><tbody>";
   for (const Row* row : rows) html += row_of(*row, first, last);

@@ -71,7 +71,7 @@ class Search {
 
 const std::vector<smaller::Stage>& smaller::stages() {
   static const std::vector<Stage> all = {
-      tidy,           plainer_contacts, fewer_pixels, fewer_frames,  fewer_bodies,       fewer_placements, plainer_places,
+      tidy,           plainer_contacts, plainer_flights, fewer_pixels, fewer_frames,  fewer_bodies,       fewer_placements, plainer_places,
       fewer_parts,    many_vertices_less, plainer_shapes,   plainer_poses,
       facing_along_z, coarser_grids, few_vertices_less,  fewer_bits,       plainer_units};
   return all;
@@ -84,13 +84,14 @@ smaller::Cost smaller::cost(const Scene& scene) {
   if (const auto& raster = scene.raster) {
     cost.pixels = long{raster->columns} + raster->rows + std::labs(raster->shift_x) + std::labs(raster->shift_y);
   }
+  if (scene.flight) cost.looks = scene.flight->times.size() + scene.flight->pushes.size();
   for (const Frame& frame : scene.frames) cost.placements += frame.size();
   const std::vector<Slot> all = slots(scene);
   cost.parts = all.size();
   for (const Slot slot : all) cost.vertices += vertex_count(shape_at(scene, slot));
   Scene numbers = scene;
   for (const auto& some :
-       {lengths(numbers), quaternion_components(numbers), mass_numbers(numbers), contact_numbers(numbers)}) {
+       {lengths(numbers), quaternion_components(numbers), mass_numbers(numbers), motion_numbers(numbers)}) {
     for (const double* x : some) {
       const int bits = significant_bits(*x);
       cost.bits_max = std::max(cost.bits_max, bits);
@@ -99,6 +100,10 @@ smaller::Cost smaller::cost(const Scene& scene) {
     }
   }
   cost.extras = !scene.name.empty() + !scene.gravity.isZero(0);
+  if (const auto& flight = scene.flight) {
+    cost.extras += 1 + (flight->law != Law::poisson) + !flight->since.empty() + flight->envelope.has_value() +
+                   (flight->force_bound != 0);
+  }
   if (scene.contact) cost.extras += 1 + (scene.contact->law != Law::poisson) + off_axis(scene.contact->nhat_BA_W);
   for (const Pose* X_WB : poses(numbers)) cost.turned += is_turned(X_WB->q_WB);
   for (const Body& body : scene.bodies) {
@@ -137,7 +142,7 @@ Size size_of(const Scene& scene) {
   for (const Slot slot : slots(scene)) vertices[slot.body] += static_cast<int>(vertex_count(shape_at(scene, slot)));
   for (const int count : vertices) size.vertices_per_body_max = std::max(size.vertices_per_body_max, count);
   Scene numbers = scene;
-  for (const auto& some : {lengths(numbers), quaternion_components(numbers), contact_numbers(numbers)}) {
+  for (const auto& some : {lengths(numbers), quaternion_components(numbers), motion_numbers(numbers)}) {
     for (const double* x : some) size.significant_bits_max = std::max(size.significant_bits_max, significant_bits(*x));
   }
   return size;

@@ -31,6 +31,19 @@ void add(std::vector<double*>& numbers, Quaternion& q) {
   for (double* x : {&q.w, &q.x, &q.y, &q.z}) numbers.push_back(x);
 }
 
+void add(std::vector<double*>& numbers, Vec3& gravity, Flight& flight, std::vector<Body>& bodies) {
+  add(numbers, gravity);
+  for (std::vector<double>* times : {&flight.times, &flight.since}) {
+    for (double& t : *times) numbers.push_back(&t);
+  }
+  if (flight.envelope) numbers.push_back(&*flight.envelope);
+  for (Push& push : flight.pushes) {
+    numbers.push_back(&push.time);
+    add(numbers, push.force_W);
+  }
+  for (Body& body : bodies) numbers.insert(numbers.end(), {&body.material.restitution, &body.material.friction});
+}
+
 /// The poses of a film.
 std::vector<Pose*> placed(Scene& scene) {
   std::vector<Pose*> all = poses(scene);
@@ -115,10 +128,12 @@ std::vector<double*> mass_numbers(Scene& scene) {
   return numbers;
 }
 
-std::vector<double*> contact_numbers(Scene& scene) {
-  if (!scene.contact) return {};
-  std::vector<double*> numbers = {&scene.contact->restitution};
-  if (std::isfinite(scene.contact->friction)) numbers.push_back(&scene.contact->friction);
+std::vector<double*> motion_numbers(Scene& scene) {
+  std::vector<double*> numbers;
+  if (!scene.contact && !scene.flight) return numbers;
+  if (scene.contact) numbers.push_back(&scene.contact->restitution);
+  if (scene.contact && std::isfinite(scene.contact->friction)) numbers.push_back(&scene.contact->friction);
+  if (scene.flight) add(numbers, scene.gravity, *scene.flight, scene.bodies);
   for (Body& body : scene.bodies) {
     add(numbers, body.velocity.v_WBcm);
     add(numbers, body.velocity.w_WB);

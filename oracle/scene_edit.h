@@ -29,8 +29,9 @@ std::vector<double*> quaternion_components(Scene& scene);
 /// Every number of stated masses and densities.
 std::vector<double*> mass_numbers(Scene& scene);
 
-/// Of a scene with a contact, every velocity, the coefficients that are finite, and stated moments of inertia.
-std::vector<double*> contact_numbers(Scene& scene);
+/// Of a scene with a contact or a flight, every velocity, the coefficients that are finite, stated moments of inertia, and
+/// a flight's gravity, times and forces.
+std::vector<double*> motion_numbers(Scene& scene);
 
 /// Polytopes lose their faces: they will be made anew.
 void drop_faces(Scene& scene);

@@ -22,6 +22,7 @@ const std::vector<Stage>& stages();
 
 std::vector<Move> tidy(const Scene& scene);          ///< velocities, materials, masses, gravity, names: the defaults
 std::vector<Move> plainer_contacts(const Scene& scene);  ///< a contact's numbers, and what it makes needless
+std::vector<Move> plainer_flights(const Scene& scene);   ///< fewer times and pushes, plainer velocities
 std::vector<Move> fewer_pixels(const Scene& scene);      ///< a raster without a half, …, a column or row; no shift
 std::vector<Move> fewer_bodies(const Scene& scene);  ///< halves, quarters, …, single bodies
 std::vector<Move> fewer_frames(const Scene& film);   ///< halves, quarters, …, single frames; two in one
@@ -44,6 +45,7 @@ struct Cost {
   std::size_t bodies = 0;
   std::size_t frames = 0;
   long pixels = 0;  ///< of a raster: columns, rows and the shift
+  std::size_t looks = 0;  ///< times and pushes of a flight
   std::size_t placements = 0;
   std::size_t parts = 0;
   std::size_t vertices = 0;  ///< a box has 8, a sphere 1

@@ -50,7 +50,7 @@ double rounded(double x, int bits) {
 
 std::vector<double*> all_numbers(Scene& scene) {
   std::vector<double*> all = lengths(scene);
-  for (const auto& more : {quaternion_components(scene), mass_numbers(scene), contact_numbers(scene)})
+  for (const auto& more : {quaternion_components(scene), mass_numbers(scene), motion_numbers(scene)})
     all.insert(all.end(), more.begin(), more.end());
   return all;
 }

@@ -85,11 +85,18 @@ std::optional<Scene> without_bodies(Scene scene, std::size_t from, std::size_t c
   if (from + count > scene.bodies.size() || count == scene.bodies.size()) return std::nullopt;
   const auto begin = scene.bodies.begin() + static_cast<std::ptrdiff_t>(from);
   scene.bodies.erase(begin, begin + static_cast<std::ptrdiff_t>(count));
-  for (Frame& frame : scene.frames) {
-    std::erase_if(frame, [=](const Placement& p) {
-      return static_cast<std::size_t>(p.body) >= from && static_cast<std::size_t>(p.body) < from + count;
+  const auto drop = [=](auto& about_bodies) {
+    std::erase_if(about_bodies, [=](const auto& one) {
+      return static_cast<std::size_t>(one.body) >= from && static_cast<std::size_t>(one.body) < from + count;
     });
-    for (Placement& p : frame) p.body -= static_cast<std::size_t>(p.body) < from ? 0 : static_cast<int>(count);
+    for (auto& one : about_bodies) one.body -= static_cast<std::size_t>(one.body) < from ? 0 : static_cast<int>(count);
+  };
+  for (Frame& frame : scene.frames) drop(frame);
+  if (scene.flight) {
+    drop(scene.flight->pushes);
+    std::vector<double>& since = scene.flight->since;
+    const auto first = since.begin() + static_cast<std::ptrdiff_t>(since.empty() ? 0 : from);
+    since.erase(first, first + static_cast<std::ptrdiff_t>(since.empty() ? 0 : count));
   }
   return scene;
 }

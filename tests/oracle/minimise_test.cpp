@@ -231,5 +231,39 @@ TEST_CASE("an impact comes down to plain numbers, its velocities with them") {
   CHECK(smallest.contact->p_WC == Vec3::Zero());
 }
 
+TEST_CASE("a flight comes down to the bodies, times and pushes that matter") {
+  int counter = 7;
+  Scene scene;
+  scene.gravity = Vec3(0, 0, -9.81);
+  scene.bodies.resize(4);
+  for (Body& body : scene.bodies) {
+    body.shape = Box{{1, 2, 3}};
+    body.X_WB = {{number(counter), number(counter), number(counter)}, {1, number(counter), 0, 1}};
+    body.velocity = {{number(counter), number(counter), number(counter)}, {number(counter), 0, number(counter)}};
+    body.material = {0.7, 0.3};
+  }
+  Flight& flight = scene.flight.emplace();
+  flight.times = {1, 1.7, 2.1, 3};
+  flight.since = {0, 0.1, 0.2, 0.3};
+  flight.envelope = 1e-7;
+  flight.law = Law::stronge;
+  flight.force_bound = 10;
+  flight.pushes = {{0.1, 1, {1, 2, 3}}, {0.2, 3, {1.5, 0, 0}}, {0.3, 2, {0, 1, 0}}};
+  const auto pushed = [](const Scene& s) {
+    return s.flight && s.flight->times.back() > 1.5 && std::ranges::any_of(s.flight->pushes, [&](const Push& push) {
+             return push.force_W.x() > 1.2 && s.bodies[static_cast<std::size_t>(push.body)].velocity.v_WBcm.x() != 0;
+           });
+  };
+  const Scene smallest = minimised(scene, pushed);
+  CHECK(smallest.bodies.size() == 1);
+  CHECK(smallest.gravity == Vec3::Zero());
+  REQUIRE(smallest.flight->times.size() == 1);
+  REQUIRE(smallest.flight->pushes.size() == 1);
+  CHECK(smallest.flight->since.empty());
+  CHECK(!smallest.flight->envelope);
+  CHECK(smallest.flight->law == Law::poisson);
+  CHECK(size_of(smallest).significant_bits_max <= 1);
+}
+
 }  // namespace
 }  // namespace touchstone::oracle
