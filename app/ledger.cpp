@@ -16,6 +16,10 @@ using oracle::Outcome;
 
 double excess(const oracle::Finding& finding) { return finding.error / (finding.allowed > 0 ? finding.allowed : 1); }
 
+bool has_size(const oracle::Finding& finding) { return !finding.unit.empty() && finding.allowed > 0; }
+
+bool closer(const Example& a, const Example& b) { return excess(a.finding) > excess(b.finding); }
+
 bool worse(const Example& a, const Example& b) {
   return std::pair(oracle::grade(a.finding), excess(a.finding)) >
          std::pair(oracle::grade(b.finding), excess(b.finding));
@@ -51,7 +55,7 @@ void keep(std::optional<Example>& kept, const Example& candidate, bool (*better)
 
 }  // namespace
 
-void Row::count(Example example) {
+void Row::count(const Example& example) {
   const Outcome outcome = example.finding.outcome;
   if (outcome == Outcome::outside) {
     ++outside;
@@ -66,6 +70,7 @@ void Row::count(Example example) {
   errors.count(example.finding);
   if (outcome == Outcome::holds) {
     ++holds;
+    if (has_size(example.finding)) keep(closest, example, closer);
     return;
   }
   ++(outcome == Outcome::fails ? fails : breaks);
@@ -87,6 +92,7 @@ void Row::merge(Row later) {
   if (why_abstains.empty()) why_abstains = later.why_abstains;
   errors.merge(later.errors);
   widen(largest_error, unit, later.largest_error, later.unit);
+  if (later.closest) keep(closest, *later.closest, closer);
   if (later.worst) keep(worst, *later.worst, worse);
   if (later.smallest) keep(smallest, *later.smallest, handier);
 }

@@ -42,6 +42,7 @@ struct Row {
   double largest_error = 0;                   ///< of what is wrong and has a size
   std::string unit;                           ///< of it; empty if nothing is
   ErrorHistogram errors;                      ///< of all that was answered
+  std::optional<Example> closest;             ///< of the right: the largest error beside what is allowed
   std::optional<Example> worst;               ///< the worst grade, then the largest error, then the first
   std::optional<Example> smallest;            ///< in usual units, the worst grade, the smallest: what is cut down
   std::optional<oracle::Case> smallest_case;  ///< after cutting down
@@ -49,7 +50,7 @@ struct Row {
   std::string case_file;                      ///< relative to the report's folder
 
   /// A finding of the next question.
-  void count(Example example);
+  void count(const Example& example);
   void merge(Row later);
   bool failing() const { return fails + breaks > 0; }
   long answered() const { return holds + fails + breaks; }

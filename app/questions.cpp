@@ -1,10 +1,13 @@
 #include "app/questions.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
+#include <utility>
 
 #include "properties/domain.h"
 #include "properties/extreme.h"
+#include "properties/stems.h"
 
 namespace touchstone::app {
 namespace {
@@ -12,10 +15,19 @@ namespace {
 using properties::Family;
 using properties::Property;
 
-bool any_property(const Property&) { return true; }
+/// Laws of impacts hold two answers against each other, each of which must be right by itself already.
+bool compares_two_impacts(const Property& property) {
+  static const std::vector<Property> laws = properties::impulse_law_properties();
+  return std::ranges::find(laws, property.id, &Property::id) != laws.end();
+}
+
+/// More impacts than cases are for the properties that need one answer.
+bool for_the_first_cases_all(std::size_t number, std::size_t cases, const Property& property) {
+  return number < cases || !compares_two_impacts(property);
+}
 
 /// No bound on rounding holds for an extreme scene; that the subject ends, makes sense and repeats itself does.
-bool asks_only_for_sense(const Property& property) {
+bool asks_only_for_sense(std::size_t, std::size_t, const Property& property) {
   return property.id.ends_with(".survives") || property.id.ends_with(".repeats");
 }
 
@@ -27,20 +39,9 @@ std::vector<const Family*> for_stem(const std::vector<Family>& families, const s
   return chosen;
 }
 
-/// Question k is draw k/F of family k mod F: each family gets its share whatever the count.
-void add_drawn(std::vector<Question>& questions, const std::vector<const Family*>& families, int count,
-               std::uint64_t seed, bool counts_for_classes, bool (*asked_under)(const Property&)) {
-  if (families.empty()) return;
-  for (int k = 0; k < count; ++k) {
-    const Family* family = families[static_cast<std::size_t>(k) % families.size()];
-    const std::uint64_t index = static_cast<std::size_t>(k) / families.size();
-    questions.push_back({family->id, index, [family, seed, index] { return draw(*family, seed, index); }, asked_under,
-                         counts_for_classes});
-  }
-}
-
-void add_meshes(std::vector<Question>& questions, const std::string& stem, const Effort& effort, std::uint64_t seed,
-                const MeshSet& set) {
+std::vector<Question> about_meshes(const std::string& stem, const Effort& effort, std::uint64_t seed,
+                                   const MeshSet& set) {
+  std::vector<Question> questions;
   const std::vector<MeshQuestion> asked = mesh_questions(stem, effort, set);
   std::map<std::string, std::size_t> place;  // of a law among the stem's
   for (const Property& property : properties::all()) {
@@ -56,21 +57,46 @@ void add_meshes(std::vector<Question>& questions, const std::string& stem, const
                          },
                          false});
   }
+  return questions;
 }
+
+std::size_t counted(int n) { return static_cast<std::size_t>(n); }
 
 }  // namespace
 
 bool compares_with_truth(const Property& property) {
-  return property.id.ends_with(".verdict") || property.id.ends_with(".value") || property.id.ends_with(".depth");
+  static constexpr std::array endings = {".agrees", ".verdict", ".value", ".depth"};
+  return std::ranges::any_of(endings, [&](const char* ending) { return property.id.ends_with(ending); });
 }
 
-std::vector<Question> questions(const std::string& stem, const Effort& effort, std::uint64_t seed, const MeshSet& set) {
-  std::vector<Question> all;
-  const int cases = stem == "impulse" ? std::min(effort.cases, effort.impacts) : effort.cases;
-  add_drawn(all, for_stem(properties::families(), stem), cases, seed, true, any_property);
-  add_drawn(all, for_stem(properties::extremes(), stem), effort.extreme_cases, seed, false, asks_only_for_sense);
-  add_meshes(all, stem, effort, seed, set);
-  return all;
+DrawnQuestions::DrawnQuestions(std::vector<const Family*> families, std::size_t cases, std::size_t more,
+                               std::uint64_t seed, bool counts_for_classes, AskedUnder asked_under)
+    : families_(std::move(families)),
+      cases_(cases),
+      more_(more),
+      seed_(seed),
+      counts_for_classes_(counts_for_classes),
+      asked_under_(asked_under) {}
+
+Question DrawnQuestions::operator[](std::size_t k) const {
+  const Family* family = families_[k % families_.size()];
+  const std::uint64_t index = k / families_.size();
+  return {family->id, index, [family, index, seed = seed_] { return draw(*family, seed, index); },
+          [k, cases = cases_, asked_under = asked_under_](const Property& p) { return asked_under(k, cases, p); },
+          counts_for_classes_};
+}
+
+Questions::Questions(const std::string& stem, const Effort& effort, std::uint64_t seed, const MeshSet& set)
+    : drawn_(for_stem(properties::families(), stem), counted(effort.cases),
+             stem == "impulse" ? counted(effort.more_impacts) : 0, seed, true, for_the_first_cases_all),
+      extreme_(for_stem(properties::extremes(), stem), counted(effort.extreme_cases), 0, seed, false,
+               asks_only_for_sense),
+      meshes_(about_meshes(stem, effort, seed, set)) {}
+
+Question Questions::operator[](std::size_t k) const {
+  if (k < drawn_.size()) return drawn_[k];
+  if (k < drawn_.size() + extreme_.size()) return extreme_[k - drawn_.size()];
+  return meshes_[k - drawn_.size() - extreme_.size()];
 }
 
 }  // namespace touchstone::app

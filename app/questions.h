@@ -9,6 +9,7 @@
 #include "app/effort.h"
 #include "app/meshes.h"
 #include "model/scene.h"
+#include "properties/domain.h"
 #include "properties/property.h"
 
 namespace touchstone::app {
@@ -24,7 +25,38 @@ struct Question {
 /// Is it a plain agreement of a number or verdict with the truth? Every pair of meshes is asked under these.
 bool compares_with_truth(const properties::Property& property);
 
-/// In a fixed order: the families in turn, then the extremes, then the meshes. `set` outlives the questions.
-std::vector<Question> questions(const std::string& stem, const Effort& effort, std::uint64_t seed, const MeshSet& set);
+/// Families in turn, made when they are asked for: there may be millions.
+class DrawnQuestions {
+ public:
+  using AskedUnder = bool (*)(std::size_t number, std::size_t cases, const properties::Property&);
+
+  /// Question k is draw k/F of family k mod F, of F families: each gets its share whatever the count.
+  DrawnQuestions(std::vector<const properties::Family*> families, std::size_t cases, std::size_t more,
+                 std::uint64_t seed, bool counts_for_classes, AskedUnder asked_under);
+
+  std::size_t size() const { return families_.empty() ? 0 : cases_ + more_; }
+  Question operator[](std::size_t k) const;
+
+ private:
+  std::vector<const properties::Family*> families_;
+  std::size_t cases_, more_;
+  std::uint64_t seed_;
+  bool counts_for_classes_;
+  AskedUnder asked_under_;
+};
+
+/// In a fixed order: the families in turn, then the extremes, then the meshes.
+class Questions {
+ public:
+  /// `set` outlives them.
+  Questions(const std::string& stem, const Effort& effort, std::uint64_t seed, const MeshSet& set);
+
+  std::size_t size() const { return drawn_.size() + extreme_.size() + meshes_.size(); }
+  Question operator[](std::size_t k) const;
+
+ private:
+  DrawnQuestions drawn_, extreme_;
+  std::vector<Question> meshes_;
+};
 
 }  // namespace touchstone::app

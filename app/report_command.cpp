@@ -6,11 +6,13 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <ranges>
 #include <set>
 #include <thread>
 
 #include "app/finding_words.h"
 #include "app/interruption.h"
+#include "app/questions.h"
 #include "app/report_html.h"
 #include "app/report_json.h"
 #include "app/report_junit.h"
@@ -52,9 +54,12 @@ Effort chosen_effort(const RunOptions& options, std::size_t subjects) {
   Effort effort = *std::ranges::find(efforts(), options.effort, &Effort::name);
   if (options.cases > 0) {
     effort.extreme_cases = std::max(1, effort.extreme_cases * options.cases / effort.cases);
-    effort.cases = effort.impacts = options.cases;
+    effort.cases = options.cases;
+    effort.more_impacts = 0;
   } else if (subjects == 1) {
     effort.cases = effort.cases_alone;
+  } else {
+    effort.more_impacts = 0;
   }
   return effort;
 }
@@ -133,6 +138,42 @@ void print_failing(const Ledger& ledger, const std::string& out) {
   }
 }
 
+/// Agreement with the truth first: what conserves something is held to bounds of its own.
+std::pair<bool, double> closeness(const Row& row) {
+  if (!row.closest) return {false, -1};
+  return {compares_with_truth(properties::find(row.property)),
+          row.closest->finding.error / row.closest->finding.allowed};
+}
+
+/// The right answer that came nearest to disagreeing with the truth, of each stem; its case is written, or printed.
+void print_closest(const Ledger& ledger, const std::string& out) {
+  for (const auto& [stem, scenes] : ledger.scenes) {
+    const auto of_stem = [&](const Row& row) { return properties::find(row.property).stem == stem; };
+    auto rows = ledger.rows | std::views::filter(of_stem);
+    const auto found = std::ranges::max_element(rows, {}, closeness);
+    if (found == rows.end() || !found->closest) continue;
+    const Row& row = *found;
+    const Example& closest = *row.closest;
+    const oracle::Finding& finding = closest.finding;
+    fmt::print("{}: {} scenes; the largest error beside what is allowed: {} {}, {:.3g} of {:.3g} {}: {} {}\n", stem,
+               scenes, row.subject, row.property, finding.error, finding.allowed, finding.unit, closest.family,
+               closest.index);
+    const auto place = static_cast<std::size_t>(std::ranges::find(ledger.subjects, row.subject, &oracle::Card::name) -
+                                                ledger.subjects.begin());
+    const oracle::Case as_case{row.property,   ledger.connectables[place],
+                               closest.family, ledger.seed,
+                               closest.index,  closest.scene,
+                               finding,        ""};
+    if (out.empty()) {
+      fmt::print("    {}\n", oracle::json_of(as_case).dump());
+    } else {
+      const std::string file = (fs::path(out) / "cases" / (stem + ".closest.json")).string();
+      oracle::write_case(as_case, file);
+      fmt::print("    touchstone replay {}\n", file);
+    }
+  }
+}
+
 void print_summary(const Ledger& ledger) {
   for (const oracle::Card& card : ledger.subjects) {
     long holds = 0;
@@ -174,6 +215,7 @@ int check(const RunOptions& options) {
   if (!options.out.empty()) write_report(options.out, ledger);
   write_extras(options, ledger);
   print_failing(ledger, options.out);
+  if (ledger.subjects.size() == 1) print_closest(ledger, options.out);
   print_summary(ledger);
   if (ledger.interrupted) return interrupted_exit_code;
   return failing_rows(ledger) > 0 ? 1 : 0;

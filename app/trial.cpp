@@ -1,7 +1,9 @@
 #include "app/trial.h"
 
 #include <algorithm>
+#include <map>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <set>
 #include <stdexcept>
@@ -35,7 +37,7 @@ struct Unit {
 struct Stem {
   std::string name;
   std::vector<const Property*> properties;
-  std::vector<Question> questions;
+  Questions questions;
 };
 
 /// What one unit found: rows of its stem, property by property.
@@ -57,7 +59,7 @@ std::vector<Stem> stems(const TrialPlan& plan, const MeshSet& meshes) {
   for (const Property& property : properties::all()) {
     if (std::ranges::find(plan.properties, property.id) == plan.properties.end()) continue;
     if (all.empty() || all.back().name != property.stem) {
-      all.push_back({property.stem, {}, questions(property.stem, plan.effort, plan.seed, meshes)});
+      all.push_back({property.stem, {}, Questions(property.stem, plan.effort, plan.seed, meshes)});
     }
     all.back().properties.push_back(&property);
   }
@@ -83,25 +85,31 @@ oracle::Finding checked(const Question& question, const Scene& scene, const Prop
                          std::to_string(question.index) + ": " + error.what());
 }
 
-void ask(const Question& question, const Scene& scene, const Property& property, oracle::Subject& subject, int& hangs,
-         Row& row) {
+void ask(const Question& question, const Property& property, oracle::Subject& subject, int& hangs, Row& row,
+         Example& example) {
   if (hangs >= patience) {
     ++row.not_asked;
     return;
   }
-  Example example{question.family, question.index, scene, checked(question, scene, property, subject)};
+  example.finding = checked(question, example.scene, property, subject);
   if (example.finding.defect == oracle::Defect::hung) ++hangs;
-  row.count(std::move(example));
+  row.count(example);
+}
+
+UnitResult nothing_of(const Stem& stem, std::size_t subjects) {
+  UnitResult result;
+  result.rows.resize(stem.properties.size() * subjects);
+  return result;
 }
 
 UnitResult run_unit(const Stem& stem, const Unit& unit, const Subjects& subjects) {
-  UnitResult result;
-  result.rows.resize(stem.properties.size() * subjects.size());
+  UnitResult result = nothing_of(stem, subjects.size());
   for (const auto& subject : subjects) start_afresh(*subject);
   std::vector<int> hangs(subjects.size());
   for (std::size_t q = unit.begin; q < unit.end && !interrupted(); ++q) {
-    const Question& question = stem.questions[q];
-    const Scene scene = question.scene();
+    const Question question = stem.questions[q];
+    Example example{question.family, question.index, question.scene(), {}};
+    const Scene& scene = example.scene;
     ++result.scenes;
     if (question.family.starts_with("mesh.")) ++result.mesh_scenes[question.family];
     if (question.counts_for_classes) {
@@ -110,7 +118,7 @@ UnitResult run_unit(const Stem& stem, const Unit& unit, const Subjects& subjects
     for (std::size_t s = 0; s < subjects.size(); ++s) {
       for (std::size_t p = 0; p < stem.properties.size(); ++p) {
         if (!question.asked_under(*stem.properties[p])) continue;
-        ask(question, scene, *stem.properties[p], *subjects[s], hangs[s], result.rows[p * subjects.size() + s]);
+        ask(question, *stem.properties[p], *subjects[s], hangs[s], result.rows[p * subjects.size() + s], example);
       }
     }
   }
@@ -159,6 +167,36 @@ void enter(Ledger& ledger, const Stem& stem, std::size_t first_row, UnitResult r
   ledger.scenes[stem.name] += result.scenes;
 }
 
+/// Enters units in their order, whichever ends first: the ledger does not depend on the threads, and no more of them
+/// wait than are at work.
+class Entry {
+ public:
+  Entry(Ledger& ledger, const std::vector<Stem>& stems, const std::vector<Unit>& units, std::size_t subjects)
+      : ledger_(ledger), stems_(stems), units_(units), first_row_(stems.size()) {
+    for (std::size_t s = 1; s < stems.size(); ++s) {
+      first_row_[s] = first_row_[s - 1] + stems[s - 1].properties.size() * subjects;
+    }
+  }
+
+  void add(std::size_t unit, UnitResult result) {
+    const std::lock_guard lock(mutex_);
+    waiting_.emplace(unit, std::move(result));
+    for (auto it = waiting_.begin(); it != waiting_.end() && it->first == next_; it = waiting_.erase(it), ++next_) {
+      const std::size_t stem = units_[next_].stem;
+      enter(ledger_, stems_[stem], first_row_[stem], std::move(it->second));
+    }
+  }
+
+ private:
+  Ledger& ledger_;
+  const std::vector<Stem>& stems_;
+  const std::vector<Unit>& units_;
+  std::vector<std::size_t> first_row_;
+  std::mutex mutex_;
+  std::map<std::size_t, UnitResult> waiting_;
+  std::size_t next_ = 0;
+};
+
 void name_empty_classes(Ledger& ledger, const std::vector<Stem>& stems) {
   for (const Stem& stem : stems) {
     for (const properties::Class& wanted : properties::classes(stem.name)) {
@@ -177,21 +215,14 @@ Ledger run(const TrialPlan& plan, const MeshSet& meshes) {
   for (int job = 0; job < plan.jobs; ++job) crews.push_back(connect_all(plan));
   Ledger ledger = opened(plan, meshes, crews[0], all_stems);
 
-  std::vector<UnitResult> results(all_units.size());
   {
+    Entry entry(ledger, all_stems, all_units, crews[0].size());
     Progress progress("asking", static_cast<int>(all_units.size()));
     in_parallel(all_units.size(), plan.jobs, [&](std::size_t u, std::size_t job) {
-      const Unit& unit = all_units[u];
-      if (!interrupted()) results[u] = run_unit(all_stems[unit.stem], unit, crews[job]);
-      progress.step(all_stems[unit.stem].name);
+      const Stem& stem = all_stems[all_units[u].stem];
+      entry.add(u, interrupted() ? nothing_of(stem, crews[job].size()) : run_unit(stem, all_units[u], crews[job]));
+      progress.step(stem.name);
     });
-  }
-  std::vector<std::size_t> first_row(all_stems.size());
-  for (std::size_t s = 1; s < all_stems.size(); ++s) {
-    first_row[s] = first_row[s - 1] + all_stems[s - 1].properties.size() * crews[0].size();
-  }
-  for (std::size_t u = 0; u < all_units.size(); ++u) {
-    enter(ledger, all_stems[all_units[u].stem], first_row[all_units[u].stem], std::move(results[u]));
   }
   name_empty_classes(ledger, all_stems);
   cut_down(ledger, crews, plan.effort.minimise_budget);
