@@ -1,0 +1,55 @@
+// One body of the time-stepper: its state, and how it moves on when its velocities are known.
+#pragma once
+
+#include "fast/lin_canny/solid.h"
+#include "model/answers.h"
+#include "model/scene.h"
+
+namespace touchstone::fast::constraint {
+
+/// A velocity of the centre (of a fixed body: of its origin) and a spin, in W.
+struct Twist {
+  Vec3 v = Vec3::Zero();
+  Vec3 w = Vec3::Zero();
+};
+
+class Mover {
+ public:
+  /// Throws InputError for a compound.
+  Mover(const Body& body, const std::string& place);
+
+  bool is_fixed() const { return inverse_mass_ == 0; }
+  double inverse_mass() const { return inverse_mass_; }
+  double mass() const { return 1 / inverse_mass_; }
+  const Mat3& inverse_inertia() const { return inverse_inertia_W_; }  ///< in W; 0 if fixed
+  const Vec3& centre() const { return centre_; }
+  const Twist& twist() const { return twist_; }
+  const lin_canny::Convex& convex() const { return solid_.parts().front(); }
+  const Mat3& R_WB() const { return R_WB_; }
+  Pose pose() const;
+  State state() const { return {pose(), {twist_.v, twist_.w}}; }
+  double reach() const { return reach_; }  ///< no point of the body is farther from the centre
+
+  /// Takes on the twist for the next h. A body that was touched moves with it, and with `shift` besides; one that was
+  /// not moves with the mean of the old and the new velocity: on its parabola, exactly. A body that is not the same all
+  /// round turns with the spin that its angular momentum gives it half-way: L is kept, the energy to second order.
+  void advance(double h, const Twist& twist, bool touched, const Twist& shift);
+
+ private:
+  void turn(const Vec3& angle);
+  void refresh();
+
+  lin_canny::Solid solid_;
+  bool round_ = true;  ///< the inertia is a multiple of 1
+  double inverse_mass_ = 0;
+  double reach_ = 0;
+  Vec3 p_BBcm_ = Vec3::Zero();
+  Mat3 inertia_B_ = Mat3::Zero(), inverse_inertia_B_ = Mat3::Zero();
+  Vec3 centre_;
+  Quaternion q_WB_;
+  Twist twist_;
+  Mat3 R_WB_;
+  Mat3 inverse_inertia_W_ = Mat3::Zero();
+};
+
+}  // namespace touchstone::fast::constraint

@@ -1,0 +1,103 @@
+#include "fast/constraint/solve.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "fast/constraint/active_set.h"
+
+namespace touchstone::fast::constraint {
+namespace {
+
+constexpr double settled = 0x1p-45;
+constexpr int sweeps_to_a_jump = 32;
+constexpr std::size_t most_that_jump = 64;  // contacts: the jump costs their cube
+
+std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+Mat3 cross_matrix(const Vec3& r) {
+  Mat3 M;
+  M << 0, -r.z(), r.y(), r.z(), 0, -r.x(), -r.y(), r.x(), 0;
+  return M;
+}
+
+Mat3 mobility(const Mover& body, const Vec3& arm) {
+  const Mat3 r = cross_matrix(arm);
+  return body.inverse_mass() * Mat3::Identity() - r * body.inverse_inertia() * r;
+}
+
+/// One contact, the others as they are. How much a velocity at the contact changed.
+double relax(Touch& touch, const std::vector<Mover>& movers, std::vector<Twist>& twists) {
+  const Vec3 before = touch.P;
+  const double P_n = touch.n.dot(touch.P);
+  const double u_n = touch.n.dot(relative_velocity(touch, twists));
+  const double pushed = std::max(0.0, P_n + (touch.least_u_n - u_n) / touch.K_nn);
+  touch.P += (pushed - P_n) * touch.n;
+  push(touch, touch.P - before, movers, twists);
+  if (touch.friction > 0) {
+    const Vec3 with_normal = touch.P;
+    const Vec3 u = relative_velocity(touch, twists);
+    Vec3 P_t = (touch.P - pushed * touch.n) - (u - touch.n.dot(u) * touch.n) / touch.K_tt;
+    const double size = P_t.norm(), most = touch.friction * pushed;
+    if (size > most) P_t *= most / size;
+    touch.P = pushed * touch.n + P_t;
+    push(touch, touch.P - with_normal, movers, twists);
+  }
+  return (touch.P - before).norm() * std::max(touch.K_nn, touch.K_tt);
+}
+
+double sweep(std::vector<Touch>& touches, const std::vector<Mover>& movers, std::vector<Twist>& twists) {
+  double change = 0;
+  for (Touch& touch : touches) change = std::max(change, relax(touch, movers, twists));
+  return change;
+}
+
+/// `change`: of the sweep before.
+void try_jump(std::vector<Touch>& touches, const std::vector<Mover>& movers, std::vector<Twist>& twists,
+              double change) {
+  const std::vector<Touch> touches_before = touches;
+  const std::vector<Twist> twists_before = twists;
+  jump(touches, movers, twists);
+  if (sweep(touches, movers, twists) < change) return;
+  touches = touches_before;
+  twists = twists_before;
+}
+
+}  // namespace
+
+void prepare(Touch& touch, const std::vector<Mover>& movers) {
+  const Mat3 K = mobility(movers[index(touch.a)], touch.arm_A) + mobility(movers[index(touch.b)], touch.arm_B);
+  const Vec3 t = touch.n.unitOrthogonal(), s = touch.n.cross(t);
+  touch.K_nn = touch.n.dot(K * touch.n);
+  const double tt = t.dot(K * t), ss = s.dot(K * s), ts = t.dot(K * s), half = (tt - ss) / 2;
+  touch.K_tt = (tt + ss) / 2 + std::sqrt(half * half + ts * ts);
+}
+
+void push(const Touch& touch, const Vec3& P, const std::vector<Mover>& movers, std::vector<Twist>& twists) {
+  const Mover &A = movers[index(touch.a)], &B = movers[index(touch.b)];
+  Twist &of_A = twists[index(touch.a)], &of_B = twists[index(touch.b)];
+  of_A.v += A.inverse_mass() * P;
+  of_A.w += A.inverse_inertia() * touch.arm_A.cross(P);
+  of_B.v -= B.inverse_mass() * P;
+  of_B.w -= B.inverse_inertia() * touch.arm_B.cross(P);
+}
+
+Vec3 relative_velocity(const Touch& touch, const std::vector<Twist>& twists) {
+  const Twist &A = twists[index(touch.a)], &B = twists[index(touch.b)];
+  return A.v + A.w.cross(touch.arm_A) - B.v - B.w.cross(touch.arm_B);
+}
+
+void solve(std::vector<Touch>& touches, const std::vector<Mover>& movers, std::vector<Twist>& twists, int sweeps) {
+  double fastest = 0;
+  for (Touch& touch : touches) {
+    fastest = std::max({fastest, relative_velocity(touch, twists).norm(), std::abs(touch.least_u_n)});
+    push(touch, touch.P, movers, twists);
+  }
+  for (int i = 1; i <= sweeps; ++i) {
+    const double change = sweep(touches, movers, twists);
+    if (change <= settled * fastest) return;
+    if (i % sweeps_to_a_jump == 0 && touches.size() <= most_that_jump) try_jump(touches, movers, twists, change);
+  }
+}
+
+}  // namespace touchstone::fast::constraint

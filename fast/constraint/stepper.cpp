@@ -1,0 +1,229 @@
+#include "fast/constraint/stepper.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "fast/broad_phase/sweep_and_prune.h"
+#include "model/input_error.h"
+#include "model/limits.h"
+
+namespace touchstone::fast::constraint {
+namespace {
+
+constexpr double slip_counts = 0x1p-10;  // of the velocity that weight adds in a step; less is the solver's
+
+std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+std::vector<Mover> movers_of(const Scene& scene) {
+  std::vector<Mover> movers;
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    movers.emplace_back(scene.bodies[i], "bodies[" + std::to_string(i) + "]");
+  }
+  return movers;
+}
+
+}  // namespace
+
+Stepper::Stepper(const Scene& scene, double longest_step, int sweeps)
+    : scene_(scene),
+      sweeps_(sweeps),
+      skin_(envelope(scene) / 2),
+      movers_(movers_of(scene)),
+      collider_(std::make_unique<SweepAndPrune>(),
+                2 * (skin_ + 2 * longest_step * greatest_speed(scene.flight->times.back()))) {
+  for (std::size_t i = 0; i < movers_.size(); ++i) {
+    collider_.insert(static_cast<BodyId>(i), scene.bodies[i].shape, movers_[i].pose());
+  }
+  collider_.update();
+  for (const NearPair& near : collider_.pairs()) {
+    const Mover &A = movers_[near.bodies.a], &B = movers_[near.bodies.b];
+    if (near.nearest.proximity.verdict == Verdict::overlapping && !(A.is_fixed() && B.is_fixed())) {
+      throw InputError("bodies[" + std::to_string(near.bodies.b) + "]",
+                       "overlaps bodies[" + std::to_string(near.bodies.a) + "] at the start");
+    }
+  }
+}
+
+/// No point of a body is faster, unless forces or impacts give it energy from elsewhere; then contacts are seen late.
+double Stepper::greatest_speed(double duration) const {
+  double greatest = 0, push = 0;
+  for (const Mover& body : movers_) {
+    greatest = std::max(greatest, body.twist().v.norm() + body.reach() * body.twist().w.norm());
+    push = std::max(push, scene_.flight->force_bound * body.inverse_mass());
+  }
+  return 2 * greatest + duration * (scene_.gravity.norm() + push);
+}
+
+/// How far a point of the body may come in a step, about.
+double Stepper::span(const Mover& body, double h) const {
+  const double speed = body.twist().v.norm() + body.reach() * body.twist().w.norm();
+  const double pull = body.is_fixed() ? 0 : scene_.gravity.norm() + scene_.flight->force_bound * body.inverse_mass();
+  return h * (speed + h * pull);
+}
+
+void Stepper::meet(const NearPair& near, double h) {
+  const int a = static_cast<int>(near.bodies.a), b = static_cast<int>(near.bodies.b);
+  const Mover &A = movers_[index(a)], &B = movers_[index(b)];
+  if (A.is_fixed() && B.is_fixed()) return;
+  const double reach = skin_ + span(A, h) + span(B, h);
+  const lin_canny::Proximity& proximity = near.nearest.proximity;
+  if (proximity.distance > reach) return;
+  Pair& pair = pairs_[{a, b}];
+  const Manifold found = manifold(A, B, proximity, pair.nhat_BA_W);
+  pair.seen = true;
+  pair.nhat_BA_W = found.nhat_BA_W;
+  const Material &of_A = scene_.bodies[index(a)].material, &of_B = scene_.bodies[index(b)].material;
+  Met met{&pair, touches_.size(), 0, a, b};
+  for (const ContactPoint& point : found.points) {
+    if (point.gap > reach) continue;
+    Touch touch;
+    touch.a = a;
+    touch.b = b;
+    touch.n = found.nhat_BA_W;
+    touch.arm_A = point.p_WC - A.centre();
+    touch.arm_B = point.p_WC - B.centre();
+    touch.friction = std::min(of_A.friction, of_B.friction);
+    touch.least_u_n = -std::max(point.gap - skin_, 0.0) / h;
+    prepare(touch, movers_);
+    touches_.push_back(touch);
+    points_.push_back(point);
+  }
+  met.count = touches_.size() - met.first;
+  // The guess: as in the last step, if the points may be the same.
+  for (std::size_t i = 0; i < met.count && pair.P.size() == met.count; ++i) touches_[met.first + i].P = pair.P[i];
+  met_.push_back(met);
+}
+
+void Stepper::meet(double h) {
+  touches_.clear();
+  points_.clear();
+  met_.clear();
+  for (auto& [bodies, pair] : pairs_) pair.seen = false;
+  for (const NearPair& near : collider_.pairs()) meet(near, h);
+}
+
+std::vector<Twist> Stepper::free_twists(double time, double h) const {
+  std::vector<Twist> twists;
+  for (const Mover& body : movers_) {
+    twists.push_back(body.twist());
+    if (!body.is_fixed()) twists.back().v += h * scene_.gravity;
+  }
+  std::vector<Vec3> force(movers_.size(), Vec3::Zero());
+  for (const Push& push : scene_.flight->pushes) {
+    if (push.time <= time) force[index(push.body)] = push.force_W;
+  }
+  for (std::size_t i = 0; i < movers_.size(); ++i) twists[i].v += h * movers_[i].inverse_mass() * force[i];
+  return twists;
+}
+
+/// Once without restitution, to learn who is hit; then, if somebody is, with it.
+void Stepper::push(std::vector<Twist>& twists) {
+  const std::vector<Twist> free = twists;
+  solve(touches_, movers_, twists, sweeps_);
+  bool bounces = false;
+  for (std::size_t i = 0; i < touches_.size(); ++i) {
+    Touch& touch = touches_[i];
+    const double e = std::min(scene_.bodies[index(touch.a)].material.restitution,
+                              scene_.bodies[index(touch.b)].material.restitution);
+    const double parting = -e * u_n_[i];
+    if (touch.P.isZero(0) || !(parting > 0)) continue;
+    touch.least_u_n = std::max(touch.least_u_n, parting);
+    bounces = true;
+  }
+  if (!bounces) return;
+  twists = free;
+  solve(touches_, movers_, twists, sweeps_);
+}
+
+/// Moves apart what is nearer than half the skin, without a velocity: the step's shift.
+std::vector<Twist> Stepper::apart(double h) {
+  std::vector<Twist> shift(movers_.size());
+  std::vector<Touch> near;
+  for (std::size_t i = 0; i < touches_.size(); ++i) {
+    if (points_[i].gap > skin_ / 2) continue;
+    near.push_back(touches_[i]);
+    near.back().friction = 0;
+    near.back().P.setZero();
+    near.back().least_u_n = (skin_ - points_[i].gap) / h;
+  }
+  if (!near.empty()) solve(near, movers_, shift, sweeps_);
+  return shift;
+}
+
+PairStep Stepper::told(const Met& met, double slow) const {
+  PairStep step;
+  step.nhat_BA_W = *met.pair->nhat_BA_W;
+  double weight = 0;
+  for (std::size_t i = met.first; i < met.first + met.count; ++i) {
+    const Touch& touch = touches_[i];
+    const double P_n = touch.n.dot(touch.P);
+    if (!(P_n > 0)) continue;
+    step.P_A_W += touch.P;
+    step.p_WC += P_n * points_[i].p_WC;
+    weight += P_n;
+    step.approach = std::max(step.approach, -u_n_[i]);
+    step.slips = step.slips || slip_[i] > slow;
+  }
+  if (weight > 0) step.p_WC /= weight;
+  return step;
+}
+
+void Stepper::tell(double h, double until) {
+  const double weight = h * scene_.gravity.norm();
+  const auto tell = [&](int a, int b, PairWatch& watch, const PairStep& step) {
+    const auto kind = watch.see(step, weight);
+    if (!kind) return;
+    events_.push_back({*kind, until, a, b, step.p_WC, step.nhat_BA_W, step.P_A_W, movers_[index(a)].state(),
+                       movers_[index(b)].state()});
+  };
+  for (const Met& met : met_) {
+    met.pair->P.clear();
+    for (std::size_t i = 0; i < met.count; ++i) met.pair->P.push_back(touches_[met.first + i].P);
+    tell(met.a, met.b, met.pair->watch, told(met, slip_counts * weight));
+  }
+  for (auto it = pairs_.begin(); it != pairs_.end();) {
+    if (it->second.seen) {
+      ++it;
+      continue;
+    }
+    PairStep parted;
+    parted.nhat_BA_W = *it->second.nhat_BA_W;
+    tell(it->first.first, it->first.second, it->second.watch, parted);
+    it = pairs_.erase(it);
+  }
+}
+
+void Stepper::step(double time, double h, double until) {
+  collider_.update();
+  meet(h);
+  std::vector<Twist> now, twists = free_twists(time, h);
+  for (const Mover& body : movers_) now.push_back(body.twist());
+  u_n_.clear();
+  for (const Touch& touch : touches_) u_n_.push_back(touch.n.dot(relative_velocity(touch, now)));
+  push(twists);
+  const std::vector<Twist> shift = apart(h);
+  slip_.clear();
+  for (const Touch& touch : touches_) {
+    const Vec3 u = relative_velocity(touch, twists);
+    slip_.push_back((u - touch.n.dot(u) * touch.n).norm());
+  }
+  std::vector<bool> touched(movers_.size(), false);
+  for (const Touch& touch : touches_) {
+    if (!touch.P.isZero(0)) touched[index(touch.a)] = touched[index(touch.b)] = true;
+  }
+  for (std::size_t i = 0; i < movers_.size(); ++i) {
+    movers_[i].advance(h, twists[i], touched[i], shift[i]);
+    collider_.move(static_cast<BodyId>(i), movers_[i].pose());
+  }
+  tell(h, until);
+}
+
+std::vector<State> Stepper::states() const {
+  std::vector<State> states;
+  for (const Mover& body : movers_) states.push_back(body.state());
+  return states;
+}
+
+}  // namespace touchstone::fast::constraint

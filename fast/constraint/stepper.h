@@ -1,0 +1,65 @@
+// The steps themselves: who is near, what pushes, where all go.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "fast/collider.h"
+#include "fast/constraint.h"
+#include "fast/constraint/manifold.h"
+#include "fast/constraint/pair_watch.h"
+#include "fast/constraint/solve.h"
+
+namespace touchstone::fast::constraint {
+
+class Stepper {
+ public:
+  Stepper(const Scene& scene, double longest_step, int sweeps);
+
+  /// From `time` by h; events are told at the end of the step, `until`.
+  void step(double time, double h, double until);
+
+  std::vector<State> states() const;
+  std::vector<Event>& events() { return events_; }
+
+ private:
+  /// What is kept of a pair that is near.
+  struct Pair {
+    std::optional<Vec3> nhat_BA_W;
+    std::vector<Vec3> P;  ///< of its points in the last step
+    PairWatch watch;
+    bool seen = false;  ///< in this step
+  };
+  struct Met {
+    Pair* pair = nullptr;
+    std::size_t first = 0, count = 0;  ///< its touches
+    int a = 0, b = 0;
+  };
+
+  double greatest_speed(double duration) const;
+  double span(const Mover& body, double h) const;
+  void meet(double h);
+  void meet(const NearPair& near, double h);
+  std::vector<Twist> free_twists(double time, double h) const;
+  void push(std::vector<Twist>& twists);
+  std::vector<Twist> apart(double h);
+  void tell(double h, double until);
+  PairStep told(const Met& met, double slow) const;
+
+  const Scene& scene_;
+  int sweeps_;
+  double skin_;  ///< bodies rest this far apart
+  std::vector<Mover> movers_;
+  Collider collider_;
+  std::map<std::pair<int, int>, Pair> pairs_;
+  std::vector<Met> met_;
+  std::vector<Touch> touches_;
+  std::vector<ContactPoint> points_;  ///< of the touches
+  std::vector<double> u_n_;           ///< of the touches, before the step
+  std::vector<double> slip_;          ///< of the touches, after it
+  std::vector<Event> events_;
+};
+
+}  // namespace touchstone::fast::constraint

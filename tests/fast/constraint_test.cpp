@@ -1,0 +1,102 @@
+// The time-stepper against the exact ball, and against what the textbooks say of blocks and stacks.
+#include "fast/constraint.h"
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include "model/input_error.h"
+#include "reference/constraint.h"
+#include "tests/catch.h"
+
+namespace touchstone {
+namespace {
+
+constexpr double g = 9.75;
+
+Body table(const Vec3& half_extents, const Vec3& place, const Material& material) {
+  return {"table", Box{half_extents}, {place, {}}, {}, material, Fixed{}};
+}
+
+Scene ball_on_table(const Vec3& v, const Vec3& w, double until) {
+  Scene scene;
+  scene.gravity = Vec3(0, 0, -g);
+  scene.bodies = {{"ball", Sphere{0.25}, {Vec3(0, 0, 0.25), {}}, {v, w}, {1, 1}, Density{}},
+                  table(Vec3(2, 2, 1), Vec3(0, 0, -1), {0, 0.125}),
+                  table(Vec3(50, 50, 1), Vec3(0, 0, -4), {0, 1})};
+  scene.flight = Flight{.times = {until}};
+  return scene;
+}
+
+double off(const Trajectory& said, const reference::ConstraintTruth& truth) {
+  const Vec3& p = said.states.back()[0].X_WB.p_WB;
+  double worst = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    worst = std::max(worst, std::abs(p[static_cast<Eigen::Index>(i)] - truth.states.back().p_WB[i].lo));
+  }
+  return worst;
+}
+
+TEST_CASE("constraint: the error goes with the step") {
+  for (const auto& [v, w, until] :
+       {std::tuple(Vec3(1, 0, 0), Vec3(0, 0, 0), 1.0), std::tuple(Vec3(1, 0.5, 0), Vec3(-8, 3, 3), 1.0),
+        std::tuple(Vec3(3.5, 0, 0), Vec3(0, 14, 0), 2.0)}) {
+    const Scene scene = ball_on_table(v, w, until);
+    const reference::ConstraintTruth truth = reference::constraint(scene);
+    const double coarse = off(fast::constrained(scene, {.step = until / 250}), truth);
+    const double fine = off(fast::constrained(scene, {.step = until / 4000}), truth);
+    CHECK(coarse < 0.03);
+    CHECK(fine < coarse / 8);
+  }
+}
+
+// A cube on a slope of atan(3/4), one of whose edges is level.
+Scene cube_on_slope(double mu) {
+  Scene scene;
+  scene.gravity = Vec3(0, 0, -g);
+  const Quaternion tilt{3, 0, -1, 0};
+  scene.bodies = {{"cube", Box{Vec3(0.5, 0.5, 0.5)}, {1.5 * Vec3(-0.6, 0, 0.8), tilt}, {}, {0, mu}, Density{}},
+                  {"slope", Box{Vec3(8, 8, 1)}, {Vec3::Zero(), tilt}, {}, {0, 10}, Fixed{}}};
+  scene.bodies[0].X_WB.p_WB *= 1 + 0x1p-40;
+  scene.flight = Flight{.times = {1.0}};
+  return scene;
+}
+
+TEST_CASE("constraint: a block stays on a slope that its friction holds, and slides on one that it does not") {
+  const Vec3 down(-0.8, 0, -0.6);
+  for (const double mu : {0.0, 0.5, 0.74, 0.76, 1.0}) {
+    const Scene scene = cube_on_slope(mu);
+    const Trajectory said = fast::constrained(scene, {.step = 1.0 / 1024});
+    const State& end = said.states.back()[0];
+    const double went = (end.X_WB.p_WB - scene.bodies[0].X_WB.p_WB).dot(down);
+    const double expected = std::max(0.0, g * (0.6 - mu * 0.8) / 2);
+    CHECK(std::abs(went - expected) < 0.01);
+    if (mu > 0.75) CHECK(std::abs(went) < 1e-8);
+    CHECK(end.velocity.w_WB.norm() < 1e-6);
+  }
+}
+
+TEST_CASE("constraint: stacks stand, also with a hundredfold mass on top") {
+  for (const double heavy : {1.0, 100.0}) {
+    Scene scene;
+    scene.gravity = Vec3(0, 0, -g);
+    scene.bodies = {table(Vec3(4, 4, 1), Vec3(0, 0, -1), {0, 0.5})};
+    for (int i = 0; i < 3; ++i) {
+      scene.bodies.push_back({"box",
+                              Box{Vec3(0.5, 0.5, 0.25)},
+                              {Vec3(0.0625 * i, 0, 0.25 + 0.5 * i), {}},
+                              {},
+                              {0, 0.5},
+                              Density{i == 2 ? heavy : 1.0}});
+    }
+    scene.flight = Flight{.times = {2.0}};
+    const Trajectory said = fast::constrained(scene, {.step = 1.0 / 512});
+    for (std::size_t i = 1; i < scene.bodies.size(); ++i) {
+      const Vec3 went = said.states.back()[i].X_WB.p_WB - scene.bodies[i].X_WB.p_WB;
+      CHECK(went.norm() < 1e-6);
+    }
+    CHECK(said.events->size() <= 12);
+  }
+}
+
+}  // namespace
+}  // namespace touchstone
