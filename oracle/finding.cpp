@@ -52,6 +52,14 @@ std::string name_of(Defect defect) {
       return "wrong_momentum";
     case Defect::wrong_energy:
       return "wrong_energy";
+    case Defect::too_early:
+      return "too_early";
+    case Defect::too_late:
+      return "too_late";
+    case Defect::wrong_motion:
+      return "wrong_motion";
+    case Defect::drifts:
+      return "drifts";
     case Defect::pulls:
       return "pulls";
     case Defect::beyond_cone:

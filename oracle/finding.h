@@ -34,6 +34,10 @@ enum class Defect {
   wrong_velocity,    ///< velocities after an impact
   wrong_momentum,    ///< momentum made or lost, or a moment that no force at the contact has
   wrong_energy,      ///< more energy gained or lost than an impact can
+  too_early,         ///< a meeting before the truth's
+  too_late,          ///< a meeting after the truth's
+  wrong_motion,      ///< a body is not where its flight brings it
+  drifts,            ///< a body at rest moves
   pulls,             ///< an impulse that pulls the bodies together
   beyond_cone,       ///< more friction than mu allows
   broken_enclosure,  ///< claimed interval does not hold the truth

@@ -20,7 +20,15 @@ Matrix rotation(const Quaternion& q) {
   return Eigen::Quaternion<Real>(q.w, q.x, q.y, q.z).normalized().toRotationMatrix();
 }
 
-Struck struck(const Body& body, const std::optional<reference::MassTruth>& mass, const Vec3& p_WC) {
+Point at_contact(const Point& v_WBcm, const Point& w_WB, const Struck& body) {
+  return v_WBcm + w_WB.cross(body.p_BcmC_W);
+}
+
+}  // namespace
+
+Struck struck(const Scene& scene, std::size_t index, const Vec3& p_WC) {
+  const Body& body = scene.bodies[index];
+  const std::optional<reference::MassTruth>& mass = truth::mass(scene)[index];
   Struck it;
   it.v_WBcm = body.velocity.v_WBcm.cast<Real>();
   it.w_WB = body.velocity.w_WB.cast<Real>();
@@ -29,19 +37,14 @@ Struck struck(const Body& body, const std::optional<reference::MassTruth>& mass,
   if (it.fixed) return it;
   it.R_WB = rotation(body.X_WB.q_WB);
   it.mass = middle(mass->mass);
-  it.p_BcmC_W -= it.R_WB * Point(middle(mass->p_BBcm[0]), middle(mass->p_BBcm[1]), middle(mass->p_BBcm[2]));
+  it.p_BBcm = Point(middle(mass->p_BBcm[0]), middle(mass->p_BBcm[1]), middle(mass->p_BBcm[2]));
+  it.p_BcmC_W -= it.R_WB * it.p_BBcm;
   const auto I = [&](std::size_t i) { return middle(mass->I_BBcm_B[i]); };
   it.I_B << I(0), I(3), I(4), I(3), I(1), I(5), I(4), I(5), I(2);
   it.I_inverse_B = it.I_B.inverse();
   it.moments = Eigen::SelfAdjointEigenSolver<Matrix>(it.I_B, Eigen::EigenvaluesOnly).eigenvalues();
   return it;
 }
-
-Point at_contact(const Point& v_WBcm, const Point& w_WB, const Struck& body) {
-  return v_WBcm + w_WB.cross(body.p_BcmC_W);
-}
-
-}  // namespace
 
 Real Impact::energy_norm(const Point& du) const { return std::sqrt(std::max<Real>(0, du.dot(K_inverse * du))); }
 
@@ -64,11 +67,10 @@ Point Impact::u_after(const std::array<Velocity, 2>& after) const {
 }
 
 Impact impact(const Scene& scene) {
-  const auto& masses = truth::mass(scene);
   Impact it;
   it.nhat_BA_W = scene.contact->nhat_BA_W.cast<Real>().normalized();
   for (std::size_t i = 0; i < 2; ++i) {
-    Struck& body = it.bodies[i] = struck(scene.bodies[i], masses[i], scene.contact->p_WC);
+    Struck& body = it.bodies[i] = struck(scene, i, scene.contact->p_WC);
     const Matrix r_B = cross(body.R_WB.transpose() * body.p_BcmC_W);
     if (!body.fixed) {
       it.K += Matrix::Identity() / body.mass - body.R_WB * (r_B * body.I_inverse_B * r_B) * body.R_WB.transpose();

@@ -18,6 +18,7 @@ using Matrix = Eigen::Matrix<Real, 3, 3>;
 struct Struck {
   bool fixed = false;                   ///< then an impulse changes nothing
   Real mass = 0;                        ///< kg
+  Point p_BBcm = Point::Zero();         ///< m; of a fixed body 0
   Matrix R_WB = Matrix::Identity();     ///< its axes
   Matrix I_B = Matrix::Zero();          ///< about the centre of mass (kg m²)
   Matrix I_inverse_B = Matrix::Zero();  ///< 1/(kg m²)
@@ -35,6 +36,9 @@ struct Struck {
     return w_B.dot(I_B * w_B);
   }
 };
+
+/// A body of a valid scene as it moves now, seen from C.
+Struck struck(const Scene& scene, std::size_t body, const Vec3& p_WC);
 
 struct Impact {
   std::array<Struck, 2> bodies;       ///< A, B
