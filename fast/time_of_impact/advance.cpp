@@ -32,7 +32,7 @@ std::optional<double> balls_apart(const Pair& pair, double t) {
   const double radii = pair.a.flyer().radius + pair.b.flyer().radius;
   const double distance = motion::length(d);
   const double gap = distance - radii - 8 * u * (distance + radii) - (a.error + b.error);
-  if (!(gap > radii / 4)) return std::nullopt;
+  if (!(gap > radii / 64)) return std::nullopt;
   const Vec3 n = d / distance;
   const Vec3 v = b.v_WBcm - a.v_WBcm, fall = pair.b.acceleration() - pair.a.acceleration();
   const double s = n.dot(v) - 8 * u * v.lpNorm<1>() - (a.v_error + b.v_error);

@@ -36,15 +36,20 @@ class Slab {
   double clear_until(double h_max) const;
 
  private:
-  struct Point {
-    double height = 0, speed = 0;
+  /// Of vertices: n·p and its rate.
+  struct Heights {
+    std::vector<double> height, speed;
+    void see(const Side& side, const Vec3& n, double height, double speed);
+    /// Index of the one that is highest (sign 1) or lowest (−1) at h.
+    std::size_t foremost(double h, double sign) const;
   };
-  void see(const Side& side, const Point& middle, std::vector<Point>& points) const;
-  /// A's highest and B's lowest at h, as one distance and one speed.
-  Point between(double h) const;
+  struct Parabola {
+    double z, s;
+  };
+  Parabola between(double h) const;
 
   Vec3 n_;
-  std::vector<Point> A_, B_;
+  Heights A_, B_;
   double gap_ = 0, error_ = 0, radii_ = 0, speed_error_ = 0, c_ = 0;
 };
 

@@ -4,11 +4,13 @@
 
 #include "fast/bounds.h"
 #include "fast/broad_phase.h"
+#include "fast/constraint.h"
 #include "fast/distance.h"
 #include "fast/impulse.h"
 #include "fast/mass.h"
 #include "fast/pixel.h"
 #include "fast/plan.h"
+#include "fast/time_of_impact.h"
 #include "model/input_error.h"
 
 namespace touchstone::oracle::subjects {
@@ -36,9 +38,25 @@ class Fast : public Subject {
   }
   Answer<Impulse> impulse(const Scene& scene) override { return fast::impulse_of(scene); }
 
+  Answer<Trajectory> constraint(const Scene& scene) override {
+    try {
+      return fast::constrained(scene);
+    } catch (const InputError& beyond) {
+      return Abstains{beyond.what()};
+    }
+  }
+
   Answer<Pixels> pixel(const Scene& scene) override {
     try {
       return fast::pixel(scene);
+    } catch (const std::range_error& beyond) {
+      return Abstains{beyond.what()};
+    }
+  }
+
+  Answer<TimeOfImpact> time_of_impact(const Scene& scene) override {
+    try {
+      return fast::time_of_impact_of(scene);
     } catch (const std::range_error& beyond) {
       return Abstains{beyond.what()};
     }
@@ -48,7 +66,8 @@ class Fast : public Subject {
   const Card card_{
       .name = "fast",
       .version = "0.1.0",
-      .answers = {"mass", "bounds", "broad_phase", "pair_history", "distance", "impulse", "pixel"},
+      .answers = {"mass", "bounds", "broad_phase", "pair_history", "distance", "impulse", "pixel", "time_of_impact",
+                  "constraint"},
       .knows_touching = true,
       .about = "Touchstone's optimised algorithms, as planned for each film; Lin-Canny from a corner, exact verdicts",
       .homepage = "",
