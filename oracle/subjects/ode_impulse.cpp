@@ -1,43 +1,18 @@
 #include "oracle/subjects/ode_impulse.h"
 
-#include <ode/ode.h>
-
-#include "oracle/subjects/impact_input.h"
+#include "oracle/subjects/ode_input.h"
 
 namespace touchstone::oracle::subjects {
 namespace {
 
-constexpr bool is_double = sizeof(dReal) == sizeof(double);
+using namespace in_ode;
 
-dReal real(double x) { return static_cast<dReal>(x); }
-
-/// A body about its centre of mass, with ODE's own masses for densities; none if fixed.
+/// None if fixed.
 dBodyID make_body(dWorldID world, const Body& body) {
   if (is_fixed(body)) return nullptr;
-  const dBodyID made = dBodyCreate(world);
-  const Pose X = centre_of_mass(body);
-  const Eigen::Quaterniond q = unit_quaternion(X.q_WB);
-  const dQuaternion turn = {real(q.w()), real(q.x()), real(q.y()), real(q.z())};
-  dBodySetPosition(made, real(X.p_WB.x()), real(X.p_WB.y()), real(X.p_WB.z()));
-  dBodySetQuaternion(made, turn);
-  const Vec3 &v = body.velocity.v_WBcm, &w = body.velocity.w_WB;
-  dBodySetLinearVel(made, real(v.x()), real(v.y()), real(v.z()));
-  dBodySetAngularVel(made, real(w.x()), real(w.y()), real(w.z()));
+  const dBodyID made = put(world, body);
   dBodySetGyroscopicMode(made, 0);  // the step is an impact's: no spin of its own in between
-  dMass mass;
-  if (const auto* given = std::get_if<MassProperties>(&body.mass)) {
-    const Mat3& I = given->I_BBcm_B;
-    dMassSetParameters(&mass, real(given->mass), 0, 0, 0, real(I(0, 0)), real(I(1, 1)), real(I(2, 2)), real(I(0, 1)),
-                       real(I(0, 2)), real(I(1, 2)));
-  } else {
-    const dReal density = real(std::get<Density>(body.mass).value);
-    if (const auto* sphere = std::get_if<Sphere>(&body.shape)) {
-      dMassSetSphere(&mass, density, real(sphere->radius));
-    } else {
-      const Vec3 sides = 2 * std::get<Box>(body.shape).half_extents;
-      dMassSetBox(&mass, density, real(sides.x()), real(sides.y()), real(sides.z()));
-    }
-  }
+  const dMass mass = mass_of(body);
   dBodySetMass(made, &mass);
   return made;
 }
@@ -57,21 +32,10 @@ dContact made_of(const Contact& contact) {
   return it;
 }
 
-Velocity velocity_of(dBodyID body) {
-  if (body == nullptr) return {};
-  const dReal *v = dBodyGetLinearVel(body), *w = dBodyGetAngularVel(body);
-  return {{v[0], v[1], v[2]}, {w[0], w[1], w[2]}};
-}
-
-struct Library {
-  Library() { dInitODE(); }
-  ~Library() { dCloseODE(); }
-};
-
 class OdeImpulse : public Subject {
  public:
   explicit OdeImpulse(const std::string& stepper) : step_(stepper == "step" ? &dWorldStep : &dWorldQuickStep) {
-    static const Library library;
+    begin();
     card_.name = "ode." + stepper;
     card_.version = dODE_VERSION;
     card_.precision = is_double ? Precision::binary64 : Precision::binary32;

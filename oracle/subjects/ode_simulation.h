@@ -1,0 +1,17 @@
+// ODE's two steppers, asked what happens next.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "oracle/subject.h"
+
+namespace touchstone::oracle::subjects {
+
+/// "simulation" (dWorldStep) or "simulation_quick" (dWorldQuickStep). dt (s): the longest step.
+std::unique_ptr<Subject> make_ode_simulation(const std::string& stepper, double dt);
+
+/// By 1/256 s.
+std::unique_ptr<Subject> make_ode_simulation(const std::string& stepper);
+
+}  // namespace touchstone::oracle::subjects
