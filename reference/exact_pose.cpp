@@ -89,11 +89,6 @@ std::array<Integer, 9> operator*(const std::array<Integer, 9>& a, const std::arr
   return product;
 }
 
-Pose part_pose(const Body& body, int part) {
-  const auto* compound = std::get_if<Compound>(&body.shape);
-  return compound ? compound->parts.at(static_cast<std::size_t>(part)).X_BP : Pose{};
-}
-
 double greatest(const Vec3& v) { return v.cwiseAbs().maxCoeff(); }
 
 /// The top 53 bits of v, truncated: v ≈ mantissa · 2^exponent.
@@ -151,6 +146,13 @@ Core core_of(const Box& box) {
 
 Core core_of(const Polytope& polytope) { return {polytope.vertices, &polytope.faces, 0}; }
 
+}  // namespace
+
+Pose part_pose(const Body& body, int part) {
+  const auto* compound = std::get_if<Compound>(&body.shape);
+  return compound ? compound->parts.at(static_cast<std::size_t>(part)).X_BP : Pose{};
+}
+
 Core core_of(const Body& body, int part) {
   const auto convex = [](const auto& shape) { return core_of(shape); };
   if (const auto* compound = std::get_if<Compound>(&body.shape)) {
@@ -160,8 +162,6 @@ Core core_of(const Body& body, int part) {
   if (const auto* box = std::get_if<Box>(&body.shape)) return core_of(*box);
   return core_of(std::get<Polytope>(body.shape));
 }
-
-}  // namespace
 
 RationalVec3 in_world(const Pose& X_WB, const Vec3& p_BA) {
   Body body;

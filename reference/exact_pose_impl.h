@@ -47,6 +47,8 @@ struct Core {
 };
 
 int part_count(const Body& body);
+Core core_of(const Body& body, int part);
+Pose part_pose(const Body& body, int part);  ///< X_BP; the body's own frame for a convex body
 
 /// One core of a pair, posed. Exact vertices are computed when they are first asked for, and kept.
 class PosedCore {

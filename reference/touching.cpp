@@ -60,10 +60,9 @@ std::vector<int> ties(const PosedCore& core, const IntegerVec& n, int from) {
 
 }  // namespace
 
-std::optional<SupportingPlane> supporting_plane(const PosedPair& pair, const std::vector<std::pair<int, int>>& pairs) {
+std::vector<IntegerVec> separating_normals(const PosedPair& pair, const std::vector<std::pair<int, int>>& pairs) {
   const int a = pairs[0].first;
   const int b = pairs[0].second;
-  if (pair.A.is_point() && pair.B.is_point()) return SupportingPlane{{1, 0, 0}, {0}, {0}};
   std::vector<int> around_x_A;
   std::vector<int> around_x_B;
   for (const auto& [i, j] : pairs) {
@@ -73,10 +72,10 @@ std::optional<SupportingPlane> supporting_plane(const PosedPair& pair, const std
   const Neighbourhood near_A = neighbourhood(pair.A, around_x_A);
   const Neighbourhood near_B = neighbourhood(pair.B, around_x_B);
 
-  IntegerVec sum;
+  std::vector<IntegerVec> separating;
   const auto try_normal = [&](const IntegerVec& n) {
     if (is_zero(n) || dot(n, pair.difference(a, b)) != 0) return;
-    if (none_below(pair.B, -n, b) && none_below(pair.A, n, a)) sum = sum + n;
+    if (none_below(pair.B, -n, b) && none_below(pair.A, n, a)) separating.push_back(n);
   };
   for (const IntegerVec& n : near_A.normals) try_normal(-n);
   for (const IntegerVec& n : near_B.normals) try_normal(n);
@@ -87,8 +86,15 @@ std::optional<SupportingPlane> supporting_plane(const PosedPair& pair, const std
       try_normal(-n);
     }
   }
+  return separating;
+}
+
+std::optional<SupportingPlane> supporting_plane(const PosedPair& pair, const std::vector<std::pair<int, int>>& pairs) {
+  if (pair.A.is_point() && pair.B.is_point()) return SupportingPlane{{1, 0, 0}, {0}, {0}};
+  IntegerVec sum;
+  for (const IntegerVec& n : separating_normals(pair, pairs)) sum = sum + n;
   if (is_zero(sum)) return std::nullopt;
-  return SupportingPlane{sum, ties(pair.A, sum, a), ties(pair.B, sum, b)};
+  return SupportingPlane{sum, ties(pair.A, sum, pairs[0].first), ties(pair.B, sum, pairs[0].second)};
 }
 
 }  // namespace touchstone::reference

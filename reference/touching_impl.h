@@ -20,4 +20,7 @@ struct SupportingPlane {
 /// Inside RoundUpward, after enclose().
 std::optional<SupportingPlane> supporting_plane(const PosedPair& pair, const std::vector<std::pair<int, int>>& pairs);
 
+/// Normals n ≠ 0 of planes that separate the two so, n·a ≥ h ≥ n·b; every extreme ray of their cone is among them.
+std::vector<IntegerVec> separating_normals(const PosedPair& pair, const std::vector<std::pair<int, int>>& pairs);
+
 }  // namespace touchstone::reference

@@ -1,0 +1,237 @@
+// Two convex cores in flight: proved step by proved step to where they meet.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <optional>
+
+#include "model/answers.h"
+#include "reference/closest_impl.h"
+#include "reference/moving_core_impl.h"
+#include "reference/moving_plane_impl.h"
+#include "reference/start_impl.h"
+
+namespace touchstone::reference {
+
+/// What one arithmetic finds out between two times.
+template <class P>
+struct Found {
+  TimeOfImpact::Meeting meeting = TimeOfImpact::Meeting::undecided;
+  P lo = 0;                                                    ///< apart before it, for sure
+  P hi = 0;                                                    ///< of a hit: by then they share a point, for sure
+  P gap = std::numeric_limits<P>::infinity();                  ///< at lo
+  bool exhausted = false;                                      ///< undecided for want of steps, not of digits
+  Coordinates<P> nhat_BA = {1, 0, 0}, p_WCa = {}, p_WCb = {};  ///< at lo: of the cores, to rounding
+};
+
+/// Two convex parts, one of each body.
+struct Parts {
+  const Body& A;
+  const Body& B;
+  int a, b;
+};
+
+template <class Tier>
+class Encounter {
+ public:
+  using E = typename Tier::E;
+  using P = typename Tier::P;
+
+  /// The cores count as swollen by their radii and by `apart`. The scope, as of all members, is its own.
+  Encounter(const Parts& parts, const std::array<Departure, 2>& departures, double apart,
+            const typename Tier::Scope& /*meanwhile*/ = typename Tier::Scope())
+      : flyer_A_(departures[0]),
+        flyer_B_(departures[1]),
+        A_(parts.A, parts.a, flyer_A_),
+        B_(parts.B, parts.b, flyer_B_),
+        r_(E(A_.radius()) + E(B_.radius()) + E(apart)),
+        c_(flyer_A_.acceleration() - flyer_B_.acceleration()) {}
+  Encounter(const Encounter&) = delete;
+  Encounter& operator=(const Encounter&) = delete;
+
+  /// From a time at which they are apart. A hit or a miss is proved.
+  Found<P> search(const P& from, const P& end) {
+    Found<P> found;
+    found.lo = from;
+    std::optional<Closest<P>> contact;
+    for (int i = 0; !found.exhausted; ++i) {
+      found.exhausted = i == Tier::most_steps;
+      const Pairing<Tier> now = look(found.lo);
+      if (std::optional<Closest<P>> here = closest(now.A, now.B)) contact = std::move(here);
+      const std::optional<P> next = contact ? step(now, *contact, found, end) : std::nullopt;
+      if (!next) break;
+      const bool resolved = *next - found.lo < P(Tier::resolution) * scale(*next, end);
+      found.lo = *next;
+      if (resolved && met(Tier::probing, *contact, found, end)) break;
+      if (found.lo == end) {
+        found.meeting = TimeOfImpact::Meeting::miss;
+        return found;
+      }
+    }
+    if (contact && found.meeting == TimeOfImpact::Meeting::undecided) met(Tier::last_probing, *contact, found, end);
+    if (contact) describe(*contact, found);
+    return found;
+  }
+
+  /// From contact in which they part (reference/start_impl.h): a time until which they are apart, if a plane that
+  /// turns with one of the bodies, or with two edges that cross, shows it.
+  std::optional<P> leave(const Standing& standing, const P& from, const P& end) const {
+    const Pairing<Tier> now = look(from);
+    const P limit = now.until ? std::min(end, *now.until) : end;
+    for (const MovingPlane<E>& plane : leaving_planes(now, standing)) {
+      const Clearance<Tier> clearance(now, plane, support(now, standing));
+      const std::optional<P> h = clearance.about(limit - from);
+      const P next = h ? P(from + *h / 2) : from;
+      if (next > from && clearance.positive(from, next)) return next;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  /// A part of it is what the tier resolves.
+  static P scale(const P& t, const P& end) { return std::max(t, P((end - t) * P(0x1p-20))); }
+
+  Pairing<Tier> look(const P& t) const {
+    const typename Tier::Scope scope;
+    const E time = thin(t);
+    const Coordinates<P> from = middle(flyer_B_.at(time).p);
+    const auto turning_A = flyer_A_.turning(t);
+    const auto turning_B = flyer_B_.turning(t);
+    Pairing<Tier> now = {A_.at(time, from), B_.at(time, from), from, c_, r_, {}, {}};
+    now.K = turning_A.bound * thin(A_.reach()) + turning_B.bound * thin(B_.reach());
+    for (const auto& until : {turning_A.until, turning_B.until}) {
+      if (until) now.until = now.until ? std::min(*now.until, *until) : *until;
+    }
+    return now;
+  }
+
+  Support<Tier> support(const Pairing<Tier>& now, const Standing& standing) const {
+    const typename Tier::Scope scope;
+    return {enclosed<E>(standing.x) - thin(now.from), enclosed<E>(standing.y) - thin(now.from), standing.on_A,
+            standing.on_B};
+  }
+
+  std::vector<MovingPlane<E>> leaving_planes(const Pairing<Tier>& now, const Standing& standing) const {
+    const typename Tier::Scope scope;
+    const Coordinates<E> n = enclosed<E>(standing.n);
+    std::vector<MovingPlane<E>> planes = {{n, cross(now.A.w, n)}, {n, cross(now.B.w, n)}};
+    const auto members = [](const std::vector<bool>& on) {
+      std::vector<std::size_t> ends;
+      for (std::size_t i = 0; i < on.size(); ++i) {
+        if (on[i]) ends.push_back(i);
+      }
+      return ends;
+    };
+    const std::vector<std::size_t> a = members(standing.on_A), b = members(standing.on_B);
+    if (a.size() == 2 && b.size() == 2) {  // n = λ e × f
+      const Coordinates<E> e = now.A.places[a[1]] - now.A.places[a[0]], f = now.B.places[b[1]] - now.B.places[b[0]];
+      const Coordinates<E> rise = cross(cross(now.A.w, e), f) + cross(e, cross(now.B.w, f));
+      const Coordinates<E> across = cross(e, f);
+      planes.push_back({n, E(dot(n, across) / dot(across, across)) * rise});
+    }
+    return planes;
+  }
+
+  /// The next time until which a moving plane keeps them apart.
+  std::optional<P> step(const Pairing<Tier>& now, const Closest<P>& contact, Found<P>& found, const P& end) const {
+    const std::optional<MovingPlane<P>> plane = plane_between(contact, now.A, now.B);
+    if (!plane) return std::nullopt;
+    found.nhat_BA = plane->n;
+    const Clearance<Tier> clearance(now, {thin(plane->n), thin(plane->m)});
+    const P limit = now.until ? std::min(end, *now.until) : end;
+    const P span = limit - found.lo;
+    const std::optional<P> h = clearance.about(span);
+    if (!h) return std::nullopt;
+    if (*h == span && clearance.positive(found.lo, limit)) return limit;
+    for (const double part : {1 - 0x1p-20, 1 - 0x1p-4, 0.5}) {
+      const P next = std::min(limit, P(found.lo + P(part) * *h));
+      if (!(next > found.lo)) return std::nullopt;
+      if (clearance.positive(found.lo, next)) return next;
+    }
+    return std::nullopt;
+  }
+
+  struct Witnesses {
+    Flying<E> body_A, body_B;
+    Coordinates<E> x, y;  ///< of cores A and B, for sure; seen from
+    Coordinates<P> from;
+  };
+
+  /// Where the points are that were closest. Inside the scope.
+  Witnesses witnesses(const Closest<P>& contact, const P& t) const {
+    const E time = thin(t);
+    Witnesses w;
+    w.from = middle(flyer_B_.at(time).p);
+    w.body_A = A_.body_at(time, w.from);
+    w.body_B = B_.body_at(time, w.from);
+    E total = E(0);
+    w.x = w.y = {E(0), E(0), E(0)};
+    for (std::size_t i = 0; i < contact.pairs.size(); ++i) {
+      const E weight = thin(contact.weights[i]);
+      w.x = w.x + weight * A_.vertex(w.body_A, contact.pairs[i].first);
+      w.y = w.y + weight * B_.vertex(w.body_B, contact.pairs[i].second);
+      total += weight;
+    }
+    const E share = E(1) / total;
+    w.x = share * w.x;
+    w.y = share * w.y;
+    return w;
+  }
+
+  static std::vector<int> members(const Closest<P>& contact, int VertexPair::*side) {
+    std::vector<int> vertices;
+    for (const VertexPair& pair : contact.pairs) vertices.push_back(pair.*side);
+    std::ranges::sort(vertices);
+    vertices.erase(std::ranges::unique(vertices).begin(), vertices.end());
+    return vertices;
+  }
+
+  /// A vertex of one core, or a point of one of its edges, is in the other core.
+  static bool reaches_into(const MovingCore<Tier>& one, const Flying<E>& body_one, const std::vector<int>& feature,
+                           const MovingCore<Tier>& other, const Flying<E>& body_other) {
+    const Coordinates<E> p = one.vertex(body_one, feature[0]);
+    if (feature.size() == 1) return other.holds(body_other, p);
+    if (feature.size() > 2) return false;
+    const Coordinates<E> q = one.vertex(body_one, feature[1]);
+    const std::optional<P> part = other.middle_within(body_other, p, q);
+    return part && other.holds(body_other, p + thin(*part) * (q - p));
+  }
+
+  bool share_a_point(const Closest<P>& contact, const P& t) const {
+    const typename Tier::Scope scope;
+    const Witnesses w = witnesses(contact, t);
+    const Coordinates<E> apart = w.x - w.y;
+    if (upper(E(dot(apart, apart) - r_ * r_)) <= 0) return true;
+    return reaches_into(A_, w.body_A, members(contact, &VertexPair::first), B_, w.body_B) ||
+           reaches_into(B_, w.body_B, members(contact, &VertexPair::second), A_, w.body_A);
+  }
+
+  bool met(const Probing& probing, const Closest<P>& contact, Found<P>& found, const P& end) const {
+    P d = P(probing.first) * scale(found.lo, end);
+    for (int i = 0; i < probing.tries; ++i, d *= P(probing.factor)) {
+      const P t = std::min(end, P(found.lo + d));
+      if (!share_a_point(contact, t)) continue;
+      found.meeting = TimeOfImpact::Meeting::hit;
+      found.hi = t;
+      return true;
+    }
+    return false;
+  }
+
+  /// What it looks like at lo.
+  void describe(const Closest<P>& contact, Found<P>& found) const {
+    const typename Tier::Scope scope;
+    const Witnesses w = witnesses(contact, found.lo);
+    found.gap = std::max(P(0), upper(E(length(w.x - w.y) - r_)));
+    found.p_WCa = middle(w.x) + w.from;
+    found.p_WCb = middle(w.y) + w.from;
+  }
+
+  const Flyer<Tier> flyer_A_, flyer_B_;
+  const MovingCore<Tier> A_, B_;
+  const E r_;
+  const Coordinates<E> c_;
+};
+
+}  // namespace touchstone::reference

@@ -1,0 +1,175 @@
+#include "reference/flight.h"
+
+#include <string>
+#include <utility>
+#include <variant>
+
+#include "model/input_error.h"
+#include "reference/flight_impl.h"
+#include "reference/float_mode_impl.h"
+#include "reference/linear_impl.h"
+
+namespace touchstone::reference {
+namespace {
+
+using Matrix = std::array<Triple, 3>;
+
+/// Two moments of inertia are λ. With I's characteristic polynomial x³ + a x² + b x + c, a double root is
+/// λ = (9c − ab)/(2(a² − 3b)), a triple one −a/3; and it is double exactly if I − λ 1 has rank 1 or less.
+std::optional<mpq_class> repeated_moment(const Matrix& I) {
+  const mpq_class a = -(I[0][0] + I[1][1] + I[2][2]);
+  const mpq_class b = I[0][0] * I[1][1] + I[1][1] * I[2][2] + I[2][2] * I[0][0] - I[0][1] * I[1][0] -
+                      I[1][2] * I[2][1] - I[2][0] * I[0][2];
+  const mpq_class c = -determinant(I);
+  const mpq_class spread = a * a - 3 * b;
+  const mpq_class lambda = spread == 0 ? mpq_class(-a / 3) : mpq_class((9 * c - a * b) / (2 * spread));
+  Matrix D = I;
+  for (std::size_t i = 0; i < 3; ++i) D[i][i] -= lambda;
+  for (const auto& [i, j] : {std::pair<std::size_t, std::size_t>{0, 1}, {1, 2}, {2, 0}}) {
+    const Triple minors = cross(D[i], D[j]);
+    if (minors[0] != 0 || minors[1] != 0 || minors[2] != 0) return std::nullopt;
+  }
+  return lambda;
+}
+
+/// Rᵀ a.
+Triple in_body(const Motion& X_WB, const Triple& a) {
+  return plus(plus(scaled(a[0], X_WB.rows[0]), scaled(a[1], X_WB.rows[1])), scaled(a[2], X_WB.rows[2]));
+}
+
+void set_turning(Departure& start, const Heavy& heavy, const Motion& X_WB) {
+  start.Omega = start.w;
+  const Triple w_B = in_body(X_WB, start.w);
+  const Triple L_B = times(heavy.inertia, w_B);
+  const Triple torque = cross(L_B, w_B);
+  if (torque[0] == 0 && torque[1] == 0 && torque[2] == 0) return;  // about a principal axis, or I = λ 1
+  const std::optional<mpq_class> lambda = repeated_moment(heavy.inertia);
+  if (!lambda) {
+    start.tumble = std::make_shared<Tumble>(heavy.inertia, start.q, w_B);
+    return;
+  }
+  const mpq_class shrink = 1 / *lambda;
+  start.sigma = minus(w_B, scaled(shrink, L_B));
+  for (std::size_t i = 0; i < 3; ++i) start.Omega[i] = shrink * dot(X_WB.rows[i], L_B);
+}
+
+double since(const Flight& flight, std::size_t body) { return flight.since.empty() ? 0 : flight.since[body]; }
+
+/// The last push that has begun at the body's start.
+Triple force_on(const Flight& flight, std::size_t body) {
+  Triple force;
+  for (std::size_t i = 0; i < flight.pushes.size(); ++i) {
+    const Push& push = flight.pushes[i];
+    if (push.body != static_cast<int>(body)) continue;
+    if (push.time > since(flight, body)) {
+      throw InputError("flight.pushes[" + std::to_string(i) + "]",
+                       "begins after its body's start; ask from its time on, by `since`");
+    }
+    force = triple(push.force_W);
+  }
+  return force;
+}
+
+}  // namespace
+
+Departure departure(const Scene& scene, std::size_t index) {
+  const Body& body = scene.bodies.at(index);
+  const Motion X_WB = motion(body.X_WB);
+  const Quaternion& q = body.X_WB.q_WB;
+  Departure start;
+  start.since = since(*scene.flight, index);
+  start.v = triple(body.velocity.v_WBcm);
+  start.w = triple(body.velocity.w_WB);
+  start.q = {mpq_class(q.w), mpq_class(q.x), mpq_class(q.y), mpq_class(q.z)};
+  for (const mpq_class& part : start.q) start.q_squared += part * part;
+  if (std::holds_alternative<Fixed>(body.mass)) {
+    start.p = triple(body.X_WB.p_WB);
+    start.Omega = start.w;
+    return start;
+  }
+  const Heavy weight = heavy(body, "bodies[" + std::to_string(index) + "]");
+  start.pi = weight.pi;
+  start.centre = weight.centre;
+  start.p = X_WB(weight.centre);
+  start.c = plus(triple(scene.gravity), scaled(mpq_class(1 / weight.mass), force_on(*scene.flight, index)));
+  set_turning(start, weight, X_WB);
+  return start;
+}
+
+template <class Tier>
+Flyer<Tier>::Flyer(const Departure& start)
+    : since_(enclosed<E>(start.since)),
+      q_squared_(enclosed<E>(start.q_squared)),
+      centre_(enclosed<E>(start.centre)),
+      p_(enclosed<E>(start.p)),
+      v_(enclosed<E>(start.v)),
+      c_(enclosed<E>(start.c)),
+      q_{enclosed<E>(start.q[0]), enclosed<E>(start.q[1]), enclosed<E>(start.q[2]), enclosed<E>(start.q[3])},
+      outer_(spin<E>(start.Omega)),
+      inner_(spin<E>(start.sigma)),
+      tumble_(start.tumble) {
+  if (start.pi) {  // what stands for π is off by 2^-319; an ulp is more
+    for (Coordinates<E>* v : {&centre_, &p_, &c_}) *v = {widened(v->x), widened(v->y), widened(v->z)};
+  }
+  // |ω| and |ω'| = |Ω × (ω − Ω)| are constant.
+  const Triple precession = cross(start.Omega, start.w);
+  steady_bound_ = enclosed<E>(dot(start.w, start.w)) + length(enclosed<E>(precession));
+}
+
+template <class Tier>
+Flying<typename Tier::E> Flyer<Tier>::at(const E& time) const {
+  const E tau = time - since_;
+  Flying<E> now;
+  now.v = v_ + tau * c_;
+  now.p = p_ + tau * (v_ + E(tau / E(2)) * c_);
+  if (tumble_) {
+    const auto turned_to = tumble_->at(tau);
+    now.R = matrix_of(turned_to.q, q_squared_);
+    now.w = turned(now.R, turned_to.w_B);
+    return now;
+  }
+  Rotor<E> q = q_;
+  if (!inner_.none) q = q * turn(inner_, tau);
+  if (!outer_.none) q = turn(outer_, tau) * q;
+  now.R = matrix_of(q, q_squared_);
+  now.w = {E(0), E(0), E(0)};
+  if (!inner_.none) now.w = turned(now.R, Coordinates<E>(inner_.rate * inner_.axis));
+  if (!outer_.none) now.w = now.w + outer_.rate * outer_.axis;
+  return now;
+}
+
+template <class Tier>
+typename Flyer<Tier>::Turning Flyer<Tier>::turning(const P& time) const {
+  if (!tumble_) return {steady_bound_, std::nullopt};
+  const E tau = thin(time) - since_;
+  const Tumble::Bound bound = tumble_->bound(Float(lower(tau)));
+  return {converted<E>(bound.turning), rounded_down<P>(Float(lower(since_)) + bound.until)};
+}
+
+template class Flyer<InDoubles>;
+template class Flyer<InWide>;
+
+namespace {
+
+std::array<Interval, 3> in_doubles(const Coordinates<WideEnclosure>& v) {
+  return {reference::in_doubles(v.x), reference::in_doubles(v.y), reference::in_doubles(v.z)};
+}
+
+}  // namespace
+
+FlightTruth flown(const Scene& scene, std::size_t body, double time) {
+  if (!scene.flight) throw InputError("flight", "missing; expected one for a question about motion");
+  if (time < since(*scene.flight, body)) throw InputError("flight.since", "the body has not started yet at this time");
+  const DefaultFloatMode mode;
+  const Flyer<InWide> flyer(departure(scene, body));
+  const Flying<WideEnclosure> now = flyer.at(thin(Float(time)));
+  const Coordinates<WideEnclosure> p_WB = now.p - turned(now.R, flyer.centre());
+  FlightTruth truth;
+  truth.p_WB = in_doubles(p_WB);
+  for (std::size_t i = 0; i < 9; ++i) truth.R_WB[i / 3][i % 3] = reference::in_doubles(now.R[i]);
+  truth.v_WBcm = in_doubles(now.v);
+  truth.w_WB = in_doubles(now.w);
+  return truth;
+}
+
+}  // namespace touchstone::reference

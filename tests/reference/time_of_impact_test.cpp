@@ -1,0 +1,281 @@
+#include "reference/time_of_impact.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "model/input_error.h"
+#include "reference/distance.h"
+#include "reference/flight.h"
+#include "reference/rational_impl.h"
+#include "reference/validity.h"
+#include "tests/catch.h"
+#include "tests/reference/fine_flight.h"
+#include "tests/reference/flights.h"
+
+namespace touchstone::tests {
+namespace {
+
+using Meeting = TimeOfImpact::Meeting;
+using reference::time_of_distance;
+using reference::time_of_impact;
+using reference::TimeOfImpactTruth;
+
+Body ball(double radius, const Vec3& p, const Vec3& v) {
+  Body b = body(Sphere{radius}, p);
+  b.velocity.v_WBcm = v;
+  return b;
+}
+
+/// |p + v t|² − r² of two balls under the same gravity, exactly.
+mpq_class excess(const Scene& scene, double time) {
+  const Body& a = scene.bodies[0];
+  const Body& b = scene.bodies[1];
+  mpq_class square = 0;
+  for (int i = 0; i < 3; ++i) {
+    const mpq_class x = mpq_class(a.X_WB.p_WB[i]) - mpq_class(b.X_WB.p_WB[i]) +
+                        (mpq_class(a.velocity.v_WBcm[i]) - mpq_class(b.velocity.v_WBcm[i])) * mpq_class(time);
+    square += x * x;
+  }
+  const mpq_class r = mpq_class(std::get<Sphere>(a.shape).radius) + mpq_class(std::get<Sphere>(b.shape).radius);
+  return square - r * r;
+}
+
+Scene two_balls(Dice& dice, double offset) {
+  const Vec3 p = 4 * dice.in_cube().normalized();
+  const Vec3 side = p.cross(dice.in_cube()).normalized();
+  Scene scene = pair(ball(1, Vec3::Zero(), dice.in_cube()), ball(0.5, p + offset * side, Vec3::Zero()));
+  scene.bodies[0].velocity.w_WB = dice.in_cube();
+  scene.bodies[1].velocity.v_WBcm = scene.bodies[0].velocity.v_WBcm - (2 + dice.unit()) * p / 4;
+  scene.gravity = Vec3(0, 0, -9.8125);
+  return flight_of(scene, 8);
+}
+
+TEST_CASE("Balls meet when their quadratic says so, exactly") {
+  Dice dice(1);
+  for (int i = 0; i < 200; ++i) {
+    const double offset = 3 * dice.unit();
+    const Scene scene = two_balls(dice, offset);
+    const TimeOfImpactTruth truth = time_of_impact(scene);
+    CAPTURE(i, offset, truth.time.lo, truth.time.hi);
+    REQUIRE(truth.meeting != Meeting::undecided);
+    if (truth.meeting == Meeting::hit) {
+      CHECK(excess(scene, truth.time.lo) >= 0);
+      CHECK(excess(scene, truth.time.hi) <= 0);
+      CHECK(truth.time.hi - truth.time.lo < 1e-13);
+    } else {
+      CHECK(offset > 1.49);
+    }
+    for (int k = 1; k < 16; ++k) CHECK(excess(scene, truth.time.lo * k / 16) > 0);
+  }
+}
+
+TEST_CASE("Balls that graze are told apart to the last bit of their offset") {
+  Dice dice(2);
+  for (int k = 10; k <= 52; k += 3) {
+    for (const double side : {-1.0, 1.0}) {
+      Scene scene = pair(ball(1, Vec3(-4, 1.5 + side * std::ldexp(1, -k), 0), Vec3(1, 0, 0)),
+                         ball(0.5, Vec3::Zero(), Vec3::Zero()));
+      const TimeOfImpactTruth truth = time_of_impact(flight_of(scene, 8));
+      CAPTURE(k, side);
+      CHECK(truth.meeting == (side < 0 ? Meeting::hit : Meeting::miss));
+      if (truth.meeting != Meeting::hit) continue;
+      CHECK(excess(scene, truth.time.lo) >= 0);
+      CHECK(excess(scene, truth.time.hi) <= 0);
+    }
+  }
+  const Scene touching = pair(ball(1, Vec3(-4, 1.5, 0), Vec3(1, 0, 0)), ball(0.5, Vec3::Zero(), Vec3::Zero()));
+  const TimeOfImpactTruth truth = time_of_impact(flight_of(touching, 8));
+  CHECK(truth.meeting == Meeting::undecided);
+  CHECK(truth.time.lo < 4);
+  CHECK(truth.time.lo > 4 - 1e-9);
+  CHECK(truth.gap < 1e-18);
+}
+
+/// The 254-bit poses of fine_flight.h share no code with the reference, and neither does the test for a separating
+/// axis.
+void hold_to_fine_poses(const Scene& scene, const TimeOfImpactTruth& truth) {
+  const FineFlight A(scene, 0), B(scene, 1);
+  CAPTURE(truth.time.lo, truth.time.hi);
+  CHECK(greatest_gap(A, B, truth.time.lo) > 0);
+  if (truth.meeting == Meeting::hit) CHECK(greatest_gap(A, B, truth.time.hi) <= 0);
+  for (const double part : {0.5, 0.9, 0.99, 1 - 0x1p-10, 1 - 0x1p-20, 1 - 0x1p-40}) {
+    CHECK(greatest_gap(A, B, truth.time.lo * part) > 0);
+  }
+}
+
+TEST_CASE("Hulls in flight are apart before lo and share points at hi, by poses of 254 bits") {
+  Dice dice(3);
+  std::vector<double> widths;
+  for (int i = 0; i < 40; ++i) {
+    const Scene scene = ballistic_pair(dice, i % 2 == 0 ? 6 : 10);
+    const TimeOfImpactTruth truth = time_of_impact(scene);
+    CAPTURE(i);
+    REQUIRE(truth.meeting != Meeting::undecided);
+    hold_to_fine_poses(scene, truth);
+    if (truth.meeting == Meeting::hit) widths.push_back(truth.time.hi - truth.time.lo);
+  }
+  REQUIRE(widths.size() > 30);
+  std::ranges::sort(widths);
+  CHECK(widths[widths.size() / 2] < 2e-14);
+  CHECK(widths.back() < 1e-12);
+}
+
+TEST_CASE("Hulls that graze, by bisection of their offset") {
+  Dice dice(4);
+  int undecided = 0;
+  for (int i = 0; i < 8; ++i) {
+    const Scene hits = ballistic_pair(dice, 6, 2);
+    if (time_of_impact(hits).meeting != Meeting::hit) continue;
+    const Vec3 side = hits.bodies[1].X_WB.p_WB.cross(dice.in_cube()).normalized();
+    double in = 0, out = 4;
+    for (int k = 0; k < 40; ++k) {
+      Scene scene = hits;
+      const double offset = (in + out) / 2;
+      scene.bodies[1].X_WB.p_WB += offset * side;
+      const TimeOfImpactTruth truth = time_of_impact(scene);
+      CAPTURE(i, k, offset);
+      if (k % 6 == 5) hold_to_fine_poses(scene, truth);
+      undecided += truth.meeting == Meeting::undecided;
+      (truth.meeting == Meeting::miss ? out : in) = offset;
+    }
+  }
+  CHECK(undecided == 0);
+}
+
+/// Mirtich's bound in plain doubles: no point of the two comes nearer along d* faster than |v| + Σ |ω| ρ. Same gravity.
+double conservative_advancement(Scene scene, double near) {
+  double t = 0;
+  for (int i = 0; i < 100000 && t < scene.flight->times.back(); ++i) {
+    double speed = 0;
+    Scene now = scene;
+    for (std::size_t k = 0; k < 2; ++k) {
+      const FineFlight flight(scene, k);
+      now.bodies[k].X_WB = flight.pose(t);
+      speed += scene.bodies[k].velocity.w_WB.norm();
+    }
+    const reference::DistanceTruth d = reference::distance(now);
+    if (d.verdict != Verdict::separated || d.distance.lo < near) break;
+    const Vec3 n = (d.p_WCa - d.p_WCb).normalized();
+    speed -= n.dot(scene.bodies[0].velocity.v_WBcm - scene.bodies[1].velocity.v_WBcm);
+    if (speed <= 0) return INFINITY;
+    t += d.distance.lo / speed * (1 - 1e-9);
+  }
+  return t;
+}
+
+TEST_CASE("Conservative advancement comes to the same time") {
+  Dice dice(5);
+  for (int i = 0; i < 10; ++i) {
+    const Scene scene = ballistic_pair(dice, 12, 2);
+    const TimeOfImpactTruth truth = time_of_impact(scene);
+    const double t = conservative_advancement(scene, 1e-9);
+    CAPTURE(i, t);
+    if (truth.meeting == Meeting::miss) {
+      CHECK(t >= 2);
+    } else {
+      CHECK(t <= truth.time.hi + 1e-13);
+      CHECK(greatest_gap(FineFlight(scene, 0), FineFlight(scene, 1), t) < 1e-8);
+      CHECK(t > truth.time.lo - 1e-6);
+    }
+  }
+}
+
+/// Both 2 a side; contact in x = 1.
+Scene touching_boxes(const Velocity& of_A) {
+  Scene scene = pair(body(Box{Vec3(1, 1, 1)}), body(Box{Vec3(1, 1, 1)}, Vec3(2, 0.5, 0)));
+  scene.bodies[0].velocity = of_A;
+  return flight_of(scene, 4);
+}
+
+TEST_CASE("Contact at the start counts if the two approach there") {
+  CHECK(time_of_impact(touching_boxes({Vec3(1, 0, 0), Vec3::Zero()})).at_start);
+  CHECK(time_of_impact(touching_boxes({Vec3(1, 0, 0), Vec3::Zero()})).meeting == Meeting::hit);
+  CHECK(time_of_impact(touching_boxes({Vec3(1, 0, 0), Vec3::Zero()})).nhat_BA_W == Vec3(-1, 0, 0));
+  CHECK(time_of_impact(touching_boxes({Vec3(-1, 0, 0), Vec3::Zero()})).meeting == Meeting::miss);
+  SECTION("a turn that drives one edge of the contact in") {
+    const TimeOfImpactTruth truth = time_of_impact(touching_boxes({Vec3::Zero(), Vec3(0, 0, 1)}));
+    CHECK(truth.meeting == Meeting::hit);
+    CHECK(truth.at_start);
+  }
+  SECTION("a turn that the parting outruns, until it comes back") {
+    const TimeOfImpactTruth truth = time_of_impact(touching_boxes({Vec3(-1.25, 0, 0), Vec3(0, 0, 1)}));
+    CHECK(!truth.at_start);
+  }
+  SECTION("sliding is neither") {
+    const TimeOfImpactTruth truth = time_of_impact(touching_boxes({Vec3(0, 1, 0), Vec3::Zero()}));
+    CHECK(truth.meeting == Meeting::undecided);
+    CHECK(truth.at_start);
+    CHECK(truth.gap == 0);
+  }
+  SECTION("turning on both sides") {
+    for (const Shape& shape : {Shape(Box{Vec3(1, 1, 1)}), Shape(Sphere{1})}) {
+      Scene scene = pair(body(shape), body(Box{Vec3(1, 1, 1)}, Vec3(2, 0, 0)));
+      scene.bodies[0].velocity = {Vec3(-1, 0, 0), Vec3(1, 0.25, -0.125)};
+      scene.bodies[1].velocity = {Vec3(0, 0.5, 0), Vec3(0.25, 0, 0.5)};
+      scene = flight_of(scene, 0.25);
+      CHECK(time_of_impact(scene).meeting == Meeting::miss);
+      std::swap(scene.bodies[0].velocity, scene.bodies[1].velocity);
+      const TimeOfImpactTruth meets = time_of_impact(scene);
+      CHECK(meets.meeting == Meeting::hit);
+      CHECK(meets.at_start);
+    }
+  }
+}
+
+TEST_CASE("Balls that touch and part come back") {
+  Scene scene = pair(ball(1, Vec3(0, 0, 2), Vec3(0, 0, 1)), ball(1, Vec3::Zero(), Vec3::Zero()));
+  scene.bodies[1].mass = Fixed{};
+  scene.gravity = Vec3(0, 0, -2);
+  const TimeOfImpactTruth truth = time_of_impact(flight_of(scene, 4));
+  CHECK(truth.meeting == Meeting::hit);
+  CHECK(truth.time.lo <= 1);
+  CHECK(truth.time.hi >= 1);
+  CHECK(truth.time.hi - truth.time.lo < 1e-14);
+}
+
+TEST_CASE("Overlap at the start is bad input, with the pair and the depth") {
+  Scene scene = pair(ball(1, Vec3::Zero(), Vec3::Zero()), ball(1, Vec3(1.5, 0, 0), Vec3::Zero()));
+  scene.bodies[0].name = "left";
+  scene.bodies[1].name = "right";
+  scene = flight_of(scene, 1);
+  CHECK_THROWS_WITH(time_of_impact(scene), Catch::Contains("\"left\" and \"right\"") && Catch::Contains("0.5"));
+  CHECK(time_of_distance(scene, 0.25).at_start);
+}
+
+TEST_CASE("Each body flies from its own start") {
+  Scene scene = flight_of(pair(ball(1, Vec3(-8, 0, 0), Vec3(2, 0, 0)), ball(1, Vec3(8, 0, 0), Vec3(-1, 0, 0))), 8);
+  const TimeOfImpactTruth whole = time_of_impact(scene);
+  scene.bodies[0].X_WB.p_WB.x() = -4;
+  scene.flight->since = {2, 0};
+  const TimeOfImpactTruth later = time_of_impact(scene);
+  for (const TimeOfImpactTruth& truth : {whole, later}) {
+    CHECK(truth.meeting == Meeting::hit);
+    CHECK(truth.time.lo <= 14 / 3.0);
+    CHECK(truth.time.hi >= 14 / 3.0 - 1e-15);
+    CHECK(truth.time.hi - truth.time.lo < 1e-14);
+  }
+}
+
+TEST_CASE("The time of a distance comes before that of an impact") {
+  Scene scene = flight_of(pair(ball(1, Vec3(-8, 0, 0), Vec3(2, 0, 0)), ball(1, Vec3(8, 0, 0), Vec3::Zero())), 8);
+  const TimeOfImpactTruth near = time_of_distance(scene, 2);
+  CHECK(near.time.lo <= 6);
+  CHECK(near.time.hi >= 6);
+  CHECK(near.time.hi - near.time.lo < 1e-14);
+}
+
+TEST_CASE("A push is felt for the whole flight") {
+  Scene scene = flight_of(pair(ball(1, Vec3(-8, 0, 0), Vec3::Zero()), ball(1, Vec3(8, 0, 0), Vec3::Zero())), 8);
+  scene.bodies[0].mass = round_mass(2);
+  scene.flight->force_bound = 8;
+  scene.flight->pushes = {{0, 0, Vec3(8, 0, 0)}};
+  const TimeOfImpactTruth truth = time_of_impact(scene);
+  CHECK(truth.time.lo <= std::sqrt(7.0));
+  CHECK(truth.time.hi >= std::sqrt(7.0) * (1 - 1e-15));
+  scene.flight->pushes.push_back({1, 0, Vec3::Zero()});
+  CHECK_THROWS_AS(time_of_impact(scene), InputError);
+}
+
+}  // namespace
+}  // namespace touchstone::tests
