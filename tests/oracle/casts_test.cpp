@@ -1,0 +1,77 @@
+// Each adapter that says when two bodies first meet, on flights whose truth is on paper. The bound is loose: what the
+// engines lose is for the properties to find.
+#include <algorithm>
+
+#include "oracle/pipe.h"
+#include "tests/catch.h"
+
+namespace touchstone::oracle {
+namespace {
+
+using Meeting = TimeOfImpact::Meeting;
+
+Body body(Shape shape, const Vec3& p_WB, const Velocity& velocity = {}) {
+  Body made;
+  made.shape = std::move(shape);
+  made.X_WB.p_WB = p_WB;
+  made.velocity = velocity;
+  return made;
+}
+
+Scene flight(Body A, Body B, double time) {
+  Scene scene;
+  scene.bodies = {std::move(A), std::move(B)};
+  scene.flight = Flight{{time}};
+  return scene;
+}
+
+void expect(const Scene& scene, std::optional<double> time, const std::string& passed_over = "") {
+  int answered = 0;
+  for (const std::string& name : subjects_beside(TOUCHSTONE_SUBJECTS)) {
+    const std::unique_ptr<Subject> subject = connect(name, TOUCHSTONE_SUBJECTS);
+    if (std::ranges::count(subject->card().answers, "time_of_impact") == 0 || name == passed_over) continue;
+    CAPTURE(name);
+    const Answer<TimeOfImpact> answer = subject->time_of_impact(scene);
+    if (std::holds_alternative<Abstains>(answer)) continue;
+    REQUIRE(std::holds_alternative<TimeOfImpact>(answer));
+    const auto& said = std::get<TimeOfImpact>(answer);
+    ++answered;
+    CHECK(said.meeting == (time ? Meeting::hit : Meeting::miss));
+    if (time) CHECK(std::abs(said.time.value() - *time) < 1e-3);
+  }
+  CHECK(answered > 0);
+}
+
+/// Bullet's GJK cast sees boxes pass through each other.
+const std::string blind = "bullet.gjk_cast";
+
+TEST_CASE("oracle: time of impact: boxes on a straight line, falling together") {
+  Scene scene =
+      flight(body(Box{{1, 1, 1}}, {4, 0.25, 0.125}, {{-2, 0, 0}, {0, 0, 0}}), body(Box{{1, 1, 1}}, {0, 0, 0}), 4);
+  expect(scene, 1, blind);
+  scene.gravity = {0, 0, -10};
+  expect(scene, 1, blind);
+}
+
+TEST_CASE("oracle: time of impact: balls that meet, and that pass") {
+  const auto balls = [](double sideways) {
+    return flight(body(Sphere{1}, {4, 0, 0}, {{-2, sideways, 0}, {0, 0, 0}}), body(Sphere{1}, {0, 0, 0}), 4);
+  };
+  expect(balls(0), 1);
+  expect(balls(-2), {});
+}
+
+// A bar turns clockwise onto a ball: its face is 1/8 m off its axis, so the ball of 1/2 m at 5/2 m is met at the angle
+// whose sine is (1/8 + 1/2)/(5/2) before the quarter turn. Again more slowly, from the other side.
+TEST_CASE("oracle: time of impact: a bar that turns") {
+  const Box bar{{0.125, 3, 1}};
+  Scene scene = flight(body(bar, {0, 0, 0}, {{0, 0, 0}, {0, 0, -1}}), body(Sphere{0.5}, {2.5, 0, 0}), 3);
+  for (Body& one : scene.bodies) one.mass = MassProperties{1, Vec3::Zero(), Mat3::Identity()};
+  expect(scene, 1.3181161);
+  scene.bodies[0].velocity.w_WB = {0, 0, 0.5};
+  scene.bodies[1].X_WB.p_WB = {-2.5, 0, 0};
+  expect(scene, 2.6362322);
+}
+
+}  // namespace
+}  // namespace touchstone::oracle
