@@ -80,7 +80,8 @@ Verdict verdict_at(double from, const Start& A, const Start& B, std::vector<lin_
   for (std::size_t i = 0; i < A.flyer.solid.parts().size(); ++i) {
     for (std::size_t j = 0; j < B.flyer.solid.parts().size(); ++j, ++place) {
       const meeting::Pair pair{A.flight, B.flight, i, j, A.flight.start().p_WB};
-      if (meeting::Look(pair, from, *place, Vec3::Zero()).overlap()) return Verdict::overlapping;
+      const meeting::Look look(pair, from, *place, Vec3::Zero());
+      if (look.overlap(look)) return Verdict::overlapping;
     }
   }
   return Verdict::separated;

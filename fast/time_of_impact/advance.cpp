@@ -90,7 +90,7 @@ class Advance {
       const double t = std::min(t_ + h, until_);
       lin_canny::FeaturePair memory = memory_;
       const Look next(pair_, t, memory, known_);
-      if (next.overlap()) return hit(look, t);
+      if (next.overlap(look)) return hit(look, t);
       if (is_clear(next.slab())) {
         doubt(look.at_most(), t);
         memory_ = memory;

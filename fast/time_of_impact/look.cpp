@@ -55,6 +55,17 @@ class Widest {
   bool has_one_ = false;
 };
 
+/// Of a solid core, not of a point. `error` covers both placements; a point of a feature is on its body up to 10u of
+/// its radius (bracket.h), and is turned there and back: the same bound again.
+bool is_inside(const Placed& P, const Vec3& p, double error) {
+  const Vec3 x = P.in(p);
+  for (int f = 0; f < P.hull->face_count(); ++f) {
+    const Hull::Face& face = P.hull->face(f);
+    if (!(face.normal.dot(x) < face.height - error)) return false;
+  }
+  return P.hull->face_count() > 0;
+}
+
 bool fit_doubles(const Placed& A, const Placed& B) {
   return A.hull->fits_doubles() && B.hull->fits_doubles() && (B.t - A.t).lpNorm<Eigen::Infinity>() < 0x1p250;
 }
@@ -104,13 +115,22 @@ double Look::at_most() const {
   return std::max(0.0, (lin_canny::bracket(A_.core, B_.core, walked_.closest).hi - radii) * (1 + 4 * u));
 }
 
-bool Look::overlap() const {
-  const double radii = A_.radius + B_.radius;
-  if (radii > 0 && !walked_.inside) {
+/// Two points of the cores are nearer than the radii reach; or four differences have 0 inside; or a vertex, or what was
+/// closest before, is inside the other: the last two see what the first does not, and the other way round, where two
+/// solids meet flat.
+bool Look::overlap(const Look& before) const {
+  if (!walked_.inside) {
     const double cores = lin_canny::bracket(A_.core, B_.core, walked_.closest).hi;
-    if (cores < radii * (1 - 4 * u)) return true;
+    if (cores < (A_.radius + B_.radius) * (1 - 4 * u)) return true;
   }
-  return lin_canny::common_point(A_.core, B_.core).has_value();
+  if (lin_canny::common_point(A_.core, B_.core)) return true;
+  const double error = 2 * lin_canny::rounding(A_.core, B_.core);
+  const auto has_one_of = [&](const Placed& P, const Placed& Q, const Vec3& was_closest) {
+    if (is_inside(P, Q.out(was_closest), error)) return true;
+    return std::ranges::any_of(Q.hull->vertices(), [&](const Vec3& x) { return is_inside(P, Q.out(x), error); });
+  };
+  return has_one_of(A_.core, B_.core, before.B_.core.in(before.walked_.closest.b)) ||
+         has_one_of(B_.core, A_.core, before.A_.core.in(before.walked_.closest.a));
 }
 
 /// Of the features' closest points, each moved out by its radius along n.

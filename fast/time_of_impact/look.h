@@ -24,8 +24,9 @@ class Look {
   const Slab& slab() const { return slab_; }
   /// ≥ the distance (m).
   double at_most() const;
-  /// A point that both surely have: proved, not likely.
-  bool overlap() const;
+  /// A point that both surely have: proved, not likely. `before`: an earlier look, whose closest points have gone along
+  /// with their bodies; one of them may be inside the other by now.
+  bool overlap(const Look& before) const;
   /// Midway between the closest points, in the pair's frame.
   Vec3 middle() const;
 
