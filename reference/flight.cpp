@@ -124,14 +124,15 @@ Flying<typename Tier::E> Flyer<Tier>::at(const E& time) const {
   now.p = p_ + tau * (v_ + E(tau / E(2)) * c_);
   if (tumble_) {
     const auto turned_to = tumble_->at(tau);
-    now.R = matrix_of(turned_to.q, q_squared_);
+    now.q = turned_to.q;
+    now.R = matrix_of(now.q, q_squared_);
     now.w = turned(now.R, turned_to.w_B);
     return now;
   }
-  Rotor<E> q = q_;
-  if (!inner_.none) q = q * turn(inner_, tau);
-  if (!outer_.none) q = turn(outer_, tau) * q;
-  now.R = matrix_of(q, q_squared_);
+  now.q = q_;
+  if (!inner_.none) now.q = now.q * turn(inner_, tau);
+  if (!outer_.none) now.q = turn(outer_, tau) * now.q;
+  now.R = matrix_of(now.q, q_squared_);
   now.w = {E(0), E(0), E(0)};
   if (!inner_.none) now.w = turned(now.R, Coordinates<E>(inner_.rate * inner_.axis));
   if (!outer_.none) now.w = now.w + outer_.rate * outer_.axis;
@@ -166,6 +167,7 @@ FlightTruth flown(const Scene& scene, std::size_t body, double time) {
   const Coordinates<WideEnclosure> p_WB = now.p - turned(now.R, flyer.centre());
   FlightTruth truth;
   truth.p_WB = in_doubles(p_WB);
+  for (std::size_t i = 0; i < 4; ++i) truth.q_WB[i] = reference::in_doubles(now.q[i]);
   for (std::size_t i = 0; i < 9; ++i) truth.R_WB[i / 3][i % 3] = reference::in_doubles(now.R[i]);
   truth.v_WBcm = in_doubles(now.v);
   truth.w_WB = in_doubles(now.w);

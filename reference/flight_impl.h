@@ -44,6 +44,7 @@ template <class E>
 struct Flying {
   Coordinates<E> p, v;  ///< of the reference point
   Coordinates<E> w;
+  Rotor<E> q;          ///< of R
   std::array<E, 9> R;  ///< R_WB
 };
 

@@ -39,16 +39,6 @@ Hull hull(const Body& body, int part, const Triple& shift) {
   return result;
 }
 
-/// The extreme points x of the contact, where y = x − d.
-std::vector<Triple> contact_points(const Body& A, int part_A, const Body& B, int part_B, const Triple& d) {
-  const std::vector<Triple> a = vertices(A, part_A), b = vertices(B, part_B);
-  if (a.size() == 1) return a;
-  if (b.size() == 1) return {plus(b[0], d)};
-  return common_points(hull(A, part_A, {}), hull(B, part_B, d));
-}
-
-Triple velocity(const Departure& body, const Triple& at) { return plus(body.v, cross(body.w, minus(at, body.p))); }
-
 /// The extreme rays of the cone of normals, and perhaps some more.
 std::vector<Triple> normals(const PosedPair& pair, const CoreNearest& nearest, const Triple& d) {
   if (nearest.cores == Verdict::separated) return {d};
@@ -91,6 +81,15 @@ std::vector<bool> on_plane(const std::vector<Triple>& vertices, const Triple& n,
 
 }  // namespace
 
+Triple velocity(const Departure& body, const Triple& at) { return plus(body.v, cross(body.w, minus(at, body.p))); }
+
+std::vector<Triple> closest_points_on_A(const Body& A, int part_A, const Body& B, int part_B, const Triple& d) {
+  const std::vector<Triple> a = vertices(A, part_A), b = vertices(B, part_B);
+  if (a.size() == 1) return a;
+  if (b.size() == 1) return {plus(b[0], d)};
+  return common_points(hull(A, part_A, {}), hull(B, part_B, d));
+}
+
 Standing standing(const Body& A, int part_A, const Departure& a, const Body& B, int part_B, const Departure& b,
                   double apart) {
   Standing result;
@@ -103,7 +102,7 @@ Standing standing(const Body& A, int part_A, const Departure& a, const Body& B, 
   if (excess < 0 || nearest.cores == Verdict::overlapping) return result;
   const mpq_class factor = value_of(pair.length(nearest.height, nearest.denominator));
   const Triple d = scaled(factor, Triple{nearest.normal.x, nearest.normal.y, nearest.normal.z});
-  judge(result, normals(pair, nearest, d), contact_points(A, part_A, B, part_B, d), d, a, b);
+  judge(result, normals(pair, nearest, d), closest_points_on_A(A, part_A, B, part_B, d), d, a, b);
   result.on_A = on_plane(vertices(A, part_A), result.n, result.x);
   result.on_B = on_plane(vertices(B, part_B), result.n, result.y);
   return result;

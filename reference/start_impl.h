@@ -29,4 +29,9 @@ struct Standing {
 Standing standing(const Body& A, int part_A, const Departure& a, const Body& B, int part_B, const Departure& b,
                   double apart);
 
+Triple velocity(const Departure& body, const Triple& at);  ///< of its point there, at its start
+
+/// The extreme points x of {closest points of core A}, where d = x − y for the closest points y of core B.
+std::vector<Triple> closest_points_on_A(const Body& A, int part_A, const Body& B, int part_B, const Triple& d);
+
 }  // namespace touchstone::reference

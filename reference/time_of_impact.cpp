@@ -38,15 +38,14 @@ TimeOfImpactTruth truth_of(const Found<P>& found, const Parts& parts, double end
   return truth;
 }
 
-/// A pair of parts, and the flight that is asked about.
+/// What is asked about a flight.
 struct Question {
   const Scene& scene;
   const std::array<Departure, 2>& departures;
   double apart;
   double from, end;
-  bool poses_hold;  ///< both stand at `from` as the scene says
-
-  bool only_meetings() const { return apart == 0; }
+  bool poses_hold;     ///< both stand at `from` as the scene says
+  bool only_meetings;  ///< contact from which they part does not count, and overlap is no answer
 };
 
 TimeOfImpactTruth at_start(const Parts& parts, const Question& question, Meeting meeting, const Standing& standing) {
@@ -81,8 +80,8 @@ TimeOfImpactTruth closely(const Parts& parts, const Question& question) {
   Standing there = standing(parts.A, parts.a, a, parts.B, parts.b, b, question.apart);
   using Kind = Standing::Kind;
   Float from = question.from;
-  if (there.kind == Kind::overlapping && question.only_meetings()) refuse_overlap(parts, question);
-  if (there.kind == Kind::overlapping || (there.kind != Kind::apart && !question.only_meetings())) {
+  if (there.kind == Kind::overlapping && question.only_meetings) refuse_overlap(parts, question);
+  if (there.kind == Kind::overlapping || (there.kind != Kind::apart && !question.only_meetings)) {
     return at_start(parts, question, Meeting::hit, there);
   }
   if (there.kind == Kind::approaching) return at_start(parts, question, Meeting::hit, there);
@@ -122,7 +121,7 @@ void leave_out_turning(const Body& body, Departure& departure) {
   departure.tumble = nullptr;
 }
 
-TimeOfImpactTruth first_within(const Scene& scene, double apart) {
+TimeOfImpactTruth first_within(const Scene& scene, double apart, std::optional<double> earliest) {
   if (scene.bodies.size() < 2) throw InputError("bodies", "two are needed for a time of impact");
   if (!scene.flight) throw InputError("flight", "missing; expected one for a question about motion");
   const DefaultFloatMode mode;
@@ -131,9 +130,11 @@ TimeOfImpactTruth first_within(const Scene& scene, double apart) {
   std::array<Departure, 2> departures = {departure(scene, 0), departure(scene, 1)};
   leave_out_turning(A, departures[0]);
   leave_out_turning(B, departures[1]);
-  const double from = std::max(departures[0].since.get_d(), departures[1].since.get_d());
-  Question question = {
-      scene, departures, apart, from, scene.flight->times.back(), departures[0].since == departures[1].since};
+  const double end = scene.flight->times.back();
+  const double from = std::max({departures[0].since.get_d(), departures[1].since.get_d(), earliest.value_or(0)});
+  if (from > end) throw InputError("flight.times", "the flight ends before the time that is asked about");
+  const bool poses_hold = departures[0].since == from && departures[1].since == from;
+  const Question question = {scene, departures, apart, from, end, poses_hold, !earliest};
   std::optional<TimeOfImpactTruth> first;
   for (int a = 0; a < part_count(A); ++a) {
     for (int b = 0; b < part_count(B); ++b) {
@@ -146,8 +147,10 @@ TimeOfImpactTruth first_within(const Scene& scene, double apart) {
 
 }  // namespace
 
-TimeOfImpactTruth time_of_impact(const Scene& scene) { return first_within(scene, 0); }
+TimeOfImpactTruth time_of_impact(const Scene& scene) { return first_within(scene, 0, std::nullopt); }
 
-TimeOfImpactTruth time_of_distance(const Scene& scene, double apart) { return first_within(scene, apart); }
+TimeOfImpactTruth time_of_distance(const Scene& scene, double apart, double from) {
+  return first_within(scene, apart, from);
+}
 
 }  // namespace touchstone::reference

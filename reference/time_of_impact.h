@@ -33,8 +33,8 @@ struct TimeOfImpactTruth {
 /// contact at the start neither parts nor approaches. Cost: docs/design/time_of_impact.md.
 TimeOfImpactTruth time_of_impact(const Scene& scene);
 
-/// The first time at which the distance is at most `apart` (m, ≥ 0); a hit at the start if it is so there, however the
-/// two move, or overlap. For impacts within an envelope: no impact may come before.
-TimeOfImpactTruth time_of_distance(const Scene& scene, double apart);
+/// The first time, from `from` on, at which the distance is at most `apart` (m, ≥ 0); a hit at the start if it is so
+/// there, however the two move, or overlap. For impacts within an envelope: no impact may come before.
+TimeOfImpactTruth time_of_distance(const Scene& scene, double apart, double from = 0);
 
 }  // namespace touchstone::reference

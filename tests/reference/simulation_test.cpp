@@ -1,0 +1,158 @@
+#include "reference/simulation.h"
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include "model/input_error.h"
+#include "model/limits.h"
+#include "reference/distance.h"
+#include "reference/validity.h"
+#include "tests/catch.h"
+#include "tests/reference/flights.h"
+
+namespace touchstone::tests {
+namespace {
+
+using reference::simulation;
+
+Body ball(double radius, const Vec3& p, const Vec3& v, double e = 1) {
+  Body b = body(Sphere{radius}, p);
+  b.velocity.v_WBcm = v;
+  b.material.restitution = e;
+  return b;
+}
+
+Body floor() {
+  Body b = body(Box{Vec3(8, 8, 1)}, Vec3(0, 0, -1));
+  b.mass = Fixed{};
+  b.material.restitution = 1;
+  return b;
+}
+
+Scene looked_at(std::vector<Body> bodies, std::vector<double> times) {
+  Scene scene;
+  scene.bodies = std::move(bodies);
+  scene.flight = Flight{.times = std::move(times)};
+  return scene;
+}
+
+TEST_CASE("A ball that bounces: impacts at the times of its parabolas") {
+  Scene scene = looked_at({ball(0.5, Vec3(0, 0, 1.5), Vec3::Zero(), 0.5), floor()}, {0.25, 1, 1.25});
+  scene.gravity = Vec3(0, 0, -8);
+  const Trajectory said = simulation(scene);
+  REQUIRE(!said.complete_until);
+  REQUIRE(said.events->size() >= 2);
+  // Falls 1 m in 1/2 s, leaves at 2 m/s, is back 1/2 s later; an envelope of 2^-31 comes that much sooner.
+  CHECK((*said.events)[0].time == Approx(0.5).margin(1e-9));
+  CHECK((*said.events)[0].time < 0.5);
+  CHECK((*said.events)[0].after_a.velocity.v_WBcm.z() == Approx(2).margin(1e-8));
+  CHECK((*said.events)[0].nhat_BA_W == Vec3(0, 0, 1));
+  CHECK((*said.events)[1].time == Approx(1).margin(1e-8));
+  REQUIRE(said.states.size() == 3);
+  CHECK(said.states[0][0].X_WB.p_WB == Vec3(0, 0, 1.25));
+  CHECK(said.states[0][0].velocity.v_WBcm == Vec3(0, 0, -2));
+}
+
+TEST_CASE("A bouncing ball piles up its impacts, and the reference says where it stops") {
+  Scene scene = looked_at({ball(0.5, Vec3(0, 0, 1.5), Vec3::Zero(), 0.5), floor()}, {1, 4});
+  scene.gravity = Vec3(0, 0, -8);
+  const Trajectory said = simulation(scene, {.impacts = 100});
+  REQUIRE(said.complete_until);
+  // 1/2 (1 + e)/(1 − e) = 3/2, and some hops within the envelope, of √(2ε/g) each.
+  CHECK(*said.complete_until == Approx(1.5).margin(1e-3));
+  CHECK(said.states.size() == 1);
+}
+
+TEST_CASE("Newton's cradle with gaps passes the motion on") {
+  std::vector<Body> row;
+  for (int i = 0; i < 5; ++i) row.push_back(ball(0.5, Vec3(1.25 * i, 0, 0), Vec3(i == 0 ? 1 : 0, 0, 0)));
+  const Trajectory said = simulation(looked_at(row, {8}));
+  REQUIRE(!said.complete_until);
+  CHECK(said.events->size() == 4);
+  for (int i = 0; i < 5; ++i) {
+    CHECK(said.states[0][static_cast<std::size_t>(i)].velocity.v_WBcm == Vec3(i == 4 ? 1 : 0, 0, 0));
+  }
+}
+
+double energy(const Scene& scene, const std::vector<State>& states, const Mat3& I) {
+  double sum = 0;
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    if (std::holds_alternative<Fixed>(scene.bodies[i].mass)) continue;
+    const Velocity& v = states[i].velocity;
+    sum += v.v_WBcm.squaredNorm() / 2 + v.w_WB.dot(I * v.w_WB) / 2;
+  }
+  return sum;
+}
+
+TEST_CASE("Hulls in a box: energy and momentum through impacts, and nobody in anybody") {
+  Dice dice(6);
+  Scene scene;
+  for (int i = 0; i < 3; ++i) {
+    Body hull = body(round_hull(dice, 8), Vec3(3.0 * i, 0, 0), random_quaternion(dice));
+    hull.mass = round_mass(1, 0.5);
+    hull.material = {.restitution = 1, .friction = i == 1 ? 0.0 : 0.5};
+    hull.velocity = {Vec3(2 - 2.0 * i, 0, 0) + 0.25 * dice.in_cube(), dice.in_cube()};
+    scene.bodies.push_back(hull);
+  }
+  scene.flight = Flight{.times = {0.5, 1, 1.5, 2, 3}};
+  const Trajectory said = simulation(scene);
+  REQUIRE(!said.complete_until);
+  REQUIRE(said.events->size() >= 2);
+  Vec3 momentum = Vec3::Zero();
+  for (const Body& b : scene.bodies) momentum += b.velocity.v_WBcm;
+  const Mat3 I = 0.5 * Mat3::Identity();
+  const double before = energy(scene, said.states[0], I);
+  for (const std::vector<State>& states : said.states) {
+    CHECK(energy(scene, states, I) == Approx(before).epsilon(1e-13));
+    Vec3 now = Vec3::Zero();
+    Scene then = scene;
+    for (std::size_t i = 0; i < states.size(); ++i) {
+      now += states[i].velocity.v_WBcm;
+      then.bodies[i].X_WB = states[i].X_WB;
+    }
+    CHECK((now - momentum).norm() < 1e-13);
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t j = 0; j < i; ++j) {
+        CHECK(reference::distance(pair(then.bodies[i], then.bodies[j])).verdict == Verdict::separated);
+      }
+    }
+  }
+  for (const Event& event : *said.events) {
+    Body a = scene.bodies[static_cast<std::size_t>(event.a)], b = scene.bodies[static_cast<std::size_t>(event.b)];
+    a.X_WB = event.after_a.X_WB;
+    b.X_WB = event.after_b.X_WB;
+    CHECK(reference::distance(pair(a, b)).distance.hi <= envelope(scene));
+  }
+}
+
+TEST_CASE("A box that falls flat rattles on its corners and goes on") {
+  Body box = body(Box{Vec3(1, 1, 0.5)}, Vec3(0, 0, 1.5));
+  box.material.restitution = 1;
+  Scene scene = looked_at({box, floor()}, {0.25, 0.75});
+  scene.gravity = Vec3(0, 0, -8);
+  const Trajectory said = simulation(scene);
+  CHECK(!said.complete_until);
+  CHECK(said.events->size() >= 2);
+  CHECK(said.states.back()[0].X_WB.p_WB.z() > 0.5);
+}
+
+TEST_CASE("A push is an event of its own") {
+  Scene scene = looked_at({ball(0.5, Vec3(0, 0, 0), Vec3(1, 0, 0))}, {1, 2});
+  scene.bodies[0].mass = round_mass(2);
+  scene.flight->force_bound = 4;
+  scene.flight->pushes = {{0, 0, Vec3(0, 0, 4)}, {1, 0, Vec3::Zero()}};
+  const Trajectory said = simulation(scene);
+  REQUIRE(said.events->size() == 1);
+  CHECK((*said.events)[0].kind == Event::Kind::push);
+  CHECK(said.states[0][0].X_WB.p_WB == Vec3(1, 0, 1));
+  CHECK(said.states[1][0].X_WB.p_WB == Vec3(2, 0, 3));
+}
+
+TEST_CASE("Bodies that overlap at the start are refused") {
+  CHECK_THROWS_AS(
+      simulation(looked_at({ball(1, Vec3::Zero(), Vec3::Zero()), ball(1, Vec3(1, 0, 0), Vec3::Zero())}, {1})),
+      InputError);
+}
+
+}  // namespace
+}  // namespace touchstone::tests
