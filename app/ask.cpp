@@ -17,6 +17,7 @@
 #include "reference/mass.h"
 #include "reference/penetration.h"
 #include "reference/pixel.h"
+#include "reference/time_of_impact.h"
 #include "reference/validity.h"
 
 namespace touchstone::app {
@@ -178,11 +179,35 @@ Json impulse(const Scene& scene) {
   return json;
 }
 
+/// Of a time that is enclosed: both ends, their difference and what is known there.
+Json time_of_impact(const Scene& scene) {
+  const reference::TimeOfImpactTruth truth = reference::time_of_impact(scene);
+  using Meeting = TimeOfImpact::Meeting;
+  const char* words = truth.meeting == Meeting::hit ? "hit" : truth.meeting == Meeting::miss ? "miss" : "undecided";
+  Json json = {{"meeting", words}, {"apart_before", truth.time.lo}};
+  if (truth.meeting == Meeting::hit) {
+    json["met_by"] = truth.time.hi;
+    json["width"] = truth.time.hi - truth.time.lo;
+    json["at_start"] = truth.at_start ? "yes" : "no";
+  }
+  if (truth.meeting == Meeting::undecided) json["gap_at_most"] = truth.gap;
+  if (truth.meeting != Meeting::miss) {
+    json["p_WCa"] = touchstone::json_of(truth.p_WCa);
+    json["p_WCb"] = touchstone::json_of(truth.p_WCb);
+    json["nhat_BA_W"] = touchstone::json_of(truth.nhat_BA_W);
+  }
+  return json;
+}
+
 const std::map<std::string, Show>& shows() {
-  static const std::map<std::string, Show> all = {
-      {"mass", mass},         {"bounds", bounds},           {"broad_phase", broad_phase},
-      {"distance", distance}, {"penetration", penetration}, {"impulse", impulse},
-      {"pixel", pixel}};
+  static const std::map<std::string, Show> all = {{"mass", mass},
+                                                  {"bounds", bounds},
+                                                  {"broad_phase", broad_phase},
+                                                  {"distance", distance},
+                                                  {"penetration", penetration},
+                                                  {"impulse", impulse},
+                                                  {"pixel", pixel},
+                                                  {"time_of_impact", time_of_impact}};
   return all;
 }
 
@@ -242,7 +267,7 @@ Json answered(const std::string& query, const Scene& scene, const std::string& p
 
 const std::vector<std::string>& queries() {
   static const std::vector<std::string> all = {"mass",        "bounds",  "broad_phase", "distance",
-                                               "penetration", "impulse", "pixel"};
+                                               "penetration", "impulse", "pixel",       "time_of_impact"};
   return all;
 }
 

@@ -94,6 +94,19 @@ class Ask(Test):
         self.assertEqual(said["overlapping_boxes"], [[0, 1]])
         self.words("broad_phase")
 
+    def test_time_of_impact(self):
+        # Unit cubes, faces 2 apart, closing at 2 m/s and then 0.5: they meet at t = 1, and not within 3 s.
+        def said(speed):
+            scene_of_two = scene(body(box(1, 1, 1)), body(box(1, 1, 1), (0, 0, 4), velocity={"v_WBcm": [0, 0, -speed], "w_WB": [0, 0, 0]}))
+            self.file("scene.json", {**scene_of_two, "gravity": [0, 0, -10], "flight": {"times": [3]}})
+            return json.loads(self.succeeds("ask", "time_of_impact", "scene.json", "--json"))
+
+        hit = said(2)
+        self.assertEqual(hit["meeting"], "hit")
+        self.assertTrue(hit["apart_before"] <= 1 <= hit["met_by"] <= hit["apart_before"] + 1e-14, hit)
+        self.words("time_of_impact")
+        self.assertEqual(said(0.5), {"meeting": "miss", "apart_before": 3})
+
 
 def stl_text(triangles):
     facets = "".join("facet normal 0 0 0\nouter loop\n" + "".join(f"vertex {x} {y} {z}\n" for x, y, z in t) +
