@@ -35,13 +35,10 @@ Range swept(double p, double v, double a, double from, double until) {
 }  // namespace
 
 Mover::Mover(const Body& body, double since, const Vec3& gravity)
-    : fixed_(std::holds_alternative<Fixed>(body.mass)), body_(&body) {
+    : material_(body.material), fixed_(std::holds_alternative<Fixed>(body.mass)), body_(&body) {
   const std::optional<MassProperties> mass = fast::mass(body);
   const auto* sphere = std::get_if<Sphere>(&body.shape);
-  if (mass) {
-    inverse_mass_ = 1 / mass->mass;
-    inertia_ = mass->I_BBcm_B;
-  }
+  if (mass) inverse_mass_ = 1 / mass->mass;
   if (sphere && (!mass || (mass->p_BBcm.isZero(0) && is_multiple_of_one(mass->I_BBcm_B)))) {
     kind_ = Kind::ball;
     radius_ = sphere->radius;
@@ -49,10 +46,9 @@ Mover::Mover(const Body& body, double since, const Vec3& gravity)
   } else if (fixed_ && std::holds_alternative<Box>(body.shape) && body.velocity.w_WB.isZero(0)) {
     kind_ = Kind::block;
     radius_ = half_extents().norm() * (1 + 4 * u);
-    R_WB_ = lin_canny::rotation(body.X_WB.q_WB);
     const Aabb box = fast::box(body);
-    reach_lo_ = box.lo - body.X_WB.p_WB;
-    reach_hi_ = box.hi - body.X_WB.p_WB;
+    block_ = std::make_unique<const Block>(
+        Block{lin_canny::rotation(body.X_WB.q_WB), box.lo - body.X_WB.p_WB, box.hi - body.X_WB.p_WB});
   } else {
     radius_ = flyer().radius;
   }
@@ -86,13 +82,18 @@ Aabb Mover::box(double from, double until, double margin) const {
   }
   for (Eigen::Index i = 0; i < 3; ++i) {
     const Range range = swept(path_.p[i], path_.v[i], path_.a[i], from - path_.since, until - path_.since);
-    const double below = kind_ == Kind::ball ? -radius_ : reach_lo_[i];
-    const double above = kind_ == Kind::ball ? radius_ : reach_hi_[i];
+    const double below = kind_ == Kind::ball ? -radius_ : block_->reach_lo[i];
+    const double above = kind_ == Kind::ball ? radius_ : block_->reach_hi[i];
     const double more = margin + 4 * u * (above - below);
     box.lo[i] = range.lo + below - more;
     box.hi[i] = range.hi + above + more;
   }
   return box;
+}
+
+Mat3 Mover::inertia() const {
+  if (fixed_) return Mat3::Zero();
+  return kind_ == Kind::ball ? Mat3(1 / inverse_moment_ * Mat3::Identity()) : flyer().I_BBcm_B;
 }
 
 Mover::Other& Mover::other() const {

@@ -44,9 +44,9 @@ class Mover {
   double radius() const { return radius_; }  ///< of a ball; else of a ball around the path's point that holds the body
   double inverse_mass() const { return inverse_mass_; }
   double inverse_moment() const { return inverse_moment_; }  ///< of a ball
-  const Mat3& inertia() const { return inertia_; }           ///< about the centre of mass, in B's axes
+  Mat3 inertia() const;                                      ///< about the centre of mass, in B's axes
   const Body& body() const { return *body_; }
-  const Material& material() const { return body_->material; }
+  const Material& material() const { return material_; }
 
   const Path& path() const { return path_; }
   bool still() const;  ///< its path stays where it is
@@ -65,10 +65,14 @@ class Mover {
   const motion::Flyer& flyer() const;
 
   /// Of a block.
-  const Mat3& R_WB() const { return R_WB_; }
+  const Mat3& R_WB() const { return block_->R_WB; }
   const Vec3& half_extents() const { return std::get<Box>(body_->shape).half_extents; }
 
  private:
+  struct Block {
+    Mat3 R_WB;
+    Vec3 reach_lo, reach_hi;  ///< of its box, from its origin
+  };
   struct Other {
     explicit Other(const Body& body) : flyer(body) {}
     motion::Flyer flyer;
@@ -76,15 +80,15 @@ class Mover {
   };
   Other& other() const;
 
+  // Many balls are many of these: what only few kinds need stands elsewhere.
   Path path_;
   double radius_ = 0;
   double inverse_mass_ = 0, inverse_moment_ = 0;
+  Material material_;
   Kind kind_ = Kind::other;
   bool fixed_ = false;
   const Body* body_;
-  Mat3 R_WB_ = Mat3::Identity();
-  Mat3 inertia_ = Mat3::Zero();
-  Vec3 reach_lo_ = Vec3::Zero(), reach_hi_ = Vec3::Zero();  ///< of a block's box, from its origin
+  std::unique_ptr<const Block> block_;
   mutable std::unique_ptr<Other> other_;
 };
 

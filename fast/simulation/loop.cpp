@@ -32,7 +32,7 @@ std::vector<Mover> movers(const Scene& scene) {
   return bodies;
 }
 
-/// As long as most boxes of a frame: the median of those that move.
+/// As long as most boxes of a frame: nine of ten that move are no longer.
 double usual_extent(const std::vector<Mover>& bodies, double frame) {
   std::vector<double> extents;
   for (const Mover& body : bodies) {
@@ -42,9 +42,9 @@ double usual_extent(const std::vector<Mover>& bodies, double frame) {
                       frame * (path.v.cwiseAbs().maxCoeff() + frame * path.a.cwiseAbs().maxCoeff()));
   }
   if (extents.empty()) return 1;
-  const auto middle = extents.begin() + static_cast<std::ptrdiff_t>(extents.size() / 2);
-  std::ranges::nth_element(extents, middle);
-  return *middle;
+  const auto most = extents.begin() + static_cast<std::ptrdiff_t>(9 * extents.size() / 10);
+  std::ranges::nth_element(extents, most);
+  return *most;
 }
 
 /// Frames are as long as asked, but never more than 2^20 of them.
@@ -97,9 +97,7 @@ void Loop::begin_frame() {
   }
   for (BodyId a = 0; a < bodies_.size(); ++a) {
     if (!moves(a)) continue;
-    near_.clear();
-    tiling_.near(a, near_);
-    for (const BodyId b : near_) {
+    for (const BodyId b : tiling_.near(a)) {
       if (!moves(b) || a < b) watch(std::min(a, b), std::max(a, b), 0);
     }
   }
@@ -115,26 +113,52 @@ void Loop::attend(const Due& due) {
   if (rests_on(due.a, due.b)) return change(due.a);
   if (rests_on(due.b, due.a)) return change(due.b);
   const Mover &a = bodies_[due.a], &b = bodies_[due.b];
-  const Touch touch = world::touch(a, b, now_, memory(due.a, due.b));
+  Touch touch = world::touch(a, b, now_, memory(due.a, due.b));
   if (touch.gap > std::max(envelope_, 2 * clearance(a, b, now_, infinite))) return watch(due.a, due.b, now_);
+  if (!has_closed_form(a, b)) touch = foremost(a, b, touch);
   meet(due, touch);
   if (events_ > options_.most_events) stop(due, "more events than allowed");
 }
 
+/// Of all points at which the two touch, the one that approaches fastest; the first of several.
+Touch Loop::foremost(const Mover& a, const Mover& b, Touch touch) const {
+  const State at_a = a.state(now_), at_b = b.state(now_);
+  Touch most = touch;
+  double least = never;
+  for (const Vec3& corner : patch(a, b, now_, touch.nhat_BA_W, touch.p_WC, envelope_)) {
+    touch.p_WC = corner;
+    const double u_n = approach(a, at_a, b, at_b, touch);
+    if (u_n < least) least = u_n, most = touch;
+  }
+  return most;
+}
+
+/// Later, by a time in which the two hardly move: they part, though no faster than rounding can tell.
+void Loop::watch_later(const Due& due) {
+  const auto pace = [](const Mover& m, double t) {
+    return m.path().velocity(t).lpNorm<1>() +
+           (m.fixed() || m.kind() != Kind::other ? 0 : m.flight().rate() * m.radius());
+  };
+  const double speed = pace(bodies_[due.a], now_) + pace(bodies_[due.b], now_);
+  watch(due.a, due.b, now_ + std::max(envelope_ / 16 / speed, now_ * 0x1p-51));
+}
+
 /// A meeting is an impact, unless it is so slow that the hop after it would stay within the envelope: then the body
-/// rests, or where there is no closed form for that, hops that high in its stead. The hops after an impact that would
-/// all be so low are completed at once: they end 2v/(press (1 − e)) later.
+/// rests, or where there is no closed form for that, hops that high in its stead (it comes down about as fast as it
+/// went up: twice as fast still counts). The hops after an impact that would all be so low are completed at once: they
+/// end 2v/(press (1 − e)) later.
 void Loop::meet(const Due& due, const Touch& touch) {
   const Mover &a = bodies_[due.a], &b = bodies_[due.b];
   const State at_a = a.state(now_), at_b = b.state(now_);
   const Coefficients c = coefficients(a, b, scene_->flight->law);
   const double u_n = approach(a, at_a, b, at_b, touch), presses = press(a, b, touch);
   const double hop = least_speed(presses, envelope_), rebound = c.restitution * -u_n;
-  if (hop > 0 && -u_n <= hop) {
-    if (hold(due, touch, {}, now_)) return;
+  if (u_n > hop / 16) return watch_later(due);
+  if (hop > 0 && -u_n <= hop && hold(due, touch, {}, now_)) return;
+  if (hop > 0 && -u_n <= 2 * hop && !can_rest(due, touch)) {
     return strike(Event::Kind::micro_collision, due, touch, world::micro_collision(a, at_a, b, at_b, touch, c, hop));
   }
-  if (!(u_n < 0)) return watch(due.a, due.b, now_);
+  if (!(u_n < 0)) return watch_later(due);
   strike(Event::Kind::impact, due, touch, impact(a, at_a, b, at_b, touch, c));
   if (rebound <= hop && c.restitution < 1) {
     hold(due, touch, {rebound, (1 + c.restitution) / 2}, now_ + 2 * rebound / (presses * (1 - c.restitution)));
@@ -158,36 +182,60 @@ void Loop::strike(Event::Kind kind, const Due& due, const Touch& touch, Hit hit)
   if (!bodies_[due.b].fixed()) watch_all(due.b, bodies_[due.a].fixed() ? due.b : due.a);
 }
 
+/// The one of the pair that may rest on the other, and that other; nobody if both move or none does.
+std::optional<Loop::Laid> Loop::laid(const Due& due, const Touch& touch) const {
+  const bool first = bodies_[due.b].fixed();
+  if (bodies_[due.a].fixed() == first) return {};
+  Laid laid{first ? due.a : due.b, first ? due.b : due.a, first ? touch.nhat_BA_W : Vec3(-touch.nhat_BA_W), {}};
+  if (bodies_[laid.on].kind() == Kind::block) laid.nhat_W = face_normal(bodies_[laid.on], laid.nhat_W);
+  laid.state = without_normal(bodies_[laid.on], bodies_[laid.id].state(now_), laid.nhat_W);
+  return laid;
+}
+
+std::optional<Rest> Loop::rest_of(const Laid& laid, double load) const {
+  const Mover &body = bodies_[laid.id], &on = bodies_[laid.on];
+  if (on.kind() != Kind::block) return {};
+  const double friction = coefficients(body, on, scene_->flight->law).friction;
+  if (body.kind() == Kind::ball) {
+    return roll(body, on, laid.state, now_, laid.nhat_W, scene_->gravity, friction, load);
+  }
+  const double still = 4 * least_speed(-laid.nhat_W.dot(scene_->gravity), envelope_);
+  const std::vector<Vec3> corners = patch(body, on, now_, laid.nhat_W, body.path().place(now_), envelope_);
+  return lie(body, on, laid.state, now_, laid.nhat_W, corners, scene_->gravity, friction, still);
+}
+
+bool Loop::can_rest(const Due& due, const Touch& touch) const {
+  const std::optional<Laid> found = laid(due, touch);
+  return found && rest_of(*found, 1);
+}
+
 /// From now on the one rests on the other, if there is a closed form; hops that are left end at `until`.
 bool Loop::hold(const Due& due, const Touch& touch, const Hops& hops, double until) {
-  if (bodies_[due.a].fixed() == bodies_[due.b].fixed()) return false;
-  const BodyId id = bodies_[due.a].fixed() ? due.b : due.a, on = bodies_[due.a].fixed() ? due.a : due.b;
-  const State before = bodies_[id].state(now_);
-  const State state = without_normal(bodies_[on], before, touch.nhat_BA_W);
-  if (!lay(id, on, state, touch.nhat_BA_W * (id == due.a ? 1 : -1), until > now_ ? hops : Hops{}, until)) return false;
-  if (until <= now_) record_contact(Event::Kind::contact, id, before.velocity.v_WBcm, now_);
+  const std::optional<Laid> found = laid(due, touch);
+  if (!found) return false;
+  const Vec3 v_before = bodies_[found->id].path().velocity(now_);
+  if (!lay(*found, until > now_ ? hops : Hops{}, until)) return false;
+  if (until <= now_) record_contact(Event::Kind::contact, found->id, v_before, now_);
   return true;
 }
 
 /// The body's path while it rests; false where there is no closed form.
-bool Loop::lay(BodyId id, BodyId on, const State& state, const Vec3& nhat_W, const Hops& hops, double hops_end) {
-  const double friction = coefficients(bodies_[id], bodies_[on], scene_->flight->law).friction;
-  std::optional<Rest> rest =
-      world::rest(bodies_[id], bodies_[on], state, now_, nhat_W, scene_->gravity, friction, hops.load);
+bool Loop::lay(const Laid& laid, const Hops& hops, double hops_end) {
+  std::optional<Rest> rest = rest_of(laid, hops.load);
   if (!rest) return false;
   if (hops_end > now_ && hops_end <= rest->until) {
     rest->until = hops_end;
     rest->then = Rest::Then::hops_end;
   }
-  rest->on = on;
+  rest->on = laid.on;
   rest->hops = hops;
   rest->hops_end = hops_end;
-  if (rest_[id] && rest_[id]->on != on) release(id, state);
-  bodies_[id].fly(now_, state, rest->acceleration, rest->alpha);
-  heap_.drop(id);
-  file(id);
-  rest_[id] = rest;
-  watch_all(id, id);
+  if (rest_[laid.id] && rest_[laid.id]->on != laid.on) release(laid.id, laid.state);
+  bodies_[laid.id].fly(now_, rest->start, rest->acceleration, rest->alpha);
+  heap_.drop(laid.id);
+  file(laid.id);
+  rest_[laid.id] = rest;
+  watch_all(laid.id, laid.id);
   return true;
 }
 
@@ -197,10 +245,10 @@ void Loop::change(BodyId id) {
   const Vec3 v_before = bodies_[id].path().v + was.hops.speed * was.nhat_W;
   const double since = bodies_[id].path().since;
   State state = without_normal(bodies_[was.on], bodies_[id].state(now_), was.nhat_W);
-  if (was.then == Rest::Then::slip_ends) state = rolling(bodies_[id], bodies_[was.on], state, was.nhat_W);
+  if (was.then == Rest::Then::slip_ends) state = without_slip(bodies_[id], bodies_[was.on], state, was.nhat_W);
   const bool hops_on = was.hops_end > now_;
   if (was.then != Rest::Then::leaves &&
-      lay(id, was.on, state, was.nhat_W, hops_on ? Hops{0, was.hops.load} : Hops{}, was.hops_end)) {
+      lay({id, was.on, was.nhat_W, state}, hops_on ? Hops{0, was.hops.load} : Hops{}, was.hops_end)) {
     return record_contact(was.then == Rest::Then::hops_end ? Event::Kind::completed : Event::Kind::contact, id,
                           v_before, since);
   }
@@ -214,7 +262,7 @@ void Loop::record_contact(Event::Kind kind, BodyId id, const Vec3& v_before, dou
   const Rest& rest = *rest_[id];
   const State state = bodies_[id].state(now_), support = bodies_[rest.on].state(now_);
   const Vec3 P = (state.velocity.v_WBcm - v_before - (now_ - since) * scene_->gravity) / bodies_[id].inverse_mass();
-  const Vec3 C = state.X_WB.p_WB - bodies_[id].radius() * rest.nhat_W;
+  const Vec3 C = state.X_WB.p_WB + rest.lever;
   const bool first = id < rest.on;
   record({kind, now_, static_cast<int>(std::min(id, rest.on)), static_cast<int>(std::max(id, rest.on)), C,
           first ? rest.nhat_W : -rest.nhat_W, first ? P : -P, first ? state : support, first ? support : state});
@@ -225,8 +273,8 @@ void Loop::release(BodyId id, const State& state) {
   const State support = bodies_[rest.on].state(now_);
   const bool first = id < rest.on;
   record({Event::Kind::release, now_, static_cast<int>(std::min(id, rest.on)), static_cast<int>(std::max(id, rest.on)),
-          state.X_WB.p_WB - bodies_[id].radius() * rest.nhat_W, first ? rest.nhat_W : -rest.nhat_W, Vec3::Zero(),
-          first ? state : support, first ? support : state});
+          state.X_WB.p_WB + rest.lever, first ? rest.nhat_W : -rest.nhat_W, Vec3::Zero(), first ? state : support,
+          first ? support : state});
   rest_[id].reset();
 }
 
@@ -250,9 +298,7 @@ void Loop::file(BodyId id) {
 }
 
 void Loop::watch_all(BodyId id, BodyId but) {
-  near_.clear();
-  tiling_.near(id, near_);
-  for (const BodyId other : near_) {
+  for (const BodyId other : tiling_.near(id)) {
     if (other != but) watch(std::min(id, other), std::max(id, other), now_);
   }
 }
@@ -261,6 +307,7 @@ void Loop::watch_all(BodyId id, BodyId but) {
 void Loop::watch(BodyId id_a, BodyId id_b, double from) {
   const Mover &a = bodies_[id_a], &b = bodies_[id_b];
   if (a.fixed() && b.fixed()) return;
+  if (!has_closed_form(a, b)) from = std::max(from, now_);
   from = std::max({from, a.path().since, b.path().since});
   if (from > frame_end_) return;
   ++done_.books.pairs;

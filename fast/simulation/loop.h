@@ -23,12 +23,24 @@ class Loop {
   Simulated run();
 
  private:
+  /// A body that is about to rest on another.
+  struct Laid {
+    BodyId id, on;
+    Vec3 nhat_W;  ///< towards it
+    State state;  ///< without velocity along n̂
+  };
+
   void begin_frame();
   void attend(const Due& due);
   void meet(const Due& due, const Touch& touch);
+  Touch foremost(const Mover& a, const Mover& b, Touch touch) const;
+  void watch_later(const Due& due);
   void strike(Event::Kind kind, const Due& due, const Touch& touch, Hit hit);
   bool hold(const Due& due, const Touch& touch, const Hops& hops, double until);
-  bool lay(BodyId id, BodyId on, const State& state, const Vec3& nhat_W, const Hops& hops, double hops_end);
+  bool can_rest(const Due& due, const Touch& touch) const;
+  std::optional<Laid> laid(const Due& due, const Touch& touch) const;
+  std::optional<Rest> rest_of(const Laid& laid, double load) const;
+  bool lay(const Laid& laid, const Hops& hops, double hops_end);
   void change(BodyId id);
   void release(BodyId id, const State& state);
   void look_until(double time, bool over);
@@ -60,7 +72,6 @@ class Loop {
   Tiling tiling_;
   std::unordered_map<std::uint64_t, Memory> memory_;  ///< looked up only, never walked
   Memory no_memory_;
-  std::vector<BodyId> near_;
   std::vector<Vec3> momentum_;  ///< by body, in multiples of the grid, if it is kept exact
   double grid_ = 0;             ///< N s; 0: velocities are what is kept
   std::size_t looked_ = 0;

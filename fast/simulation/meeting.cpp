@@ -97,6 +97,20 @@ double by_planes(const Mover& a, const Mover& b, double from, double until, doub
   return t;
 }
 
+/// Where doubles do not see whether two bodies that graze meet, they are taken not to, and looked at again thereafter.
+double advanced(const Mover& a, const Mover& b, double from, double until, double envelope, Memory& memory) {
+  while (true) {
+    const Meeting found = time_of_impact(a.flight(), b.flight(), from, until, envelope, memory.walks);
+    if (found.meeting == TimeOfImpact::Meeting::hit) {
+      memory.time = found.lo;
+      memory.touch = {0, found.p_WC, found.nhat_BA_W};
+      return found.lo;
+    }
+    if (found.meeting == TimeOfImpact::Meeting::miss || !(found.hi > from) || found.hi >= until) return never;
+    from = found.hi;
+  }
+}
+
 }  // namespace
 
 bool has_closed_form(const Mover& a, const Mover& b) {
@@ -112,10 +126,11 @@ Touch touch(const Mover& a, const Mover& b, double t, Memory& memory) {
     const Nearest at = nearest(a, b, a.path().place(t), b.path().place(t));
     return {at.gap, at.p_WCb + at.gap / 2 * at.n, at.n};
   }
+  if (memory.time == t) return memory.touch;
   const lin_canny::Solid &A = a.flyer().solid, &B = b.flyer().solid;
-  memory.resize(A.parts().size() * B.parts().size());
+  memory.walks.resize(A.parts().size() * B.parts().size());
   const auto found = lin_canny::nearest_parts(A, lin_canny::Station(a.flight().pose(t)), B,
-                                              lin_canny::Station(b.flight().pose(t)), memory);
+                                              lin_canny::Station(b.flight().pose(t)), memory.walks);
   const lin_canny::Proximity& at = found.proximity;
   const Vec3 apart = at.p_WCa - at.p_WCb;
   const double far = length(apart);
@@ -129,9 +144,8 @@ double meeting(const Mover& a, const Mover& b, double from, double until, double
     const double t = alike ? alike_falling_balls(a, b, from, envelope) : by_planes(a, b, from, until, envelope);
     return t <= until ? t : never;
   }
-  memory.resize(a.flyer().solid.parts().size() * b.flyer().solid.parts().size());
-  const Meeting found = time_of_impact(a.flight(), b.flight(), from, until, envelope, memory);
-  return found.meeting == TimeOfImpact::Meeting::miss ? never : found.lo;
+  memory.walks.resize(a.flyer().solid.parts().size() * b.flyer().solid.parts().size());
+  return advanced(a, b, from, until, envelope, memory);
 }
 
 }  // namespace touchstone::fast::world

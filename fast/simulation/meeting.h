@@ -15,8 +15,12 @@ struct Touch {
   Vec3 nhat_BA_W = Vec3::Zero();
 };
 
-/// Where the walks of a pair without a closed form stood.
-using Memory = std::vector<lin_canny::FeaturePair>;
+/// What is kept of a pair without a closed form: where its walks stood, and where the meeting is that was found last.
+struct Memory {
+  std::vector<lin_canny::FeaturePair> walks;
+  double time = -1;  ///< s; of the touch
+  Touch touch;
+};
 
 /// Two balls, or a ball and a block.
 bool has_closed_form(const Mover& a, const Mover& b);
@@ -29,7 +33,8 @@ bool has_closed_form(const Mover& a, const Mover& b);
 /// 16u and 4u cover them with room for the second order.
 double clearance(const Mover& a, const Mover& b, double t, double envelope);
 
-/// The nearest points at time t (≥ both paths' beginnings).
+/// The nearest points at time t (≥ both paths' beginnings); where several are, and a meeting was found for this very
+/// time, those that approach.
 Touch touch(const Mover& a, const Mover& b, double t, Memory& memory);
 
 /// A lower bound for the first time in [from, until] at which the two are in contact and approach; infinity: they are

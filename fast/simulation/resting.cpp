@@ -41,21 +41,32 @@ std::optional<Eigen::Index> face_along(const Mover& block, const Vec3& n, const 
 
 double least_speed(double press, double envelope) { return press > 0 ? std::sqrt(2 * press * envelope) : 0; }
 
+Vec3 face_normal(const Mover& block, const Vec3& nhat_W) {
+  const Vec3 n_B = block.R_WB().transpose() * nhat_W;
+  Eigen::Index axis = 0;
+  n_B.cwiseAbs().maxCoeff(&axis);
+  const Vec3 face = n_B[axis] < 0 ? Vec3(-block.R_WB().col(axis)) : Vec3(block.R_WB().col(axis));
+  return length(face - nhat_W) < 0x1p-20 ? face : nhat_W;
+}
+
 State without_normal(const Mover& support, State state, const Vec3& n) {
   const Vec3 u = state.velocity.v_WBcm - support.path().v;
   state.velocity.v_WBcm -= n.dot(u) * n;
   return state;
 }
 
-State rolling(const Mover& ball, const Mover& block, State state, const Vec3& n) {
+State without_slip(const Mover& body, const Mover& block, State state, const Vec3& n) {
+  if (body.kind() != Kind::ball) {
+    state.velocity = {block.path().v, Vec3::Zero()};
+    return state;
+  }
   const Vec3 v = state.velocity.v_WBcm - block.path().v;
-  state.velocity.w_WB = n.dot(state.velocity.w_WB) * n + n.cross(v) / ball.radius();
+  state.velocity.w_WB = n.dot(state.velocity.w_WB) * n + n.cross(v) / body.radius();
   return state;
 }
 
-std::optional<Rest> rest(const Mover& ball, const Mover& block, const State& state, double t, const Vec3& n,
+std::optional<Rest> roll(const Mover& ball, const Mover& block, const State& state, double t, const Vec3& n,
                          const Vec3& gravity, double friction, double load) {
-  if (ball.kind() != Kind::ball || block.kind() != Kind::block) return {};
   const Vec3 s = state.X_WB.p_WB - block.path().place(t);
   const std::optional<Eigen::Index> face = face_along(block, n, s);
   if (!face) return {};
@@ -65,6 +76,8 @@ std::optional<Rest> rest(const Mover& ball, const Mover& block, const State& sta
   const Vec3 turning = r * state.velocity.w_WB.cross(n), slip = v - n.dot(v) * n - turning;
   Rest rest;
   rest.nhat_W = n;
+  rest.lever = -ball.radius() * n;
+  rest.start = state;
   const bool slips = length(slip) > none * (length(v) + length(turning));
   if (!slips && slope <= (1 + lambda) * friction * N) {
     if (slope > 0) rest.acceleration = lambda / (1 + lambda) * g_t;
@@ -80,6 +93,42 @@ std::optional<Rest> rest(const Mover& ball, const Mover& block, const State& sta
     rest.then = Rest::Then::slip_ends;
   }
   const double edge = t + leaves_face(block, s, v, rest.acceleration, *face);
+  if (edge <= rest.until) {
+    rest.until = edge;
+    rest.then = Rest::Then::leaves;
+  }
+  return rest;
+}
+
+std::optional<Rest> lie(const Mover& body, const Mover& block, State state, double t, const Vec3& n,
+                        const std::vector<Vec3>& corners, const Vec3& gravity, double friction, double still) {
+  const Vec3 com = body.path().place(t), w = state.velocity.w_WB, V = block.path().v;
+  for (const Vec3& corner : corners) {
+    const Vec3 r = corner - com;
+    const Vec3 u = state.velocity.v_WBcm + w.cross(r) - V;
+    if (std::abs(n.dot(u)) > still || length(w) * length(r) > still) return {};
+  }
+  const double N = -n.dot(gravity);
+  const Vec3 g_t = gravity + N * n, slides = state.velocity.v_WBcm - V - n.dot(state.velocity.v_WBcm - V) * n;
+  const double slope = length(g_t) > none * N ? length(g_t) : 0, speed = length(slides) > still ? length(slides) : 0;
+  Rest rest;
+  rest.nhat_W = n;
+  if (speed > 0 || slope > friction * N) {
+    const Vec3 along = speed > 0 ? Vec3(slides / speed) : Vec3(g_t / slope);
+    if (slope > 0 && length(along.cross(g_t)) > none * slope) return {};
+    rest.acceleration = (slope > 0 ? g_t : Vec3(Vec3::Zero())) - friction * N * along;
+    const double rate = (slope > 0 ? g_t.dot(along) : 0) - friction * N;
+    if (speed > 0 && rate < 0) rest.until = t + speed / -rate;
+    rest.then = Rest::Then::slip_ends;
+  }
+  state.velocity = {speed > 0 ? Vec3(V + slides) : V, Vec3::Zero()};
+  rest.start = state;
+  const Vec3 force = rest.acceleration - gravity;
+  const Vec3 foot = com - n.dot(com - corners.front()) / n.dot(force) * force, s = foot - block.path().place(t);
+  rest.lever = foot - state.X_WB.p_WB;
+  const std::optional<Eigen::Index> face = face_along(block, n, s);
+  if (!face || !carries(corners, n, foot)) return {};
+  const double edge = t + leaves_face(block, s, state.velocity.v_WBcm - V, rest.acceleration, *face);
   if (edge <= rest.until) {
     rest.until = edge;
     rest.then = Rest::Then::leaves;

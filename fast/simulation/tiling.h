@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "fast/broad_phase/strategy.h"
@@ -22,38 +23,46 @@ class Tiling {
   void file(BodyId id, const Aabb& box);  ///< where it stands from now on
   const Aabb& box(BodyId id) const { return box_[id]; }
 
-  /// Appends whom the body's box overlaps, without itself; in no order that means anything.
-  void near(BodyId id, std::vector<BodyId>& found) const;
+  /// Whom the body's box overlaps, without itself; in no order that means anything. Valid until it is asked again.
+  std::span<const BodyId> near(BodyId id);
 
  private:
   static constexpr std::uint32_t nobody = 0xffffffff;
   static constexpr int levels = 64;
   static constexpr int middle = 24;  ///< the level of the given cell
   static constexpr std::size_t few = 16;
+  static constexpr std::uint32_t room = 6;  ///< so that a cell is half a line of memory
 
   struct Place {
-    std::int32_t level = -1;                        ///< −1: not filed
-    std::uint32_t cell = 0;                         ///< in the level's table
-    std::uint32_t at = 0;                           ///< in the level's list
-    std::uint32_t before = nobody, after = nobody;  ///< in the cell's chain
+    std::int32_t level = -1;       ///< −1: not filed
+    std::uint32_t cell = 0;        ///< in the level's table
+    std::uint32_t at = 0;          ///< in the level's list
+    std::uint32_t after = nobody;  ///< in the chain of those for whom the cell has no room
+  };
+  struct Cell {
+    std::uint32_t count = 0;
+    std::uint32_t more = nobody;
+    BodyId bodies[room] = {};
   };
   struct Level {
     double per_metre = 0;  ///< 1 / cell
     std::vector<BodyId> all;
-    std::vector<std::uint32_t> first;  ///< by cell; empty until the level has boxes
+    std::vector<Cell> cells;  ///< none until the level has boxes
   };
 
   std::int64_t row(const Level& level, double x) const;
-  std::uint32_t cell(std::int64_t x, std::int64_t y, std::int64_t z) const;
-  void take(BodyId id);
-  template <class Meet>
-  void look(const Level& level, const Aabb& box, const Meet& meet) const;
+  std::uint32_t index(std::int64_t x, std::int64_t y, std::int64_t z) const;
+  void put(Cell& cell, BodyId id);
+  void take(Cell& cell, BodyId id);
+  std::size_t look(const Level& level, const Aabb& box, std::size_t size);
 
   std::int64_t side_ = 1;  ///< cells of a table along each axis: a power of two
   int shift_ = 0;          ///< side_ = 2^shift_
   std::vector<Aabb> box_;
   std::vector<Place> place_;
   std::vector<Level> level_;
+  std::vector<std::size_t> used_;  ///< levels that have or had boxes
+  std::vector<BodyId> found_;      ///< what is asked for, and beyond it what was
 };
 
 }  // namespace touchstone::fast::world
