@@ -219,8 +219,4 @@ std::unique_ptr<Subject> make_bullet_simulation(const std::string& settings, dou
   return std::make_unique<BulletSimulation>(settings, dt);
 }
 
-std::unique_ptr<Subject> make_bullet_simulation(const std::string& settings) {
-  return make_bullet_simulation(settings, 1.0 / 256);
-}
-
 }  // namespace touchstone::oracle::subjects

@@ -10,9 +10,6 @@ namespace touchstone::oracle::subjects {
 
 /// Settings "simulation": as shipped; "simulation_tuned": as its maintainers advise against lost restitution.
 /// dt (s): the longest step.
-std::unique_ptr<Subject> make_bullet_simulation(const std::string& settings, double dt);
-
-/// By 1/256 s.
-std::unique_ptr<Subject> make_bullet_simulation(const std::string& settings);
+std::unique_ptr<Subject> make_bullet_simulation(const std::string& settings, double dt = 1.0 / 256);
 
 }  // namespace touchstone::oracle::subjects

@@ -45,12 +45,12 @@ std::vector<double> instants(const Flight& flight) {
 
 }  // namespace
 
-std::optional<Abstains> no_such_flight(const Scene& scene) {
+std::optional<Abstains> no_such_flight(const Scene& scene, Law law) {
   if (!scene.flight) return Abstains{"no flight"};
   const Flight& flight = *scene.flight;
   if (std::ranges::any_of(flight.since, [](double time) { return time != 0; }))
     return Abstains{"all bodies start at 0"};
-  if (flight.law != Law::newton && !all_laws_agree(scene)) return Abstains{"restores by another law"};
+  if (flight.law != law && !all_laws_agree(scene)) return Abstains{"restores by another law"};
   if (!std::ranges::all_of(scene.bodies, is_weighed)) return Abstains{"computes the mass of no hull and of no union"};
   return std::nullopt;
 }

@@ -18,9 +18,9 @@ class FlightWorld {
   virtual State state(int body) const = 0;
 };
 
-/// What no engine of Newton's law offers; none: the scene can be asked. Another law is none where all laws agree:
+/// What no engine that restores by `law` offers; none: the scene can be asked. Another law is as good where all agree:
 /// without restitution, without friction, or among balls.
-std::optional<Abstains> no_such_flight(const Scene& scene);
+std::optional<Abstains> no_such_flight(const Scene& scene, Law law = Law::newton);
 
 /// Between two looks (or pushes) as many equal steps of at most `dt` (s) as needed, so that each of them falls on a
 /// step.

@@ -173,8 +173,4 @@ std::unique_ptr<Subject> make_ode_simulation(const std::string& stepper, double 
   return std::make_unique<OdeSimulation>(stepper, dt);
 }
 
-std::unique_ptr<Subject> make_ode_simulation(const std::string& stepper) {
-  return make_ode_simulation(stepper, 1.0 / 256);
-}
-
 }  // namespace touchstone::oracle::subjects

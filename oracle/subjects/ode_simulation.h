@@ -9,9 +9,6 @@
 namespace touchstone::oracle::subjects {
 
 /// "simulation" (dWorldStep) or "simulation_quick" (dWorldQuickStep). dt (s): the longest step.
-std::unique_ptr<Subject> make_ode_simulation(const std::string& stepper, double dt);
-
-/// By 1/256 s.
-std::unique_ptr<Subject> make_ode_simulation(const std::string& stepper);
+std::unique_ptr<Subject> make_ode_simulation(const std::string& stepper, double dt = 1.0 / 256);
 
 }  // namespace touchstone::oracle::subjects

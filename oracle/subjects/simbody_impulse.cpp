@@ -1,32 +1,9 @@
 #include "oracle/subjects/simbody_impulse.h"
 
-#include "oracle/subjects/impact_input.h"
-#include "oracle/subjects/simbody_stepper.h"
+#include "oracle/subjects/simbody_input.h"
 
 namespace touchstone::oracle::subjects {
 namespace {
-
-in_simbody::RigidBody rigid(const Body& body) {
-  in_simbody::RigidBody made;
-  if (is_fixed(body)) return made;
-  if (const auto* given = std::get_if<MassProperties>(&body.mass)) {
-    made.mass = given->mass;
-    made.moments = given->I_BBcm_B;
-  } else {
-    made.mass = std::get<Density>(body.mass).value * volume(body.shape);
-    if (const auto* sphere = std::get_if<Sphere>(&body.shape)) {
-      made.moments = in_simbody::BallOf{sphere->radius};
-    } else {
-      made.moments = in_simbody::BrickOf{std::get<Box>(body.shape).half_extents};
-    }
-  }
-  const Pose X = centre_of_mass(body);
-  made.p_WBcm = X.p_WB;
-  made.q_WB = unit_quaternion(X.q_WB);
-  made.v_WBcm = body.velocity.v_WBcm;
-  made.w_WB = body.velocity.w_WB;
-  return made;
-}
 
 class SimbodyImpulse : public Subject {
  public:
@@ -49,7 +26,7 @@ class SimbodyImpulse : public Subject {
     if (std::isinf(contact.friction)) return Abstains{"friction is a number"};
     const auto restitution = law_ == Law::newton ? in_simbody::Restitution::newton : in_simbody::Restitution::poisson;
     const auto after =
-        in_simbody::impact({rigid(scene.bodies[0]), rigid(scene.bodies[1])},
+        in_simbody::impact({in_simbody::rigid(scene.bodies[0]), in_simbody::rigid(scene.bodies[1])},
                            {contact.p_WC, contact.nhat_BA_W, restitution, contact.restitution, contact.friction});
     Impulse said;
     for (std::size_t i = 0; i < 2; ++i) said.after[i] = {after[i].v_WBcm, after[i].w_WB};
