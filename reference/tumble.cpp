@@ -9,11 +9,28 @@ namespace touchstone::reference {
 namespace {
 
 using E = WideEnclosure;
-using Vec = Coordinates<E>;
 
-Vec times(const std::array<Vec, 3>& M, const Vec& v) { return {dot(M[0], v), dot(M[1], v), dot(M[2], v)}; }
+template <class T>
+Coordinates<T> times(const std::array<Coordinates<T>, 3>& M, const Coordinates<T>& v) {
+  return {dot(M[0], v), dot(M[1], v), dot(M[2], v)};
+}
 
-Vec angular(const std::array<E, 7>& y) { return {y[4], y[5], y[6]}; }
+template <class T>
+Coordinates<T> angular(const std::array<T, 7>& y) {
+  return {y[4], y[5], y[6]};
+}
+
+std::array<Enclosure, 7> in_doubles(const std::array<E, 7>& y) {
+  std::array<Enclosure, 7> narrow;
+  for (std::size_t i = 0; i < 7; ++i) narrow[i] = converted<Enclosure>(y[i]);
+  return narrow;
+}
+
+std::array<E, 7> wide(const std::array<Enclosure, 7>& y) {
+  std::array<E, 7> result;
+  for (std::size_t i = 0; i < 7; ++i) result[i] = between(Float(y[i].inf()), Float(y[i].sup()));
+  return result;
+}
 
 constexpr long no_exponent = -100000;
 
@@ -43,10 +60,10 @@ Float power_of_two(long quarters) {
   return ldexp(Float(fractions[static_cast<std::size_t>(quarters - 4 * whole)]), static_cast<int>(whole));
 }
 
-/// The e with 2^(e − 1) ≤ |x| < 2^e at the end that is farther from 0.
-long exponent(const E& x) {
-  const Float greatest = std::max(abs(lower(x)), abs(upper(x)));
-  return greatest == 0 ? no_exponent : static_cast<long>(mpfr_get_exp(greatest.backend().data()));
+/// About log2 |x| at the end that is farther from 0.
+long exponent(const Enclosure& x) {
+  const double greatest = std::max(-x.inf(), x.sup());
+  return greatest == 0 ? no_exponent : std::isfinite(greatest) ? std::ilogb(greatest) + 1 : -no_exponent;
 }
 
 }  // namespace
@@ -55,48 +72,56 @@ Tumble::Tumble(const std::array<std::array<mpq_class, 3>, 3>& I_B, const std::ar
                const std::array<mpq_class, 3>& w_B) {
   const std::array<std::array<mpq_class, 3>, 3> inverse = inverted(I_B);
   for (std::size_t i = 0; i < 3; ++i) {
-    I_[i] = enclosed<E>(I_B[i]);
-    I_inverse_[i] = enclosed<E>(inverse[i]);
+    wide_.I[i] = enclosed<E>(I_B[i]);
+    wide_.I_inverse[i] = enclosed<E>(inverse[i]);
+    narrow_.I[i] = enclosed<Enclosure>(I_B[i]);
+    narrow_.I_inverse[i] = enclosed<Enclosure>(inverse[i]);
     now_[4 + i] = enclosed<E>(w_B[i]);
   }
   for (std::size_t i = 0; i < 4; ++i) now_[i] = enclosed<E>(q[i]);
 }
 
-Tumble::State Tumble::derivative(const State& y) const {
-  const Vec w = angular(y);
-  const Rotor<E> q = Rotor<E>{y[0], y[1], y[2], y[3]} * Rotor<E>{E(0), w.x, w.y, w.z};
-  const Vec alpha = times(I_inverse_, cross(times(I_, w), w));
-  return {E(q[0] / 2), E(q[1] / 2), E(q[2] / 2), E(q[3] / 2), alpha.x, alpha.y, alpha.z};
+template <class T>
+std::array<T, 7> Tumble::Equations<T>::derivative(const std::array<T, 7>& y) const {
+  const Coordinates<T> w = angular(y);
+  const Rotor<T> q = Rotor<T>{y[0], y[1], y[2], y[3]} * Rotor<T>{T(0), w.x, w.y, w.z};
+  const Coordinates<T> alpha = times(I_inverse, cross(times(I, w), w));
+  const T two(2);
+  return {T(q[0] / two), T(q[1] / two), T(q[2] / two), T(q[3] / two), alpha.x, alpha.y, alpha.z};
 }
 
 /// By the products of series: (k + 1) y_(k+1) is the k-th coefficient of the right side.
-Tumble::Series<E> Tumble::series(const State& y) const {
-  Series<E> c;
-  c[0] = y;
-  std::array<Vec, degree + 1> L;
-  for (std::size_t k = 0; k < degree; ++k) {
-    L[k] = times(I_, angular(c[k]));
-    Rotor<E> qw = {E(0), E(0), E(0), E(0)};
-    Vec Lw = {E(0), E(0), E(0)};
+template <class T>
+void Tumble::Equations<T>::extend(Series<T>& c, std::size_t from, std::size_t to) const {
+  std::vector<Coordinates<T>> L, w;
+  for (std::size_t k = 0; k < to; ++k) {
+    w.push_back(angular(c[k]));
+    L.push_back(times(I, w[k]));
+    if (k < from) continue;
+    Rotor<T> qw = {T(0), T(0), T(0), T(0)};
+    Coordinates<T> Lw = {T(0), T(0), T(0)};
     for (std::size_t j = 0; j <= k; ++j) {
-      const Vec w = angular(c[k - j]);
-      const Rotor<E> term = Rotor<E>{c[j][0], c[j][1], c[j][2], c[j][3]} * Rotor<E>{E(0), w.x, w.y, w.z};
-      for (std::size_t i = 0; i < 4; ++i) qw[i] += term[i];
-      Lw = Lw + cross(L[j], w);
+      const std::array<T, 7>& q = c[j];
+      const Coordinates<T>& v = w[k - j];
+      qw[0] -= q[1] * v.x + q[2] * v.y + q[3] * v.z;
+      qw[1] += q[0] * v.x + q[2] * v.z - q[3] * v.y;
+      qw[2] += q[0] * v.y + q[3] * v.x - q[1] * v.z;
+      qw[3] += q[0] * v.z + q[1] * v.y - q[2] * v.x;
+      Lw = Lw + cross(L[j], v);
     }
-    const E next(static_cast<int>(k + 1));
-    const Vec alpha = times(I_inverse_, Lw);
-    for (std::size_t i = 0; i < 4; ++i) c[k + 1][i] = qw[i] / (2 * next);
+    const T next(static_cast<int>(k + 1));
+    const T twice(static_cast<int>(2 * k + 2));
+    const Coordinates<T> alpha = times(I_inverse, Lw);
+    for (std::size_t i = 0; i < 4; ++i) c[k + 1][i] = qw[i] / twice;
     c[k + 1][4] = alpha.x / next;
     c[k + 1][5] = alpha.y / next;
     c[k + 1][6] = alpha.z / next;
   }
-  return c;
 }
 
-/// So long a step that the last term is 2^-96 of the first, by the last two of q and of ω.
-Float Tumble::stride(const Series<E>& c) {
-  constexpr long digits = 96;
+/// So long a step that the last term is 2^-100 of the first, by the last two of q and of ω.
+Float Tumble::stride(const Series<Enclosure>& c) {
+  constexpr long digits = 100;
   long quarters = 4000;
   for (const auto& [first, last] : {std::pair<std::size_t, std::size_t>{0, 4}, {4, 7}}) {
     const auto size = [&, from = first, to = last](std::size_t k) {
@@ -114,7 +139,7 @@ Float Tumble::stride(const Series<E>& c) {
 /// y and all that comes within h of it, if a box around it twice as large as the first derivative wants is large
 /// enough.
 std::optional<Tumble::State> Tumble::tube(const State& y, const Float& h) const {
-  const State slope = derivative(y);
+  const State slope = wide_.derivative(y);
   Float fastest_q = 0, fastest_w = 0;
   for (std::size_t i = 0; i < 7; ++i) {
     Float& fastest = i < 4 ? fastest_q : fastest_w;
@@ -125,7 +150,7 @@ std::optional<Tumble::State> Tumble::tube(const State& y, const Float& h) const 
     const Float reach = 2 * h * (i < 4 ? fastest_q : fastest_w);
     box[i] = y[i] + between(Float(-reach), reach);
   }
-  const State f = derivative(box);
+  const State f = wide_.derivative(box);
   for (std::size_t i = 0; i < 7; ++i) {
     reached[i] = y[i] + between(Float(0), h) * f[i];
     if (lower(reached[i]) < lower(box[i]) || upper(reached[i]) > upper(box[i])) return std::nullopt;
@@ -134,21 +159,24 @@ std::optional<Tumble::State> Tumble::tube(const State& y, const Float& h) const 
 }
 
 void Tumble::extend() {
+  const RoundUpward rounding;
   Step step;
   step.begin = steps_.empty() ? Float(0) : steps_.back().end();
-  step.wide = series(now_);
-  step.validated = stride(step.wide);
+  step.wide[0] = now_;
+  wide_.extend(step.wide, 0, wide_orders);
+  for (std::size_t k = 0; k <= wide_orders; ++k) step.narrow[k] = in_doubles(step.wide[k]);
+  narrow_.extend(step.narrow, wide_orders, degree);
+  step.validated = stride(step.narrow);
   std::optional<State> reached = tube(now_, step.validated);
   for (; !reached; reached = tube(now_, step.validated)) step.validated /= 2;
-  step.wide[degree] = series(*reached)[degree];  // by Lagrange
-  const Vec w = angular(*reached);
-  const Vec alpha = angular(derivative(*reached));
-  step.turning = dot(w, w) + length(alpha);
-  for (std::size_t k = 0; k <= degree; ++k) {
-    for (std::size_t i = 0; i < 7; ++i) {
-      step.narrow[k][i] = converted<Enclosure>(step.wide[k][i]);
-    }
-  }
+
+  Series<Enclosure> over_tube;
+  over_tube[0] = in_doubles(*reached);
+  narrow_.extend(over_tube, 0, degree);
+  step.narrow[degree] = over_tube[degree];
+  for (std::size_t k = wide_orders + 1; k <= degree; ++k) step.wide[k] = wide(step.narrow[k]);
+  const Coordinates<E> w = angular(*reached);
+  step.turning = dot(w, w) + length(angular(wide_.derivative(*reached)));
   now_ = sum_of(step.wide, thin(Float(step.end() - step.begin)));
   steps_.push_back(std::move(step));
 }

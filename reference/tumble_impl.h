@@ -2,9 +2,10 @@
 //
 //   ω' = I⁻¹ ((I ω) × ω),   q' = ½ q ∘ (0, ω),   ω and I in the body's axes.
 // A step has a box that holds the solution throughout (if y(τ) + [0, h] f(box) is within the box, Picard's iteration
-// stays there), and from it the remainder of the series of degree N: its term N + 1, taken over the box, times h^(N+1).
-// Plain intervals, no wrapping control: 76 digits outlast the growth (Moore, Kearfott and Cloud, Introduction to
-// Interval Analysis).
+// stays there), and from it the remainder of the series of degree N: its coefficient N, taken over the box (Lagrange).
+// Each order adds some 3.5 bits less than the one before, so the first `wide_orders` coefficients have 76 digits and
+// the rest, like the remainder, are doubles. Plain intervals, no wrapping control: the digits outlast the growth
+// (Moore, Kearfott and Cloud, Introduction to Interval Analysis).
 #pragma once
 
 #include <gmpxx.h>
@@ -40,7 +41,7 @@ class Tumble {
   Bound bound(const Float& tau);
 
  private:
-  static constexpr std::size_t degree = 30;
+  static constexpr std::size_t degree = 30, wide_orders = 14;
   static constexpr std::size_t most_steps = 1000;  ///< some seconds; beyond them nothing is known
   using State = std::array<WideEnclosure, 7>;      ///< q, ω
   template <class E>
@@ -56,16 +57,24 @@ class Tumble {
     Float end() const { return begin + validated * Float(1 - 0x1p-20); }  ///< leaves room for a τ that is not thin
   };
 
-  State derivative(const State& y) const;
-  Series<WideEnclosure> series(const State& y) const;
-  static Float stride(const Series<WideEnclosure>& c);
+  template <class E>
+  struct Equations {
+    std::array<Coordinates<E>, 3> I, I_inverse;
+
+    std::array<E, 7> derivative(const std::array<E, 7>& y) const;
+    void extend(Series<E>& c, std::size_t from,
+                std::size_t to) const;  ///< orders up to `to`; those up to `from` are there
+  };
+
+  static Float stride(const Series<Enclosure>& c);
   std::optional<State> tube(const State& y, const Float& h) const;
   void extend();                          ///< by a step
   const Step* step_at(const Float& tau);  ///< none beyond the last
   template <class E>
   At<E> sum(const E& tau, Series<E> Step::*series);
 
-  std::array<Coordinates<WideEnclosure>, 3> I_, I_inverse_;
+  Equations<WideEnclosure> wide_;
+  Equations<Enclosure> narrow_;  ///< the same for doubles; inside RoundUpward
   State now_;
   std::vector<Step> steps_;
 };

@@ -1,0 +1,155 @@
+#include "reference/flight.h"
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include "model/input_error.h"
+#include "tests/catch.h"
+#include "tests/reference/fine_flight.h"
+#include "tests/reference/flights.h"
+
+namespace touchstone::tests {
+namespace {
+
+using reference::FlightTruth;
+using reference::flown;
+
+double middle(const Interval& i) { return i.lo + (i.hi - i.lo) / 2; }
+double width(const Interval& i) { return i.hi - i.lo; }
+
+Mat3 rotation(const FlightTruth& truth) {
+  Mat3 R;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) R(i, j) = middle(truth.R_WB[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)]);
+  }
+  return R;
+}
+
+Vec3 vec(const std::array<Interval, 3>& v) { return {middle(v[0]), middle(v[1]), middle(v[2])}; }
+
+double widest(const FlightTruth& truth) {
+  double most = 0;
+  for (const auto& row : truth.R_WB) {
+    for (const Interval& i : row) most = std::max(most, width(i));
+  }
+  for (const auto& v : {truth.p_WB, truth.v_WBcm, truth.w_WB}) {
+    for (const Interval& i : v) most = std::max(most, width(i));
+  }
+  return most;
+}
+
+Scene spinning(const Mat3& I, const Vec3& w, const Quaternion& q = {1, 0.5, -0.25, 2}) {
+  Scene scene;
+  Body top = body(Box{Vec3(1, 1, 1)}, Vec3(1, 2, 3), q);
+  top.mass = MassProperties{.mass = 2, .p_BBcm = Vec3(0.25, 0, -0.5), .I_BBcm_B = I};
+  top.velocity = {Vec3(1, -2, 4), w};
+  scene.bodies = {top};
+  scene.gravity = Vec3(0, 0, -8);
+  return flight_of(scene, 16);
+}
+
+Mat3 turned(const Mat3& I, const Vec3& axis, double angle) {
+  const Mat3 R = Eigen::AngleAxisd(angle, axis.normalized()).toRotationMatrix();
+  const Mat3 J = R * I * R.transpose();
+  return (J + J.transpose()) / 2;
+}
+
+TEST_CASE("A screw is what 254 bits and Rodrigues say") {
+  Dice dice(1);
+  for (int i = 0; i < 20; ++i) {
+    Scene scene = ballistic_pair(dice, 6);
+    const FineFlight fine(scene, 0);
+    const double time = 2 * dice.unit();
+    const FlightTruth truth = flown(scene, 0, time);
+    const auto& vertices = std::get<Polytope>(scene.bodies[0].shape).vertices;
+    const auto placed = fine.vertices(time);
+    for (std::size_t v = 0; v < vertices.size(); ++v) {
+      const Vec3 here = vec(truth.p_WB) + rotation(truth) * vertices[v];
+      for (std::size_t k = 0; k < 3; ++k) {
+        CHECK(std::abs(here[static_cast<Eigen::Index>(k)] - static_cast<double>(placed[v][k])) < 1e-14);
+      }
+    }
+    CHECK(widest(truth) < 1e-14);
+  }
+}
+
+/// L = R I Rᵀ ω and ω·L stay, whatever the motion is.
+void keeps_momentum_and_energy(const Scene& scene, double time, double within) {
+  const Mat3& I = std::get<MassProperties>(scene.bodies[0].mass).I_BBcm_B;
+  const FlightTruth before = flown(scene, 0, 0), after = flown(scene, 0, time);
+  const auto momentum = [&](const FlightTruth& truth) {
+    return Vec3(rotation(truth) * I * rotation(truth).transpose() * vec(truth.w_WB));
+  };
+  const Vec3 L = momentum(before);
+  CHECK((momentum(after) - L).norm() < within * L.norm());
+  CHECK(vec(after.w_WB).dot(momentum(after)) == Approx(vec(before.w_WB).dot(L)).epsilon(within));
+}
+
+TEST_CASE("Tops keep angular momentum and energy") {
+  const std::vector<Mat3> tops = {Vec3(1, 1, 1.75).asDiagonal(), Vec3(1, 2, 2).asDiagonal(),
+                                  Vec3(1, 2, 2.5).asDiagonal(), turned(Vec3(1, 2, 2.5).asDiagonal(), Vec3(1, 2, 3), 1)};
+  for (const Mat3& I : tops) {
+    for (const double time : {0.125, 2.0}) {
+      const Scene scene = spinning(I, Vec3(1, 2, -1.5));
+      keeps_momentum_and_energy(scene, time, 1e-14);
+      CHECK(widest(flown(scene, 0, time)) < 1e-14);
+    }
+  }
+}
+
+TEST_CASE("Two moments that are nearly equal: the series comes to what the closed form says") {
+  const Vec3 w(1, 2, -1.5);
+  const FlightTruth closed = flown(spinning(Vec3(1, 1, 1.75).asDiagonal(), w), 0, 2);
+  const FlightTruth series = flown(spinning(Vec3(1, 1 + 0x1p-50, 1.75).asDiagonal(), w), 0, 2);
+  CHECK((rotation(closed) - rotation(series)).norm() < 1e-13);
+  CHECK((vec(closed.w_WB) - vec(series.w_WB)).norm() < 1e-13);
+  CHECK((vec(closed.p_WB) - vec(series.p_WB)).norm() < 1e-13);
+}
+
+/// Classical Runge and Kutta, 1/4096 s a step.
+TEST_CASE("A top about its middle axis turns over as Euler's equations say") {
+  const Mat3 I = Vec3(1, 2, 2.75).asDiagonal();
+  const Scene scene = spinning(I, Vec3(0.0625, 4, 0), {1, 0, 0, 0});
+  Vec3 w = scene.bodies[0].velocity.w_WB;
+  const auto rate = [&](const Vec3& v) { return Vec3(I.inverse() * (I * v).cross(v)); };
+  constexpr double h = 0x1p-12;
+  for (int i = 0; i < 3 * 4096; ++i) {
+    const Vec3 a = rate(w), b = rate(w + h / 2 * a), c = rate(w + h / 2 * b), d = rate(w + h * c);
+    w += h / 6 * (a + 2 * b + 2 * c + d);
+  }
+  const FlightTruth truth = flown(scene, 0, 3);
+  const Vec3 w_B = rotation(truth).transpose() * vec(truth.w_WB);
+  CHECK(w_B.y() < 0);
+  CHECK((w_B - w).norm() < 1e-10);
+}
+
+TEST_CASE("A principal axis is kept, whatever the moments; a sphere's is any") {
+  const FlightTruth truth = flown(spinning(Vec3(1, 2, 2.75).asDiagonal(), Vec3(0, 4, 0), {1, 0, 0, 0}), 0, 1);
+  CHECK(vec(truth.w_WB) == Vec3(0, 4, 0));
+  CHECK(rotation(truth)(0, 0) == Approx(std::cos(4.0)).epsilon(1e-15));
+}
+
+TEST_CASE("The centre of mass falls; a fixed body turns about its origin") {
+  const FlightTruth truth = flown(spinning(Vec3(1, 2, 2.75).asDiagonal(), Vec3(1, 2, 3)), 0, 2);
+  const Scene scene = spinning(Vec3(1, 2, 2.75).asDiagonal(), Vec3(1, 2, 3));
+  const Vec3 c(0.25, 0, -0.5);
+  const FlightTruth at_first = flown(scene, 0, 0);
+  const Vec3 start = vec(at_first.p_WB) + rotation(at_first) * c;
+  CHECK((vec(truth.p_WB) + rotation(truth) * c - (start + Vec3(2, -4, 8 - 16))).norm() < 1e-14);
+  CHECK(vec(truth.v_WBcm) == Vec3(1, -2, -12));
+
+  Scene table = scene;
+  table.bodies[0].mass = Fixed{};
+  CHECK(vec(flown(table, 0, 2).p_WB) == Vec3(3, -2, 11));
+  CHECK(vec(flown(table, 0, 2).w_WB) == Vec3(1, 2, 3));
+}
+
+TEST_CASE("A body has no place before its start") {
+  Scene scene = spinning(Mat3::Identity(), Vec3::Zero());
+  scene.flight->since = {1};
+  CHECK_THROWS_AS(flown(scene, 0, 0.5), InputError);
+  CHECK(vec(flown(scene, 0, 1).p_WB) == Vec3(1, 2, 3));
+}
+
+}  // namespace
+}  // namespace touchstone::tests
