@@ -48,10 +48,11 @@ Flight::Flight(const Flyer& flyer, double since, const Pose& X_WB, const Velocit
   if (flyer.turning != Turning::tumbling) {
     rate_ = length(velocity.w_WB) * (1 + 8 * u);
   } else {
-    const Quaternion q_WP = product(unit(X_WB.q_WB), flyer.inertia.q_BP);
-    const Vec3 w_P = rotation(q_WP).transpose() * velocity.w_WB;
+    // Turned once into B, and unless its axes are P's, once more: 18u each time.
+    Vec3 w_P = rotation(X_WB.q_WB).transpose() * velocity.w_WB;
+    if (!flyer.inertia.is_aligned) w_P = rotation(flyer.inertia.q_BP).transpose() * w_P;
     rate_ = greatest_rate(flyer.inertia, w_P);
-    tumble_ = Tumble(flyer.inertia.c, flyer.inertia.c_error, w_P);
+    tumble_ = Tumble(flyer.inertia.c, flyer.inertia.c_error, w_P, (flyer.inertia.is_aligned ? 18 : 36) * u);
   }
   curl_ = greatest_curl(flyer.inertia, rate_);
 }

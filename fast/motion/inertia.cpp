@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <variant>
 #include <vector>
 
@@ -16,6 +17,16 @@ namespace {
 
 using exact::Dyadic;
 using lin_canny::u;
+
+using Exact = std::array<std::array<Dyadic, 3>, 3>;
+
+Exact exactly(const Mat3& M) {
+  Exact E;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) E[i][j] = Dyadic(M(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
+  }
+  return E;
+}
 
 /// About the centroid, of unit density; C is off by at most `error` (Frobenius).
 struct Spread {
@@ -105,11 +116,6 @@ Spread spread(const Compound& compound) {
   return whole;
 }
 
-/// From C's diagonal, in P.
-Vec3 coefficients(const Vec3& s) {
-  return {(s.z() - s.y()) / (s.y() + s.z()), (s.x() - s.z()) / (s.z() + s.x()), (s.y() - s.x()) / (s.x() + s.y())};
-}
-
 /// The axes of a symmetric matrix by Jacobi's rotations; sweeps end when nothing is left off the diagonal, or no more
 /// goes away.
 Quaternion axes(const Mat3& C) {
@@ -121,8 +127,8 @@ Quaternion axes(const Mat3& C) {
       const int i = (k + 1) % 3, j = (k + 2) % 3;
       if (!(std::abs(D(i, j)) > 16 * u * C.norm())) continue;
       // tan 2φ = 2 D_ij/(D_ii − D_jj) turns axes i and j about k by φ, |φ| ≤ π/4.
-      const double ratio = (D(i, i) - D(j, j)) / (2 * D(i, j));
-      const double tangent = (ratio < 0 ? -1 : 1) / (std::abs(ratio) + std::sqrt(1 + ratio * ratio));
+      const double cotangent = (D(i, i) - D(j, j)) / (2 * D(i, j));
+      const double tangent = (cotangent < 0 ? -1 : 1) / (std::abs(cotangent) + std::sqrt(1 + cotangent * cotangent));
       const double cosine = 1 / std::sqrt(1 + tangent * tangent);
       const double half_cosine = std::sqrt((1 + cosine) / 2);
       Vec3 turn = Vec3::Zero();
@@ -133,17 +139,58 @@ Quaternion axes(const Mat3& C) {
   return unit(q);
 }
 
-Inertia in_own_axes(const Mat3& C, double error) {
+/// |q|⁴ RᵀM R, without rounding.
+Exact turned(const Exact& M, const Quaternion& q) {
+  const Dyadic w(q.w), x(q.x), y(q.y), z(q.z), two(2);
+  const Dyadic ww = w * w, xx = x * x, yy = y * y, zz = z * z;
+  const std::array<std::array<Dyadic, 3>, 3> N{{{ww + xx - yy - zz, two * (x * y - w * z), two * (x * z + w * y)},
+                                                {two * (x * y + w * z), ww + yy - xx - zz, two * (y * z - w * x)},
+                                                {two * (x * z - w * y), two * (y * z + w * x), ww + zz - xx - yy}}};
+  Exact D;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        for (std::size_t l = 0; l < 3; ++l) D[i][j] = D[i][j] + N[k][i] * M[k][l] * N[l][j];
+      }
+    }
+  }
+  return D;
+}
+
+/// What doubles left off the diagonal, 16u of the matrix, goes by small turns, down to what q itself rounds by.
+Quaternion polished(const Exact& M, Quaternion q) {
+  const Exact D = turned(M, q);
+  Vec3 turn = Vec3::Zero();
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
+    const Dyadic between = D[i][i] - D[j][j];
+    const double angle = between.sign() == 0 ? 0 : exact::ratio(D[i][j], between);
+    if (std::abs(angle) < 0x1p-20) turn[static_cast<Eigen::Index>(k)] = angle / 2;
+  }
+  return unit(product(q, {1, turn.x(), turn.y(), turn.z()}));
+}
+
+Dyadic magnitude(const Dyadic& x) { return x.sign() < 0 ? -x : x; }
+
+/// Of M = C, or of M = I itself. `error` as M's own, in its unit.
+Inertia in_own_axes(const Exact& M, const Mat3& about, double error, bool is_inertia) {
   Inertia found;
   found.is_aligned = false;
-  found.q_BP = axes(C);
-  const Mat3 R = lin_canny::rotation(found.q_BP);
-  const Mat3 D = R.transpose() * C * R;
-  const Vec3 s = D.diagonal();
-  found.c = coefficients(s);
-  const double off = std::abs(D(0, 1)) + std::abs(D(1, 2)) + std::abs(D(2, 0));
-  const double least = s.sum() - s.maxCoeff();
-  found.c_error = 9 * (error + 2 * off + 64 * u * C.norm()) / least + 4 * u;
+  found.q_BP = polished(M, axes(about));
+  const Exact D = turned(M, found.q_BP);
+  const Quaternion& q = found.q_BP;
+  const double scale = 1 / ((q.w * q.w + q.x * q.x) + (q.y * q.y + q.z * q.z));
+  const Dyadic off = magnitude(D[0][1]) + magnitude(D[1][2]) + magnitude(D[2][0]);
+  double off_share = 0, least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Dyadic &y = D[(i + 1) % 3][(i + 1) % 3], &z = D[(i + 2) % 3][(i + 2) % 3];
+    const Dyadic moment = is_inertia ? D[i][i] : y + z;
+    found.c[static_cast<Eigen::Index>(i)] = exact::ratio(is_inertia ? y - z : z - y, moment);
+    off_share = std::max(off_share, exact::ratio(off, moment));
+    least = std::min(least, moment.approximate() * scale * scale);
+  }
+  found.c_error = 6 * off_share + 9 * error / least * (1 + 16 * u) + 8 * u;
+  if (!(found.c_error < 1)) found.c_error = 1;
   return found;
 }
 
@@ -159,7 +206,7 @@ Inertia of(const Shape&, const MassProperties& given) {
   if (is_diagonal(I)) {
     return aligned({(I(1, 1) - I(2, 2)) / I(0, 0), (I(2, 2) - I(0, 0)) / I(1, 1), (I(0, 0) - I(1, 1)) / I(2, 2)});
   }
-  return in_own_axes(I.trace() / 2 * Mat3::Identity() - I, 4 * u * I.norm());
+  return in_own_axes(exactly(I), I, 0, true);
 }
 
 Inertia of(const Shape& shape, const Density&) {
@@ -174,7 +221,7 @@ Inertia of(const Shape& shape, const Density&) {
     return aligned({c(0), c(1), c(2)});
   }
   const Spread whole = std::visit([](const auto& s) { return spread(s); }, shape);
-  return in_own_axes(whole.C, whole.error);
+  return in_own_axes(exactly(whole.C), whole.C, whole.error, false);
 }
 
 }  // namespace

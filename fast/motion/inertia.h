@@ -19,9 +19,10 @@ struct Inertia {
 /// Of a body that is not fixed. Moments of a density come from C = ∫ (x − c)(x − c)ᵀ dV (I₂ − I₃ = C₃₃ − C₂₂, so that a
 /// needle's difference keeps its digits): exact sums for a polytope, rounded once; closed forms for sphere and box.
 ///
-/// c_error: with C known up to e (‖·‖₂), I = (tr C) 1 − C is up to (1 + √3) e, and ω' = I⁻¹(Iω × ω) up to
-/// 3 ‖δI‖/I_min |ω|² < 9 e/I_min |ω|². To e belong what C was computed with, 64u‖C‖ for turning it to P, and what of it
-/// is off the diagonal there. Aligned: relative 5u of each c. Throws InputError for a polytope without faces.
+/// c_error: P is chosen in doubles and taken as exact; what of I is off the diagonal there, and c itself, are found
+/// without rounding. With I up to δI, ω' = I⁻¹(Iω × ω) is up to 3 ‖δI‖/I_min |ω|²: twice what is off the diagonal, and
+/// for C up to e (the double entries of a density's C, 6u each) ‖δI‖ ≤ (1 + √3) e. Aligned: relative 5u of each c.
+/// Throws InputError for a polytope without faces.
 Inertia inertia(const Body& body);
 
 }  // namespace touchstone::fast::motion

@@ -22,6 +22,12 @@ Mat3 linearised(const Vec3& c, const Vec3& w) {
   return A;
 }
 
+/// ≥ ‖M‖₂: the root of the greatest column sum times the greatest row sum.
+double norm(const Mat3& M) {
+  const Mat3 sizes = M.cwiseAbs();
+  return std::sqrt(sizes.colwise().sum().maxCoeff() * sizes.rowwise().sum().maxCoeff());
+}
+
 /// The inverse of a matrix of determinant 1: Ψ' = A Ψ and tr A = 0.
 Mat3 adjugate(const Mat3& M) {
   Mat3 inverse;
@@ -36,15 +42,14 @@ Mat3 adjugate(const Mat3& M) {
 
 }  // namespace
 
-/// w_P was turned into P: 64u.
-Tumble::Tumble(const Vec3& c, double c_error, const Vec3& w_P) : c_(c), c_error_(c_error) {
+Tumble::Tumble(const Vec3& c, double c_error, const Vec3& w_P, double w_error) : c_(c), c_error_(c_error) {
   int exponent = 0;
   const double greatest = w_P.lpNorm<Eigen::Infinity>();
   if (greatest > 0) std::frexp(greatest, &exponent);
   scale_ = std::ldexp(1.0, exponent);
   const Vec3 w = w_P / scale_;
   start_ = {1, 0, 0, 0, w[0], w[1], w[2]};
-  injected_ = 64 * u * w.norm();
+  injected_ = w_error * w.norm();
 }
 
 /// Powers of two for the length: the scaled terms are exact.
@@ -91,9 +96,9 @@ Tumble::Step Tumble::step(double from, const Terms& start) {
   return taken;
 }
 
-/// New in a step: the sums' rounding, 8u, and what the coefficients' error does, c_error |ω|² a unit of time; within a
-/// step Ψ and Ψ⁻¹ are at most fourfold. The series of Ψ to order 12 is a bound's, not a solution's: a percent is
-/// nothing.
+/// New in a step: the sums' rounding, 4u, and what the coefficients' error does, c_error |ω|² a unit of time. Within a
+/// step Ψ and Ψ⁻¹ are what they are at its ends, give or take a half. The series of Ψ to order 12 is a bound's, not a
+/// solution's: a percent is nothing.
 void Tumble::grow_errors(Step& taken) {
   constexpr std::size_t enough = 12;
   std::array<Mat3, enough + 1> A, P;
@@ -109,11 +114,12 @@ void Tumble::grow_errors(Step& taken) {
   for (std::size_t k = enough; k-- > 0;) once += P[k];
   const Terms& x = taken.series[0];
   const double rate = Vec3(x[4], x[5], x[6]).norm();
-  const double before = growth_.norm();
-  injected_ += inverse_growth_.norm() * (8 * u * rate + 4 * c_error_ * rate * rate * taken.length);
+  const double before = norm(growth_), inverse_before = norm(inverse_growth_);
   growth_ = once.lazyProduct(growth_).eval();
   inverse_growth_ = inverse_growth_.lazyProduct(adjugate(once)).eval();
-  taken.w_error = 2 * std::max(before, growth_.norm()) * injected_;
+  injected_ +=
+      1.5 * std::max(inverse_before, norm(inverse_growth_)) * (4 * u * rate + c_error_ * rate * rate * taken.length);
+  taken.w_error = 1.5 * std::max(before, norm(growth_)) * injected_;
   error_ += taken.w_error * taken.length + 16 * u;
   if (!(error_ < 0x1p-10) || steps_.size() >= most_steps) error_ = nothing_known;
   taken.error = error_;

@@ -17,8 +17,9 @@ namespace touchstone::fast::motion {
 ///
 /// Error, to first order: what ω is off grows as the linearised equations say, δω' = A(ω) δω, and the turn is off by
 /// its integral. With Ψ(t) their fundamental matrix (Ψ(0) = 1, followed along by its own series) and ε_k what is new in
-/// step k, |δω(t)| ≤ ‖Ψ(t)‖ Σ_k ‖Ψ(t_k)⁻¹‖ ε_k: it grows with time, not exponentially, as phases do. Twice that is
-/// claimed. Claims nothing (error 2) once it is beyond 2^-10, or after 2^13 steps.
+/// step k, |δω(t)| ≤ ‖Ψ(t)‖ Σ_k ‖Ψ(t_k)⁻¹‖ ε_k: it grows with time, not exponentially, as phases do. Half as much
+/// again, for each of the two factors, is claimed. Claims nothing (error 2) once it is beyond 2^-10, or after 2^13
+/// steps.
 class Tumble {
  public:
   struct Now {
@@ -29,7 +30,8 @@ class Tumble {
   };
 
   Tumble() = default;
-  Tumble(const Vec3& c, double c_error, const Vec3& w_P);
+  /// `w_error`: relative, of w_P.
+  Tumble(const Vec3& c, double c_error, const Vec3& w_P, double w_error);
 
   /// Requires tau ≥ 0 (s).
   Now at(double tau);

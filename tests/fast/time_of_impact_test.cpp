@@ -1,0 +1,193 @@
+#include "fast/time_of_impact.h"
+
+#include <cmath>
+
+#include "fast/distance.h"
+#include "model/input_error.h"
+#include "reference/time_of_impact.h"
+#include "reference/validity.h"
+#include "tests/catch.h"
+#include "tests/fast/motion/random_flight.h"
+
+namespace touchstone::fast {
+namespace {
+
+using Kind = TimeOfImpact::Meeting;
+using tests::RandomFlight;
+
+/// Two balls of radius 1/2 on the x axis, from -2 and 2, at speeds of 1 towards each other unless said otherwise.
+Scene balls() {
+  Scene scene;
+  for (const double side : {-1.0, 1.0}) {
+    Body ball;
+    ball.name = side < 0 ? "A" : "B";
+    ball.shape = Sphere{0.5};
+    ball.X_WB.p_WB = Vec3(2 * side, 0, 0);
+    ball.velocity.v_WBcm = Vec3(-side, 0, 0);
+    scene.bodies.push_back(ball);
+  }
+  scene.flight.emplace();
+  scene.flight->times = {10};
+  return scene;
+}
+
+/// A cube of side 1, its lower face `height` above a fixed table, at speed v downward.
+Scene cube_over_table(double height, double v) {
+  Scene scene;
+  scene.gravity = Vec3(0, 0, -9.8);
+  Body cube, table;
+  cube.name = "cube";
+  cube.shape = Box{Vec3(0.5, 0.5, 0.5)};
+  cube.X_WB.p_WB = Vec3(0, 0, 0.5 + height);
+  cube.velocity.v_WBcm = Vec3(0, 0, -v);
+  table.name = "table";
+  table.shape = Box{Vec3(8, 8, 1)};
+  table.X_WB.p_WB = Vec3(0, 0, -1);
+  table.mass = Fixed{};
+  scene.bodies = {cube, table};
+  scene.flight.emplace();
+  scene.flight->times = {2};
+  return scene;
+}
+
+void check_holds(const TimeOfImpact& found, double truth, double width) {
+  REQUIRE(found.meeting == Kind::hit);
+  CHECK(found.enclosure->lo <= truth);
+  CHECK(found.enclosure->hi >= truth);
+  CHECK(found.enclosure->hi - found.enclosure->lo <= width);
+}
+
+TEST_CASE("balls: head-on, from the side, missing, falling alike") {
+  Scene scene = balls();
+  check_holds(time_of_impact_of(scene), 1.5, 1e-13);
+  scene.gravity = Vec3(0, -9.81, 3);
+  check_holds(time_of_impact_of(scene), 1.5, 1e-12);
+  scene.bodies[0].X_WB.p_WB.y() = 0.6;  // contact at distance sqrt(1 − 0.36) = 0.8 along x, up to 0.6's rounding
+  check_holds(time_of_impact_of(scene), 1.6, 1e-12);
+  scene.bodies[0].X_WB.p_WB.y() = 1.25;
+  CHECK(time_of_impact_of(scene).meeting == Kind::miss);
+}
+
+TEST_CASE("a ball under gravity meets one that is fixed") {
+  Scene scene = balls();
+  scene.gravity = Vec3(0, 0, -2);
+  scene.bodies[1].mass = Fixed{};
+  scene.bodies[1].velocity = {};
+  scene.bodies[1].X_WB.p_WB = Vec3(-2, 0, -5);
+  scene.bodies[0].velocity = {};
+  check_holds(time_of_impact_of(scene), 2, 1e-13);  // 4 m of fall
+}
+
+TEST_CASE("a cube falls flat on a table") {
+  check_holds(time_of_impact_of(cube_over_table(4.9, 0)), 1, 1e-12);
+  Scene scene = cube_over_table(1, 2);
+  scene.gravity = Vec3::Zero();
+  check_holds(time_of_impact_of(scene), 0.5, 1e-13);
+}
+
+TEST_CASE("contact at the start counts if the two approach there") {
+  CHECK(time_of_impact_of(cube_over_table(0, 1)).enclosure == Interval{0, 0});
+  Scene scene = cube_over_table(0, -1);
+  scene.flight->times = {0.125};
+  CHECK(time_of_impact_of(scene).meeting == Kind::miss);
+  scene.flight->times = {2};
+  const TimeOfImpact back = time_of_impact_of(scene);
+  CHECK(back.enclosure->lo == Approx(1 / 4.9).epsilon(1e-12));
+  CHECK_THROWS_AS(time_of_impact_of(cube_over_table(-0.25, 0)), InputError);
+}
+
+TEST_CASE("what pushes a body from its start is felt, a later push is refused") {
+  Scene scene = cube_over_table(1, 0);
+  scene.gravity = Vec3::Zero();
+  scene.bodies[0].mass = MassProperties{2, Vec3::Zero(), Mat3::Identity()};
+  scene.flight->force_bound = 8;
+  scene.flight->pushes = {{0, 0, Vec3(0, 0, -4)}};  // 2 m/s²: 1 m in 1 s
+  scene.flight->times = {4};
+  check_holds(time_of_impact_of(scene), 1, 1e-12);
+  scene.flight->pushes[0].time = 0.5;
+  CHECK_THROWS_AS(time_of_impact_of(scene), InputError);
+}
+
+TEST_CASE("a pair meets when the reference says it does") {
+  RandomFlight random(3);
+  int hits = 0, misses = 0;
+  for (int i = 0; i < 240; ++i) {
+    // Tumbling truth costs milliseconds a radian: one pair in eight.
+    const int kinds[] = {0, 0, 0, 1, 2, 2, 1, 4};
+    Scene drawn = random.pair(kinds[i % 8], i % 8 < 6 ? 0 : 2);
+    if (i % 8 >= 4) {
+      for (Body& b : drawn.bodies) b.mass = MassProperties{1, Vec3::Zero(), Mat3::Identity()};
+    }
+    const Scene scene = reference::completed(drawn);
+    const TimeOfImpact found = time_of_impact_of(scene);
+    const reference::TimeOfImpactTruth truth = reference::time_of_impact(scene);
+    CAPTURE(i);
+    REQUIRE(found.meeting == truth.meeting);
+    if (found.meeting == Kind::miss) ++misses;
+    if (found.meeting != Kind::hit) continue;
+    ++hits;
+    CAPTURE(found.enclosure->lo, found.enclosure->hi, truth.time.lo, truth.time.hi);
+    REQUIRE(found.enclosure->lo <= truth.time.hi);
+    REQUIRE(found.enclosure->hi >= truth.time.lo);
+  }
+  CHECK(hits > 50);
+  CHECK(misses > 10);
+}
+
+TEST_CASE("a split flight meets when the whole one does") {
+  RandomFlight random(5);
+  for (int i = 0; i < 100; ++i) {
+    const Scene scene = random.pair(i % 4, (i / 4) % 4);
+    const motion::Flyer A(scene.bodies[0]), B(scene.bodies[1]);
+    const motion::Flight a(A, 0, scene.bodies[0].X_WB, scene.bodies[0].velocity, scene.gravity);
+    const motion::Flight b(B, 0, scene.bodies[1].X_WB, scene.bodies[1].velocity, scene.gravity);
+    const Meeting whole = time_of_impact(a, b, 0, 2);
+    const double split = 2 * random.unit();
+    Meeting parts = time_of_impact(a, b, 0, split);
+    if (parts.meeting == Kind::miss) parts = time_of_impact(a, b, split, 2);
+    CAPTURE(i, split);
+    REQUIRE(whole.meeting == parts.meeting);
+    if (whole.meeting != Kind::hit) continue;
+    REQUIRE(whole.lo <= parts.hi);
+    REQUIRE(parts.lo <= whole.hi);
+  }
+}
+
+TEST_CASE("within an envelope, a meeting is a time at which the two are as near as that") {
+  RandomFlight random(7);
+  for (int i = 0; i < 60; ++i) {
+    Scene scene = random.pair(i % 4, (i / 4) % 4);
+    const motion::Flyer A(scene.bodies[0]), B(scene.bodies[1]);
+    const motion::Flight a(A, 0, scene.bodies[0].X_WB, scene.bodies[0].velocity, scene.gravity);
+    const motion::Flight b(B, 0, scene.bodies[1].X_WB, scene.bodies[1].velocity, scene.gravity);
+    const Meeting met = time_of_impact(a, b, 0, 2, 1e-9);
+    if (met.meeting != Kind::hit) continue;
+    REQUIRE(met.lo == met.hi);
+    scene.bodies[0].X_WB = a.pose(met.lo);
+    scene.bodies[1].X_WB = b.pose(met.lo);
+    const Distance there = distance(scene);
+    CAPTURE(i, met.lo, *there.distance);
+    REQUIRE(*there.distance <= 1.1e-9);
+    REQUIRE((*there.p_WCa - met.p_WC).norm() <= 1e-7);
+    REQUIRE(std::abs(met.nhat_BA_W.norm() - 1) <= 1e-15);
+  }
+}
+
+TEST_CASE("sizes and spins at the ends of what is used") {
+  for (const double size : {1e-6, 1.0, 1e6}) {
+    Scene scene = cube_over_table(1, 0);
+    scene.gravity = Vec3::Zero();
+    scene.bodies[0].shape = Box{Vec3(0.5, 0.5, 0.5) * size};
+    scene.bodies[1].shape = Box{Vec3(8, 8, 1) * size};
+    scene.bodies[0].X_WB.p_WB = Vec3(0, 0, 4 * size);
+    scene.bodies[1].X_WB.p_WB = Vec3(0, 0, -size);
+    scene.bodies[0].velocity = {Vec3(0, 0, -size), Vec3(0, 0, 1e4)};  // spins flat: the face's height is 7/2 sizes
+    scene.flight->times = {8};
+    const TimeOfImpact found = time_of_impact_of(scene);
+    CAPTURE(size);
+    check_holds(found, 3.5, 1e-6);
+  }
+}
+
+}  // namespace
+}  // namespace touchstone::fast
