@@ -1,40 +1,13 @@
 // What the uses of Simbody share. For files of C++17 alone: its headers are no more.
 #pragma once
 
-#include <fcntl.h>
 #include <simbody/Simbody.h>
-#include <unistd.h>
-
-#include <cstdio>
-#include <iostream>
 
 #include "oracle/subjects/simbody_stepper.h"
 
 namespace touchstone::oracle::subjects::in_simbody {
 
 using Stepper = SimTK::SemiExplicitEulerTimeStepper;
-
-/// Debian builds Simbody with its tracing on, some 20 kB of stdout a step. What was printed before still comes out.
-class Muted {
- public:
-  Muted() : stdout_(redirect(open("/dev/null", O_WRONLY | O_CLOEXEC))) {}
-  ~Muted() { close(redirect(stdout_)); }
-  Muted(const Muted&) = delete;
-  Muted& operator=(const Muted&) = delete;
-
- private:
-  /// Takes `to`; returns what stdout was.
-  static int redirect(int to) {
-    std::fflush(stdout);
-    std::cout.flush();
-    const int was = dup(STDOUT_FILENO);
-    dup2(to, STDOUT_FILENO);
-    close(to);
-    return was;
-  }
-
-  int stdout_;
-};
 
 inline SimTK::Vec3 vector(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 inline Eigen::Vector3d vector(const SimTK::Vec3& v) { return {v[0], v[1], v[2]}; }

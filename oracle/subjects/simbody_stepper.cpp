@@ -1,5 +1,6 @@
 #include "oracle/subjects/simbody_stepper.h"
 
+#include "oracle/subjects/simbody_muted.h"
 #include "oracle/subjects/simbody_parts.h"
 
 namespace touchstone::oracle::subjects::in_simbody {
