@@ -66,6 +66,7 @@ Loop::Loop(const Scene& scene, const SimulationOptions& options)
       bodies_(movers(scene)),
       heap_(bodies_.size()),
       rest_(bodies_.size()),
+      pull_(bodies_.size(), scene.gravity),
       tiling_(usual_extent(bodies_, frame_length(scene, options)), bodies_.size()) {
   options_.frame = frame_length(scene, options);
   if (options_.keep_events) done_.trajectory.events.emplace();
@@ -75,17 +76,46 @@ Loop::Loop(const Scene& scene, const SimulationOptions& options)
 Simulated Loop::run() {
   while (now_ < end_ && !done_.stopped) {
     begin_frame();
-    while (!heap_.empty() && !done_.stopped) {
-      const Due due = heap_.top();
-      heap_.pop();
-      attend(due);
-    }
+    while (!done_.stopped && turn()) continue;
     if (done_.stopped) break;
     look_until(frame_end_, true);
     now_ = frame_end_;
   }
   if (done_.stopped) done_.trajectory.complete_until = now_;
   return std::move(done_);
+}
+
+/// Whose turn it is next within the frame: a push's, or a pair's; false: nobody's.
+bool Loop::turn() {
+  const std::vector<Push>& pushes = scene_->flight->pushes;
+  const double pushed = pushed_ < pushes.size() ? pushes[pushed_].time : never;
+  const double due = heap_.empty() ? never : heap_.top().time;
+  if (std::min(pushed, due) > frame_end_) return false;
+  if (pushed <= due) {
+    push(pushes[pushed_++]);
+  } else {
+    const Due top = heap_.top();
+    heap_.pop();
+    attend(top);
+  }
+  return true;
+}
+
+/// From now on the force acts. As after an impact, the body's path and box are made anew, and so is whom it may meet: a
+/// force that nobody foresaw misses no impact.
+void Loop::push(const Push& push) {
+  look_until(push.time, false);
+  now_ = std::max(now_, push.time);
+  const auto id = static_cast<BodyId>(push.body);
+  const double from = std::max(now_, bodies_[id].path().since);
+  const State state = bodies_[id].state(from);
+  if (rest_[id]) release(id, state);
+  pull_[id] = scene_->gravity + bodies_[id].inverse_mass() * push.force_W;
+  record({Event::Kind::push, now_, push.body, -1, Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), state, {}});
+  bodies_[id].fly(from, state, pull_[id]);
+  heap_.drop(id);
+  file(id);
+  watch_all(id, id);
 }
 
 /// Boxes that enclose the paths over the frame; the pairs whose boxes intersect; for each, when it may first meet.
@@ -197,11 +227,11 @@ std::optional<Rest> Loop::rest_of(const Laid& laid, double load) const {
   if (on.kind() != Kind::block) return {};
   const double friction = coefficients(body, on, scene_->flight->law).friction;
   if (body.kind() == Kind::ball) {
-    return roll(body, on, laid.state, now_, laid.nhat_W, scene_->gravity, friction, load);
+    return roll(body, on, laid.state, now_, laid.nhat_W, pull_[laid.id], friction, load);
   }
-  const double still = 4 * least_speed(-laid.nhat_W.dot(scene_->gravity), envelope_);
+  const double still = 4 * least_speed(-laid.nhat_W.dot(pull_[laid.id]), envelope_);
   const std::vector<Vec3> corners = patch(body, on, now_, laid.nhat_W, body.path().place(now_), envelope_);
-  return lie(body, on, laid.state, now_, laid.nhat_W, corners, scene_->gravity, friction, still);
+  return lie(body, on, laid.state, now_, laid.nhat_W, corners, pull_[laid.id], friction, still);
 }
 
 bool Loop::can_rest(const Due& due, const Touch& touch) const {
@@ -261,7 +291,7 @@ void Loop::change(BodyId id) {
 void Loop::record_contact(Event::Kind kind, BodyId id, const Vec3& v_before, double since) {
   const Rest& rest = *rest_[id];
   const State state = bodies_[id].state(now_), support = bodies_[rest.on].state(now_);
-  const Vec3 P = (state.velocity.v_WBcm - v_before - (now_ - since) * scene_->gravity) / bodies_[id].inverse_mass();
+  const Vec3 P = (state.velocity.v_WBcm - v_before - (now_ - since) * pull_[id]) / bodies_[id].inverse_mass();
   const Vec3 C = state.X_WB.p_WB + rest.lever;
   const bool first = id < rest.on;
   record({kind, now_, static_cast<int>(std::min(id, rest.on)), static_cast<int>(std::max(id, rest.on)), C,
@@ -331,7 +361,7 @@ void Loop::refuse_overlap(BodyId a, BodyId b, const Touch& touch) const {
 
 void Loop::set_out(BodyId id, const State& state) {
   if (bodies_[id].fixed()) return;
-  bodies_[id].fly(now_, state, scene_->gravity);
+  bodies_[id].fly(now_, state, pull_[id]);
   heap_.drop(id);
   file(id);
 }

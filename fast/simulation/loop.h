@@ -31,6 +31,8 @@ class Loop {
   };
 
   void begin_frame();
+  bool turn();
+  void push(const Push& push);
   void attend(const Due& due);
   void meet(const Due& due, const Touch& touch);
   Touch foremost(const Mover& a, const Mover& b, Touch touch) const;
@@ -45,7 +47,8 @@ class Loop {
   void release(BodyId id, const State& state);
   void look_until(double time, bool over);
 
-  bool moves(BodyId id) const { return !bodies_[id].still(); }
+  /// Whose box is made anew in each frame, and who asks whom it meets; in the first frame also who only could move.
+  bool moves(BodyId id) const { return !bodies_[id].still() || (done_.books.frames == 1 && !bodies_[id].fixed()); }
   double start(BodyId id) const;
   void file(BodyId id);
   void watch(BodyId a, BodyId b, double from);
@@ -69,6 +72,8 @@ class Loop {
   std::vector<Mover> bodies_;
   PairHeap heap_;
   std::vector<std::optional<Rest>> rest_;  ///< by body
+  std::vector<Vec3> pull_;                 ///< by body: what gravity and its push accelerate it by (m/s²), if it moves
+  std::size_t pushed_ = 0;
   Tiling tiling_;
   std::unordered_map<std::uint64_t, Memory> memory_;  ///< looked up only, never walked
   Memory no_memory_;

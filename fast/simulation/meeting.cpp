@@ -118,7 +118,9 @@ bool has_closed_form(const Mover& a, const Mover& b) {
 }
 
 double clearance(const Mover& a, const Mover& b, double t, double envelope) {
-  return std::min(envelope / 2, rounding(a, t) + rounding(b, t));
+  int exponent = 0;
+  std::frexp(rounding(a, t) + rounding(b, t), &exponent);
+  return std::min(envelope / 2, std::ldexp(1, exponent));
 }
 
 Touch touch(const Mover& a, const Mover& b, double t, Memory& memory) {

@@ -30,7 +30,8 @@ bool has_closed_form(const Mover& a, const Mover& b);
 ///
 /// Each body: its place is off by 4u of the terms that it is a sum of, p + τ (v + τ a/2); the difference of places, its
 /// turn into a block's axes, feet and lengths by 8u of the same; t is rounded by u/2 of itself.
-/// 16u and 4u cover them with room for the second order.
+/// 16u and 4u cover them with room for the second order. Their sum is rounded up to a power of two: a ball that comes
+/// back finds the same clearance, so that its energy does not change by the difference.
 double clearance(const Mover& a, const Mover& b, double t, double envelope);
 
 /// The nearest points at time t (≥ both paths' beginnings); where several are, and a meeting was found for this very

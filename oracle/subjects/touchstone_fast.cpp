@@ -10,6 +10,7 @@
 #include "fast/mass.h"
 #include "fast/pixel.h"
 #include "fast/plan.h"
+#include "fast/simulation.h"
 #include "fast/time_of_impact.h"
 #include "model/input_error.h"
 
@@ -54,6 +55,8 @@ class Fast : public Subject {
     }
   }
 
+  Answer<Trajectory> simulation(const Scene& scene) override { return fast::simulation(scene); }
+
   Answer<TimeOfImpact> time_of_impact(const Scene& scene) override {
     try {
       return fast::time_of_impact_of(scene);
@@ -67,7 +70,7 @@ class Fast : public Subject {
       .name = "fast",
       .version = "0.1.0",
       .answers = {"mass", "bounds", "broad_phase", "pair_history", "distance", "impulse", "pixel", "time_of_impact",
-                  "constraint"},
+                  "constraint", "simulation"},
       .knows_touching = true,
       .about = "Touchstone's optimised algorithms, as planned for each film; Lin-Canny from a corner, exact verdicts",
       .homepage = "",

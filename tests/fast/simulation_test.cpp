@@ -1,0 +1,232 @@
+// Scenes whose course is known on paper, and the laws of the loop.
+#include "fast/simulation.h"
+
+#include "model/input_error.h"
+#include "tests/catch.h"
+#include "tests/fast/simulation/scenes.h"
+
+namespace touchstone::fast {
+namespace {
+
+using Kind = Event::Kind;
+const Vec3 down(0, 0, -10);
+
+const State& last(const Simulated& done) { return done.trajectory.states.back()[0]; }
+
+TEST_CASE("a bouncing ball rises to e² of its height, and its hops end when the series says") {
+  for (const double e : {0.5, 0.9}) {
+    const Scene scene = flight({ball(0.5, Vec3(0, 0, 1.5), Vec3::Zero(), {e, 0}), table()}, down, {20});
+    const Simulated done = simulate(scene);
+    const std::vector<Event> bounces = of_kind(done, Kind::impact);
+    REQUIRE(bounces.size() > 10);
+    double speed = std::sqrt(20.0), time = std::sqrt(0.2);
+    for (const Event& bounce : bounces) {
+      CHECK(std::abs(bounce.time - time) < 1e-12);  // the last hops are slow: 1e-15 m take 1e-12 s
+      speed *= e;
+      CHECK(std::abs(bounce.after_a.velocity.v_WBcm.z() - speed) < 1e-12);
+      time += speed / 5;
+    }
+    const std::vector<Event> completed = of_kind(done, Kind::completed);
+    REQUIRE(completed.size() == 1);
+    CHECK(std::abs(completed[0].time - std::sqrt(0.2) * (1 + e) / (1 - e)) < 1e-12);
+    CHECK(last(done).velocity.v_WBcm == Vec3::Zero());
+    CHECK(std::abs(last(done).X_WB.p_WB.z() - 0.5) < 1e-14);
+  }
+}
+
+TEST_CASE("49 balls bounce for 20 s and keep their energy") {
+  std::vector<Body> bodies;
+  for (int i = 0; i < 49; ++i) {
+    bodies.push_back(ball(0.5, Vec3(2 * (i % 7), 2 * (i / 7), 1.5 + 0.1 * i), Vec3::Zero(), {1, 0.5}));
+  }
+  bodies.push_back(table());
+  const Scene scene = flight(bodies, down, {1, 5, 10, 20});
+  const Simulated done = simulate(scene);
+  double worst = 0;
+  for (const std::vector<State>& states : done.trajectory.states) {
+    for (std::size_t i = 0; i < 49; ++i) {
+      const double energy = states[i].velocity.v_WBcm.squaredNorm() / 2 + 10 * states[i].X_WB.p_WB.z();
+      worst = std::max(worst, std::abs(energy - 10 * bodies[i].X_WB.p_WB.z()));
+    }
+  }
+  CHECK(worst < 1e-12);
+  CHECK(done.books.of(Kind::impact) > 49 * 10);
+}
+
+TEST_CASE("a ball that slides rolls after 2v/7μg, at 5v/7") {
+  const Scene scene = flight({ball(0.5, Vec3(0, 0, 0.5), Vec3(7, 0, 0), {0.5, 0.2}), table()}, down, {1, 3});
+  const Simulated done = simulate(scene);
+  const State& at_1 = done.trajectory.states[0][0];
+  CHECK(std::abs(at_1.X_WB.p_WB.x() - 6) < 1e-14);
+  CHECK(std::abs(at_1.velocity.v_WBcm.x() - 5) < 1e-14);
+  CHECK(std::abs(last(done).X_WB.p_WB.x() - 16) < 4e-14);
+  CHECK(std::abs(last(done).velocity.w_WB.y() - 10) < 1e-13);
+  CHECK(done.trajectory.events->size() == 2);
+}
+
+TEST_CASE("down a ramp a ball rolls while tan α ≤ 7μ/2, else it slips") {
+  const Vec3 pull(10 * 0.28, 0, -10 * 0.96);
+  for (const double mu : {0.2, 0.05}) {
+    const Scene scene = flight({ball(0.5, Vec3(0, 0, 0.5), Vec3::Zero(), {0, mu}), table()}, pull, {2});
+    const Simulated done = simulate(scene);
+    const double a = mu == 0.2 ? 5.0 / 7 * 2.8 : 2.8 - mu * 9.6;
+    CHECK(std::abs(last(done).X_WB.p_WB.x() - 2 * a) < 1e-14 * 4);
+  }
+}
+
+TEST_CASE("a brick stays on a ramp up to the angle of friction, and slides beyond") {
+  const Vec3 pull(10 * 0.28, 0, -10 * 0.96);  // tan α = 0.29167
+  const double just_more = 0.2917, just_less = 0.2916;
+  const Simulated stays =
+      simulate(flight({brick(Vec3(0.5, 0.5, 0.5), Vec3(0, 0, 0.5), {0.3, just_more}), table()}, pull, {10}));
+  CHECK(last(stays).X_WB.p_WB == Vec3(0, 0, 0.5));
+  CHECK(stays.trajectory.events->size() == 1);
+  const Simulated slides =
+      simulate(flight({brick(Vec3(0.5, 0.5, 0.5), Vec3(0, 0, 0.5), {0.3, just_less}), table()}, pull, {10}));
+  CHECK(std::abs(last(slides).X_WB.p_WB.x() - 50 * (2.8 - just_less * 9.6)) < 1e-12);
+}
+
+TEST_CASE("a brick that slides on a table stops after v²/2μg") {
+  Scene scene = flight({brick(Vec3(0.5, 0.4, 0.3), Vec3(0, 0, 0.3), {0.3, 0.5}), table()}, down, {5});
+  scene.bodies[0].velocity.v_WBcm = Vec3(3, 4, 0);
+  const Simulated done = simulate(scene);
+  CHECK((last(done).X_WB.p_WB - Vec3(1.5, 2, 0.3)).norm() < 1e-14);
+  CHECK(last(done).velocity == Velocity{});
+  CHECK(std::abs(done.trajectory.events->back().time - 1) < 1e-15);
+}
+
+TEST_CASE("a brick that falls on its corner comes to rest, and is never in the table") {
+  Scene scene = flight({brick(Vec3(0.5, 0.4, 0.3), Vec3(0, 0, 1), {0.2, 0.8}), table()}, down, {3});
+  scene.bodies[0].X_WB.q_WB = {0.9, 0.3, 0.2, 0.1};
+  const Simulated done = simulate(scene);
+  REQUIRE(!done.stopped);
+  CHECK(last(done).velocity == Velocity{});
+  CHECK(done.books.of(Kind::contact) + done.books.of(Kind::completed) > 0);
+  const double loss = done.books.loss, height = 1 - last(done).X_WB.p_WB.z();
+  CHECK(std::abs(loss / (0.48 * 10 * height) - 1) < 1e-2);  // the rest went in contact
+}
+
+TEST_CASE("where no closed form is known, hops stand for contact, to second order") {
+  // Across a ramp: slip turns. Friction and gravity alone fix the speeds; the path is that of an ODE (puck on an
+  // incline).
+  Scene scene = flight({ball(0.5, Vec3(0, 0, 0.5), Vec3(0, 1, 0), {0, 0.05}), table()}, Vec3(2.8, 0, -9.6), {0.25});
+  scene.flight->envelope = 1e-7;
+  const Simulated coarse = simulate(scene);
+  scene.flight->envelope = 2.5e-8;
+  const Simulated fine = simulate(scene);
+  scene.flight->envelope = 1e-9;
+  const Simulated truth = simulate(scene);
+  CHECK(coarse.books.of(Kind::micro_collision) > 100);
+  const double e1 = (last(coarse).X_WB.p_WB - last(truth).X_WB.p_WB).head<2>().norm();
+  const double e2 = (last(fine).X_WB.p_WB - last(truth).X_WB.p_WB).head<2>().norm();
+  CHECK(e1 < 2e-4);
+  CHECK(e2 < 2e-4);
+}
+
+TEST_CASE("a cradle hands its speed on") {
+  std::vector<Body> bodies;
+  for (int i = 0; i < 5; ++i) {
+    bodies.push_back(ball(0.5, Vec3(1.25 * i, 0, 0), Vec3(i == 0 ? 1 : 0, 0, 0), {1, 0}));
+  }
+  const Simulated done = simulate(flight(bodies, Vec3::Zero(), {4}));
+  CHECK(done.books.of(Kind::impact) == 4);
+  for (std::size_t i = 0; i < 5; ++i) {
+    CHECK(done.trajectory.states[0][i].velocity.v_WBcm == Vec3(i == 4 ? 1 : 0, 0, 0));
+  }
+}
+
+TEST_CASE("a million to one: the light ball goes to and fro and the heavy one keeps its momentum's worth") {
+  const Scene scene =
+      flight({ball(0.5, Vec3(0, 0, 0), Vec3(1, 0, 0), {1, 0}, 1e6), ball(0.5, Vec3(3, 0, 0), Vec3::Zero(), {1, 0}),
+              brick(Vec3(1, 5, 5), Vec3(10, 0, 0), {1, 0})},
+             Vec3::Zero(), {9});
+  Scene walled = scene;
+  walled.bodies[2].mass = Fixed{};
+  const Simulated done = simulate(walled);
+  CHECK(std::abs(kinetic(walled, done.trajectory.states.back()) / kinetic(walled) - 1) < 1e-12);
+  CHECK(done.books.of(Kind::impact) > 1000);
+}
+
+TEST_CASE("a rough ball turns what it loses into spin") {
+  const Scene scene = flight({ball(0.5, Vec3(0, 0, 1), Vec3(7, 0, -5), {1, 10}), table()}, Vec3::Zero(), {0.2});
+  const State& after = last(simulate(scene));
+  CHECK(std::abs(after.velocity.v_WBcm.x() - 5) < 1e-14);
+  CHECK(std::abs(after.velocity.w_WB.y() - 10) < 1e-13);
+  CHECK(after.velocity.v_WBcm.z() == 5);
+}
+
+TEST_CASE("an elastic gas keeps its energy, and its total momentum to the bit if asked") {
+  const Scene scene = gas(5, {1, 0});
+  const Simulated done = simulate(scene);
+  CHECK(done.books.of(Kind::impact) > 200);
+  CHECK(std::abs(kinetic(scene, done.trajectory.states.back()) / kinetic(scene) - 1) < 1e-13);
+
+  Scene open = scene;
+  open.bodies.resize(125);
+  const Simulated exact = simulate(open, {.exact_momentum = true});
+  CHECK(exact.books.of(Kind::impact) > 50);
+  Vec3 before = Vec3::Zero(), after = Vec3::Zero();
+  for (std::size_t i = 0; i < 125; ++i) {
+    before += open.bodies[i].velocity.v_WBcm;
+    after += exact.trajectory.states.back()[i].velocity.v_WBcm;
+  }
+  CHECK((after - before).norm() < 125 * 0x1p-50);
+}
+
+TEST_CASE("neither frames nor strangers change a bit") {
+  const Scene scene = gas(4, {0.9, 0.3});
+  const Trajectory as_is = simulate(scene).trajectory;
+  CHECK(simulate(scene, {.frame = 0.01}).trajectory == as_is);
+  CHECK(simulate(scene, {.frame = 0.25}).trajectory == as_is);
+
+  Scene more = scene;
+  for (int i = 0; i < 20; ++i) more.bodies.push_back(ball(0.1, Vec3(50 + i, 0, 0), Vec3(0, 1, 0), {1, 0}));
+  Simulated done = simulate(more);
+  done.trajectory.states.back().resize(scene.bodies.size());
+  CHECK(done.trajectory.states == as_is.states);
+}
+
+TEST_CASE("events come in time order, each pair approaches, and what is reported is flown from") {
+  const Scene scene = gas(4, {0.8, 0.2});
+  const Simulated done = simulate(scene);
+  double time = 0;
+  for (const Event& event : *done.trajectory.events) {
+    CHECK(event.time >= time);
+    CHECK(event.a < event.b);
+    time = event.time;
+  }
+}
+
+TEST_CASE("a push changes the path from its time on, and what then meets is found") {
+  Scene scene = flight({ball(0.5, Vec3(0, 0, 0), Vec3::Zero(), {1, 0}), ball(0.5, Vec3(5, 0, 0), Vec3::Zero(), {1, 0})},
+                       Vec3::Zero(), {10});
+  scene.flight->force_bound = 2;
+  scene.flight->pushes = {{1, 0, Vec3(2, 0, 0)}, {2, 0, Vec3::Zero()}};
+  const Simulated done = simulate(scene);  // 1 m/s² · … : 2 m/s after a second, 1 m on the way, then 3 m more
+  const std::vector<Event> hits = of_kind(done, Kind::impact);
+  REQUIRE(hits.size() == 1);
+  CHECK(std::abs(hits[0].time - 3.5) < 2e-14);
+  CHECK(done.books.of(Kind::push) == 2);
+}
+
+TEST_CASE("bad input is named") {
+  Scene scene =
+      flight({ball(0.5, Vec3(0, 0, 0), Vec3::Zero(), {1, 0}), ball(0.5, Vec3(0.75, 0, 0), Vec3::Zero(), {1, 0})},
+             Vec3::Zero(), {10});
+  CHECK_THROWS_WITH(simulate(scene), Catch::Contains("bodies[0]: overlaps bodies[1] at the start by 0.25"));
+  scene.gravity = down;
+  CHECK_THROWS_AS(simulate(scene, {.exact_momentum = true}), InputError);
+  scene.flight.reset();
+  CHECK_THROWS_WITH(simulate(scene), Catch::Contains("flight"));
+}
+
+TEST_CASE("a simulation that may not go on says where it ended") {
+  const Scene scene = flight({ball(0.5, Vec3(0, 0, 1), Vec3::Zero(), {1, 0}), table()}, down, {100});
+  const Simulated done = simulate(scene, {.most_events = 10});
+  REQUIRE(done.stopped);
+  CHECK(done.stopped->a == 0);
+  CHECK(done.trajectory.complete_until == done.stopped->time);
+}
+
+}  // namespace
+}  // namespace touchstone::fast
