@@ -15,8 +15,10 @@
 
 #include "app/bench_plot.h"
 #include "app/bench_table.h"
+#include "app/motion_scenes.h"
 #include "app/program_folder.h"
 #include "app/progress.h"
+#include "app/simulation_page.h"
 #include "app/work_precision.h"
 #include "model/input_error.h"
 
@@ -32,12 +34,22 @@ struct Comparison {
   int workloads = 0;  ///< likewise
   std::function<std::string(const std::string& csv)> table;
   std::function<std::string(const std::string& csv)> plot;
+  std::function<std::string(const std::string& csv)> page = nullptr;  ///< of documents; none: written by hand
 };
 
 Comparison of_errors(const std::string& program, int sizes, int workloads, const WorkPrecisionWords& words) {
   return {program, sizes, workloads,
           [words](const std::string& csv) { return work_precision_table(work_precision_rows(csv), words); },
           [words](const std::string& csv) { return work_precision_plot(work_precision_rows(csv), words); }};
+}
+
+Comparison of_simulations() {
+  const int scenes = static_cast<int>(motion_scenes().size());
+  Comparison comparison =
+      of_errors("touchstone_simulation_bench", 3, scenes,
+                {"steps a second (0: ours, which have none)", "relative, as each scene says", false});
+  comparison.page = simulation_page;
+  return comparison;
 }
 
 const std::map<std::string, Comparison>& registry() {
@@ -50,6 +62,7 @@ const std::map<std::string, Comparison>& registry() {
                             {"effort: steps, or tolerance", "units of 2^-53, in the energy norm", false})},
       {"pixel", of_errors("touchstone_pixel_bench", 6, 4,
                           {"pixels a metre (masks: side in pixels)", "share of overlapping pairs that is missed"})},
+      {"simulation", of_simulations()},
   };
   return comparisons;
 }
@@ -137,7 +150,9 @@ int bench(const BenchOptions& options) {
   write(folder / (options.name + ".csv"), output.text);
   write(folder / (options.name + ".txt"), table);
   write(folder / (options.name + ".svg"), comparison.plot(output.text));
-  fmt::print("{}\nWritten to {}: {}.csv, .txt, .svg\n", table, options.out, options.name);
+  if (comparison.page) write(folder / (options.name + ".md"), comparison.page(output.text));
+  fmt::print("{}\nWritten to {}: {}.csv, .txt, .svg{}\n", table, options.out, options.name,
+             comparison.page ? ", .md" : "");
   return 0;
 }
 

@@ -17,7 +17,7 @@ struct BenchOptions {
 /// The comparisons that there are.
 std::vector<std::string> benches();
 
-/// Prints the table; writes NAME.csv, NAME.svg and NAME.txt (the table) to the folder. The exit code. Throws InputError
+/// Prints the table; writes NAME.csv, NAME.svg and NAME.txt (the table) to the folder, some a page NAME.md too. The exit code. Throws InputError
 /// if the comparison was not built.
 int bench(const BenchOptions& options);
 

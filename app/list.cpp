@@ -5,6 +5,7 @@
 
 #include <map>
 
+#include "app/motion_scenes.h"
 #include "app/roster.h"
 #include "oracle/subjects/canaries.h"
 #include "properties/clause.h"
@@ -56,19 +57,24 @@ void list_canaries() {
   }
 }
 
+void list_motions() {
+  for (const MotionScene& motion : motion_scenes()) {
+    fmt::print("{:<26} {} ({} bodies, {} s)\n", motion.scene.name, motion.truth, motion.scene.bodies.size(),
+               motion.scene.flight->times.back());
+  }
+}
+
 const std::map<std::string, void (*)()>& lists() {
-  static const std::map<std::string, void (*)()> all = {{"subjects", list_subjects},
-                                                        {"properties", list_properties},
-                                                        {"clauses", list_clauses},
-                                                        {"families", list_families},
-                                                        {"canaries", list_canaries}};
+  static const std::map<std::string, void (*)()> all = {{"subjects", list_subjects}, {"properties", list_properties},
+                                                        {"clauses", list_clauses},   {"families", list_families},
+                                                        {"canaries", list_canaries}, {"motions", list_motions}};
   return all;
 }
 
 }  // namespace
 
 const std::vector<std::string>& listable() {
-  static const std::vector<std::string> all = {"subjects", "properties", "clauses", "families", "canaries"};
+  static const std::vector<std::string> all = {"subjects", "properties", "clauses", "families", "canaries", "motions"};
   return all;
 }
 

@@ -1,4 +1,4 @@
-// What there is: subjects, properties, clauses, families, canaries.
+// What there is: subjects, properties, clauses, families, canaries, scenes in motion.
 #pragma once
 
 #include <string>
@@ -6,7 +6,7 @@
 
 namespace touchstone::app {
 
-/// "subjects", "properties", "clauses", "families", "canaries".
+/// "subjects", "properties", "clauses", "families", "canaries", "motions".
 const std::vector<std::string>& listable();
 
 void list(const std::string& what);

@@ -18,6 +18,14 @@ Scene completed(const std::string& path) {
   }
 }
 
+/// A flight is about another question than a film.
+fast::Plan plan_of(const Scene& scene) {
+  if (!scene.flight) return fast::plan(scene);
+  fast::Plan plan;
+  fast::plan_motion(scene, plan);
+  return plan;
+}
+
 Json json_of(const std::vector<fast::Choice>& choices) {
   Json list = Json::array();
   for (const auto& [what, why] : choices) list.push_back({{"what", what}, {"why", why}});
@@ -34,12 +42,12 @@ void print(const char* title, const std::vector<fast::Choice>& choices) {
 
 void plan(const std::string& scene_path, bool as_json) {
   const Scene scene = completed(scene_path);
-  const fast::Plan plan = fast::plan(scene);
+  const fast::Plan plan = plan_of(scene);
   if (as_json) {
-    const Json json = {{"scene", scene.name},
-                       {"strategy", plan.strategy},
-                       {"used", json_of(plan.used)},
-                       {"left_out", json_of(plan.left_out)}};
+    Json json = {{"scene", scene.name}};
+    if (!plan.strategy.empty()) json["strategy"] = plan.strategy;
+    json["used"] = json_of(plan.used);
+    json["left_out"] = json_of(plan.left_out);
     fmt::print("{}", text_of(json));
     return;
   }

@@ -35,6 +35,10 @@ struct Plan {
 /// The thresholds are measured (docs/design/broad_phase.md). Requires a valid scene.
 Plan plan(const Scene& scene);
 
+/// Adds what a simulation of the scene's flight needs, and what it can do without: no state changes a bit where meetings
+/// have closed forms, else none by more than the envelope explains. Throws InputError where a shape is no solid.
+void plan_motion(const Scene& scene, Plan& plan);
+
 /// Nothing left out: every shape that has vertices climbs, and the strategy is the default for many bodies.
 Plan all_parts(const Scene& scene);
 

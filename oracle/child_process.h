@@ -21,9 +21,10 @@ class ChildProcess {
   using Clock = std::chrono::steady_clock;
 
   struct Limits {
-    double cpu_seconds;        ///< of the child itself, all threads
-    double wall_seconds;       ///< the backstop, for one that sleeps
-    std::size_t longest_line;  ///< bytes
+    double cpu_seconds;            ///< of the child itself, all threads
+    double wall_seconds;           ///< the backstop, for one that sleeps
+    std::size_t longest_line;      ///< bytes
+    bool (*given_up)() = nullptr;  ///< asked again and again: does nobody wait for the answer any more?
   };
 
   /// Program and arguments, at least one word. Throws InputError if the program cannot be run.

@@ -90,8 +90,9 @@ Answer<T> PipeSubject::ask(const std::string& query, const Scene& scene) {
     }
   }
   ++asked_;
-  const auto said = child_->exchange(protocol::ask(++seq_, query, text_of(scene)),
-                                     {limits_.cpu_seconds, limits_.wall_seconds, limits_.longest_line});
+  const auto said =
+      child_->exchange(protocol::ask(++seq_, query, text_of(scene)),
+                       {limits_.cpu_seconds, limits_.wall_seconds, limits_.longest_line, limits_.given_up});
   if (const Breaks* breaks = std::get_if<Breaks>(&said)) {
     child_.reset();
     return *breaks;

@@ -16,6 +16,7 @@ struct PipeLimits {
   double wall_seconds = 20;                          ///< a question; the backstop for one that sleeps
   int recycle_after = 0;                             ///< questions, then a fresh process; 0: never
   std::size_t longest_line = std::size_t{64} << 20;  ///< bytes; a longer answer is garbage
+  bool (*given_up)() = nullptr;  ///< asked again and again: does nobody wait for the answer any more?
 };
 
 /// Each object owns its process; several threads may each own objects of their own.

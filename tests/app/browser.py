@@ -10,12 +10,12 @@ import tempfile
 class Browser:
     """Opens pages, evaluates expressions in them, and keeps what the console and the network complain about."""
 
-    def __init__(self):
+    def __init__(self, webgl=False):
         commands, self.to = os.pipe()
         self.back, answers = os.pipe()
         self.profile = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)
         program = ["chromium", "--headless", "--no-sandbox", "--disable-gpu", "--remote-debugging-pipe",
-                   "--no-first-run", f"--user-data-dir={self.profile.name}", "about:blank"]
+                   *(["--use-angle=swiftshader", "--enable-unsafe-swiftshader"] if webgl else []), "--no-first-run", f"--user-data-dir={self.profile.name}", "about:blank"]
         # Chromium reads commands from descriptor 3 and answers on descriptor 4.
         self.process = subprocess.Popen(["sh", "-c", f'exec "$@" 3<&{commands} 4>&{answers}', "sh", *program],
                                         pass_fds=(commands, answers), stderr=subprocess.DEVNULL)

@@ -1,0 +1,62 @@
+#include "app/motion_books.h"
+
+#include <Eigen/Geometry>
+
+#include "reference/mass.h"
+
+namespace touchstone::app {
+namespace {
+
+double middle(const Interval& i) { return i.lo + (i.hi - i.lo) / 2; }
+
+MassProperties properties_of(const reference::MassTruth& truth) {
+  MassProperties m;
+  m.mass = middle(truth.mass);
+  for (int i = 0; i < 3; ++i) m.p_BBcm[i] = middle(truth.p_BBcm[static_cast<std::size_t>(i)]);
+  const auto& I = truth.I_BBcm_B;
+  m.I_BBcm_B << middle(I[0]), middle(I[3]), middle(I[4]),  //
+      middle(I[3]), middle(I[1]), middle(I[5]),            //
+      middle(I[4]), middle(I[5]), middle(I[2]);
+  return m;
+}
+
+}  // namespace
+
+Eigen::Matrix<Real, 3, 3> rotation(const Quaternion& q) {
+  return Eigen::Quaternion<Real>(q.w, q.x, q.y, q.z).normalized().toRotationMatrix();
+}
+
+std::vector<State> start_of(const Scene& scene) {
+  std::vector<State> states;
+  for (const Body& body : scene.bodies) states.push_back({body.X_WB, body.velocity});
+  return states;
+}
+
+BookKeeper::BookKeeper(const Scene& scene) : start_(start_of(scene)), gravity_(scene.gravity.cast<Real>()) {
+  for (const auto& truth : reference::mass(scene)) {
+    masses_.push_back(truth ? std::optional(properties_of(*truth)) : std::nullopt);
+  }
+}
+
+Books BookKeeper::at(const std::vector<State>& states) const {
+  Books books;
+  for (std::size_t b = 0; b < masses_.size(); ++b) {
+    if (!masses_[b]) continue;
+    const auto& [mass, p_BBcm, I_B] = *masses_[b];
+    const State& state = states[b];
+    const Eigen::Matrix<Real, 3, 3> R = rotation(state.X_WB.q_WB);
+    const Real3 x = state.X_WB.p_WB.cast<Real>() + R * p_BBcm.cast<Real>();
+    const Real3 v = state.velocity.v_WBcm.cast<Real>();
+    const Real3 w_B = R.transpose() * state.velocity.w_WB.cast<Real>();
+    const Real3 L_B = I_B.cast<Real>() * w_B;
+    books.kinetic += (mass * v.squaredNorm() + w_B.dot(L_B)) / 2;
+    books.potential -= mass * gravity_.dot(x);
+    books.momentum += mass * v;
+    books.angular_momentum += x.cross(mass * v) + R * L_B;
+  }
+  return books;
+}
+
+Books BookKeeper::at_start() const { return at(start_); }
+
+}  // namespace touchstone::app

@@ -1,0 +1,84 @@
+#include "app/motion_scenes/truths.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "model/limits.h"
+
+namespace touchstone::app {
+namespace {
+
+using Misses = std::function<Real(Real t, const std::vector<State>& states)>;
+
+/// The worst of all looks. An answer without any look shows nothing: NaN.
+Error worst_look(const Scene& scene, Misses misses) {
+  return [times = scene.flight->times, misses = std::move(misses)](const Trajectory& answer) {
+    Real worst = answer.states.empty() ? static_cast<Real>(NAN) : 0;
+    for (std::size_t k = 0; k < answer.states.size(); ++k) {
+      const Real missed = misses(times.at(k), answer.states[k]);
+      if (!(missed <= worst)) worst = missed;  // NaN is the worst
+    }
+    return static_cast<double>(worst);
+  };
+}
+
+Error booked(const Scene& scene, const std::function<Real(const Books& first, const Books& now)>& misses) {
+  const auto keeper = std::make_shared<BookKeeper>(scene);
+  const Books first = keeper->at_start();
+  return worst_look(scene, [=](Real, const std::vector<State>& states) { return misses(first, keeper->at(states)); });
+}
+
+/// No point within `reach` of the body's origin has moved further.
+Real moved(const Pose& from, const Pose& to, Real reach) {
+  const Eigen::Matrix<Real, 3, 3> turn = rotation(to.q_WB) - rotation(from.q_WB);
+  return (to.p_WB - from.p_WB).cast<Real>().norm() + reach * turn.norm() / std::sqrt(Real(2));
+}
+
+}  // namespace
+
+Error off_paths(const Scene& scene, const std::map<int, Path>& paths, double scale) {
+  return worst_look(scene, [=](Real t, const std::vector<State>& states) {
+    Real worst = 0;
+    for (const auto& [body, path] : paths) {
+      const Real3 p = states.at(static_cast<std::size_t>(body)).X_WB.p_WB.cast<Real>();
+      const Real missed = (p - path(t)).norm() / scale;
+      if (!(missed <= worst)) worst = missed;
+    }
+    return worst;
+  });
+}
+
+Error off_rest(const Scene& scene) {
+  return worst_look(scene, [bodies = scene.bodies](Real, const std::vector<State>& states) {
+    Real worst = 0;
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+      const Real extent = size(bodies[b].shape);
+      const Real missed = moved(bodies[b].X_WB, states.at(b).X_WB, extent) / extent;
+      if (!(missed <= worst)) worst = missed;
+    }
+    return worst;
+  });
+}
+
+Error off_energy(const Scene& scene) {
+  return booked(scene, [](const Books& first, const Books& now) {
+    return std::abs(now.energy() - first.energy()) / first.energy();
+  });
+}
+
+Error gained_energy(const Scene& scene) {
+  return booked(scene, [](const Books& first, const Books& now) {
+    const Real gained = (now.energy() - first.energy()) / first.energy();
+    return gained < 0 ? Real(0) : gained;
+  });
+}
+
+Error off_free_turn(const Scene& scene) {
+  return booked(scene, [](const Books& first, const Books& now) {
+    const Real L = (now.angular_momentum - first.angular_momentum).norm() / first.angular_momentum.norm();
+    return std::max(L, std::abs(now.kinetic - first.kinetic) / first.kinetic);
+  });
+}
+
+}  // namespace touchstone::app

@@ -1,0 +1,23 @@
+// `touchstone simulate`: what happens next in a scene, by any subject that says so.
+#pragma once
+
+#include <optional>
+#include <string>
+
+namespace touchstone::app {
+
+struct SimulateCommand {
+  std::string scene;            ///< a file, or the name of a scene in motion
+  std::string engine = "fast";  ///< as under check --subjects; "constraint" is fast's constraint query
+  std::optional<double> until;  ///< s; none: the scene's own end
+  std::string out;              ///< JSON lines of the events
+  std::string replay;           ///< a page that shows the bodies
+  double time_limit = 600;      ///< s of CPU time
+};
+
+/// Prints the books over time and how many events of each kind there were; writes the files. The exit code: 0, or 1 if
+/// the engine breaks, or interrupted_exit_code; then what is known until some earlier time is printed and written.
+/// Throws InputError, also if the engine abstains.
+int simulate(const SimulateCommand& command);
+
+}  // namespace touchstone::app

@@ -1,0 +1,121 @@
+#include "app/simulation_page.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "app/motion_scenes.h"
+#include "app/work_precision.h"
+
+namespace touchstone::app {
+namespace {
+
+using Rows = std::vector<const WorkPrecision*>;
+
+constexpr const char* head = R"(# Simulations: error and time
+
+`./touchstone bench simulation --out docs/reports` makes this page again. [Figures](simulation.csv), [tables](simulation.txt).
+
+![error against time, log-log, a panel a scene, a point for each step](simulation.svg)
+
+A scene is simulated to its end, in one process alone; CPU time of the fastest run, on a machine that others were using too. The error is that of the
+scene's own truth, the worst of all its looks: a share of a length or an energy. *impacts*: those that `fast` resolved one by one. Engines that step were
+run with several steps a second; here stands the run with the least error.
+)";
+
+const MotionScene* motion_of(const std::string& name) {
+  const auto found =
+      std::ranges::find_if(motion_scenes(), [&](const MotionScene& motion) { return motion.scene.name == name; });
+  return found == motion_scenes().end() ? nullptr : &*found;
+}
+
+std::string figure(const WorkPrecision& row) {
+  if (!row.ns) return row.left_out;
+  return fmt::format("{:.1e} in {:.3g} ms", row.worst_error.value_or(0), *row.ns / 1e6);
+}
+
+std::string steps_of(const WorkPrecision& row) { return row.size == "0" ? "" : " at " + row.size + "/s"; }
+
+/// The run with the least error; the first if none gave a figure.
+const WorkPrecision& best(const Rows& rows) {
+  return **std::ranges::min_element(rows, {},
+                                    [](const WorkPrecision* row) { return row->worst_error.value_or(1e300); });
+}
+
+Rows named(const Rows& rows, const std::string& name) {
+  Rows some;
+  std::ranges::copy_if(rows, std::back_inserter(some), [&](const WorkPrecision* row) { return row->name == name; });
+  return some;
+}
+
+std::vector<std::string> peers_of(const std::vector<WorkPrecision>& rows) {
+  std::vector<std::string> names;
+  for (const WorkPrecision& row : rows) {
+    if (row.whose == "peer" && std::ranges::count(names, row.name) == 0) names.push_back(row.name);
+  }
+  return names;
+}
+
+/// One row a scene.
+std::string scene_line(const Rows& rows, const std::string& impacts, const std::vector<std::string>& peers) {
+  const std::string& scene = rows.front()->workload;
+  const MotionScene* motion = motion_of(scene);
+  std::string line = fmt::format("| `{}`: {} ", scene, motion != nullptr ? motion->truth : "");
+  for (const std::string name : {"fast", "fast.constraint"}) {
+    const Rows some = named(rows, name);
+    line += "| " + (some.empty() ? "" : figure(best(some))) + (name == "fast" ? " | " + impacts : "") + " ";
+  }
+  for (const std::string& peer : peers) {
+    const Rows some = named(rows, peer);
+    line += "| " + (some.empty() ? "" : figure(best(some)) + steps_of(best(some))) + " ";
+  }
+  return line + "|\n";
+}
+
+/// Where a run of another engine is not behind in both, time and error.
+std::string losses(const Rows& rows) {
+  const Rows ours = named(rows, "fast");
+  if (ours.empty()) return "";
+  const WorkPrecision& fast = *ours.front();
+  std::string text;
+  for (const WorkPrecision* row : rows) {
+    if (row->whose != "peer" || !row->ns) continue;
+    const bool behind = fast.ns && *fast.ns <= *row->ns && fast.worst_error.value_or(0) <= row->worst_error.value_or(0);
+    if (!behind) text += fmt::format("{}{}{}: {}", text.empty() ? "" : "; ", row->name, steps_of(*row), figure(*row));
+  }
+  return text.empty() ? "" : fmt::format("- `{}`: `fast` {}. {}.\n", fast.workload, figure(fast), text);
+}
+
+/// The ninth field of fast's row of each scene.
+std::string impacts_of(const std::string& csv, const std::string& scene) {
+  std::istringstream lines(csv);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with(scene + ",0,fast,")) return line.substr(line.rfind(',') + 1);
+  }
+  return "";
+}
+
+}  // namespace
+
+std::string simulation_page(const std::string& csv) {
+  const std::vector<WorkPrecision> rows = work_precision_rows(csv);
+  const std::vector<std::string> peers = peers_of(rows);
+  std::string table = "| scene: what is known | `fast` | impacts | `constraint` ";
+  for (const std::string& peer : peers) table += "| " + peer + " ";
+  table += "|\n|" + std::string("---|---|---:|---|");
+  for (std::size_t k = 0; k < peers.size(); ++k) table += "---|";
+  table += "\n";
+  std::string lost;
+  for (std::size_t k = 0; k < rows.size();) {
+    Rows of_scene;
+    const std::string scene = rows[k].workload;
+    for (; k < rows.size() && rows[k].workload == scene; ++k) of_scene.push_back(&rows[k]);
+    table += scene_line(of_scene, impacts_of(csv, scene), peers);
+    lost += losses(of_scene);
+  }
+  return head + ("\n" + table) + "\n## Where `fast` is not ahead in both, error and time\n" +
+         (lost.empty() ? "Nowhere.\n" : lost);
+}
+
+}  // namespace touchstone::app

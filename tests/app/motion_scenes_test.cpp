@@ -1,0 +1,181 @@
+// The scenes in motion, and what is known of them.
+#include "app/motion_scenes.h"
+
+#include <cmath>
+#include <cstdlib>
+
+#include "model/json.h"
+#include "model/limits.h"
+#include "reference/broad_phase.h"
+#include "reference/distance.h"
+#include "reference/validity.h"
+#include "tests/catch.h"
+
+using namespace touchstone;
+using app::motion_scenes;
+using app::MotionScene;
+
+namespace {
+
+const MotionScene& named(const std::string& name) {
+  for (const MotionScene& motion : motion_scenes()) {
+    if (motion.scene.name == name) return motion;
+  }
+  throw std::out_of_range(name);
+}
+
+std::vector<State> start_of(const Scene& scene) {
+  std::vector<State> states;
+  for (const Body& body : scene.bodies) states.push_back({body.X_WB, body.velocity});
+  return states;
+}
+
+/// Everybody stays where it stood.
+Trajectory frozen(const Scene& scene) {
+  Trajectory answer;
+  answer.states.assign(scene.flight->times.size(), start_of(scene));
+  return answer;
+}
+
+/// Body 0's origin is where `x` says.
+double error_of(const std::string& name, const std::function<Vec3(double)>& x) {
+  const MotionScene& motion = named(name);
+  Trajectory answer = frozen(motion.scene);
+  for (std::size_t k = 0; k < answer.states.size(); ++k) {
+    answer.states[k][0].X_WB.p_WB = x(motion.scene.flight->times[k]);
+  }
+  return motion.error(answer);
+}
+
+/// Fixed bodies may share points: nothing becomes of it.
+bool overlap(Scene scene, int i, int j) {
+  const Body a = scene.bodies[static_cast<std::size_t>(i)], b = scene.bodies[static_cast<std::size_t>(j)];
+  if (std::holds_alternative<Fixed>(a.mass) && std::holds_alternative<Fixed>(b.mass)) return false;
+  scene.bodies = {a, b};
+  return reference::distance(scene).verdict == Verdict::overlapping;
+}
+
+}  // namespace
+
+TEST_CASE("motion scenes: each is valid, complete and starts without overlap") {
+  REQUIRE(motion_scenes().size() >= 30);
+  for (const MotionScene& motion : motion_scenes()) {
+    CAPTURE(motion.scene.name);
+    REQUIRE_NOTHROW(validate(motion.scene));
+    CHECK(reference::completed(motion.scene) == motion.scene);
+    for (const auto& [i, j] : reference::broad_phase(motion.scene)) CHECK_FALSE(overlap(motion.scene, i, j));
+  }
+}
+
+TEST_CASE("motion scenes: the files in docs/scenes are these") {
+  for (const MotionScene& motion : motion_scenes()) {
+    const std::string path = std::string(TOUCHSTONE_SOURCE) + "/docs/scenes/motion_" + motion.scene.name + ".json";
+    CAPTURE(path);
+    if (std::getenv("TOUCHSTONE_UPDATE") != nullptr) write_text(path, text_of(json_of(motion.scene)));
+    CHECK(read_scene(path) == motion.scene);
+  }
+}
+
+TEST_CASE("motion scenes: a scene is known whatever its looks, and no other scene is") {
+  Scene scene = named("turntable").scene;
+  scene.flight->times = {0.5};
+  REQUIRE(app::known_motion(scene) != nullptr);
+  CHECK(app::known_motion(scene)->scene.name == "turntable");
+  scene.gravity.z() = -9;
+  CHECK(app::known_motion(scene) == nullptr);
+}
+
+TEST_CASE("motion scenes: what stands still is right about what rests, and wrong about all that moves") {
+  for (const MotionScene& motion : motion_scenes()) {
+    CAPTURE(motion.scene.name, motion.truth);
+    const double error = motion.error(frozen(motion.scene));
+    if (motion.truth.starts_with("stays") || motion.truth.find("stays where") != std::string::npos ||
+        motion.truth.find("energy") != std::string::npos || motion.truth.starts_with("free turn")) {
+      CHECK(error == 0);
+    } else {
+      CHECK(error > 0.01);
+    }
+  }
+}
+
+TEST_CASE("motion scenes: no look, or NaN, is no right answer") {
+  for (const MotionScene& motion : motion_scenes()) {
+    CAPTURE(motion.scene.name);
+    CHECK(std::isnan(motion.error(Trajectory{})));
+    Trajectory answer = frozen(motion.scene);
+    for (State& state : answer.states.back()) {
+      state.X_WB.p_WB.x() = NAN;
+      state.velocity.v_WBcm.x() = NAN;
+      state.velocity.w_WB.x() = NAN;
+    }
+    CHECK(std::isnan(motion.error(answer)));
+  }
+}
+
+// Truths once more, by hand or another way.
+
+TEST_CASE("motion scenes: a bouncing ball") {
+  // h = 5/4, g = 10: down after 1/2 s at 5 m/s; flights of 1/2, 1/4, … s; at rest after 1.5 s.
+  const auto z = [](double t) {
+    if (t <= 0.5) return 1.75 - 5 * t * t;
+    double v = 2.5, since = 0.5;
+    for (; v > 1e-9 && t > since + v / 5; v /= 2) since += v / 5;
+    return v > 1e-9 ? 0.5 + (t - since) * (v - 5 * (t - since)) : 0.5;
+  };
+  CHECK(error_of("bouncing_ball", [&](double t) { return Vec3(0, 0, z(t)); }) < 1e-15);
+  CHECK(error_of("bouncing_ball", [&](double t) { return Vec3(0, 0, z(t) + 1e-6); }) == Approx(0.8e-6).epsilon(1e-6));
+}
+
+TEST_CASE("motion scenes: sliding, then rolling") {
+  // μ = 1/4: v = 7 − 2.5 t until t = 0.8, when it is 5.
+  const auto x = [](double t) { return t < 0.8 ? 7 * t - 1.25 * t * t : 4.8 + 5 * (t - 0.8); };
+  CHECK(error_of("slide_to_roll", [&](double t) { return Vec3(x(t), 0, 0.5); }) < 1e-14);
+}
+
+TEST_CASE("motion scenes: turntables, by small steps of the law of motion") {
+  for (const std::string name : {"turntable", "turntable_tilted"}) {
+    const Scene& scene = named(name).scene;
+    const auto path = [&](double until) {
+      // v' = (4/7) ẑ × v + (5/7) g_t; velocity Verlet's midpoint with steps of about 2⁻¹⁴ s.
+      const int steps = static_cast<int>(until * 16384);
+      const double h = until / steps;
+      Vec3 p = scene.bodies[0].X_WB.p_WB, v = scene.bodies[0].velocity.v_WBcm;
+      const auto bent = [&](const Vec3& u) {
+        return Vec3(-4.0 / 7 * u.y() + 5.0 / 7 * scene.gravity.x(), 4.0 / 7 * u.x(), 0);
+      };
+      for (int k = 0; k < steps; ++k) {
+        const Vec3 half = v + h / 2 * bent(v);
+        p += h * half;
+        v += h * bent(half);
+      }
+      return p;
+    };
+    CHECK(error_of(name, path) < 1e-7);
+  }
+}
+
+TEST_CASE("motion scenes: 3141 impacts of masses 1 : 10⁶, one by one") {
+  const MotionScene& motion = named("pi_billiard");
+  // Gaps x (small ball to the wall) and y (big ball to the wall, both balls' widths left out).
+  long double x = 1, y = 2.5L, v = 0, V = -1, now = 0;
+  int impacts = 0;
+  Trajectory answer = frozen(motion.scene);
+  for (std::size_t k = 0; k < answer.states.size();) {
+    const long double wall = v < 0 ? -x / v : INFINITY, meet = v > V ? (y - x) / (v - V) : INFINITY;
+    const long double look = motion.scene.flight->times[k] - now;
+    const long double step = std::min({wall, meet, look});
+    x += step * v, y += step * V, now += step;
+    if (step == look) {
+      answer.states[k][0].X_WB.p_WB.x() = static_cast<double>(x + 0.5L);
+      answer.states[k][1].X_WB.p_WB.x() = static_cast<double>(y + 1.5L);
+      ++k;
+    } else if (step == wall) {
+      v = -v, ++impacts;
+    } else {
+      const long double centre = (v + 1e6L * V) / (1e6L + 1);
+      v = 2 * centre - v, V = 2 * centre - V, ++impacts;
+    }
+  }
+  CHECK(impacts == 3141);
+  CHECK(motion.error(answer) < 1e-10);
+}

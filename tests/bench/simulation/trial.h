@@ -1,0 +1,26 @@
+// One run of one simulator, in a process of its own: it may crash and hang.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "app/motion_scenes.h"
+#include "oracle/subject.h"
+
+namespace touchstone::bench {
+
+using Maker = std::function<std::unique_ptr<oracle::Subject>()>;
+using Query = Answer<Trajectory> (oracle::Subject::*)(const Scene&);
+
+struct Outcome {
+  double seconds = 0;    ///< CPU time of the fastest run
+  double error = 0;      ///< as the scene says
+  double impacts = -1;   ///< −1: it tells none
+  std::string left_out;  ///< why there is no figure; else empty
+};
+
+/// Runs up to `rounds` times, as long as all take less than a second together.
+Outcome trial(const app::MotionScene& motion, const Maker& maker, Query query, int rounds);
+
+}  // namespace touchstone::bench

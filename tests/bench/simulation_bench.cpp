@@ -1,0 +1,88 @@
+// Simulators side by side: CSV of the CPU time of a whole scene and the error that it buys.
+//
+// Workloads are the scenes of app/motion_scenes.h; each says what its error is. Sizes: steps a second of those that
+// step; ours have none. Each run is a process of its own; the figure is the fastest of the rounds.
+#include <algorithm>
+#include <cstdio>
+
+#include "app/motion_scenes.h"
+#include "oracle/subjects/bullet_simulation.h"
+#include "oracle/subjects/ode_simulation.h"
+#include "oracle/subjects/touchstone_fast.h"
+#include "tests/bench/command_line.h"
+#include "tests/bench/simulation/trial.h"
+
+namespace touchstone::bench {
+namespace {
+
+using namespace oracle::subjects;
+
+std::vector<std::string> names() {
+  std::vector<std::string> all;
+  for (const app::MotionScene& motion : app::motion_scenes()) all.push_back(motion.scene.name);
+  return all;
+}
+
+/// Commas part fields.
+std::string field(std::string text) {
+  std::ranges::replace(text, ',', ';');
+  std::ranges::replace(text, '\n', ' ');
+  return text;
+}
+
+void print(const std::string& scene, int steps, const std::string& name, bool ours, const Outcome& outcome) {
+  std::printf("%s,%d,%s,%s,", scene.c_str(), steps, name.c_str(), ours ? "ours" : "peer");
+  if (outcome.left_out.empty()) {
+    std::printf("%.0f,,%.3g,,%.0f\n", 1e9 * outcome.seconds, outcome.error, outcome.impacts);
+  } else {
+    std::printf(",,,%s,\n", field(outcome.left_out).c_str());
+  }
+  std::fflush(stdout);
+}
+
+struct Stepper {
+  std::string name;
+  std::function<std::unique_ptr<oracle::Subject>(double dt)> make;
+};
+
+const std::vector<Stepper>& steppers() {
+  static const std::vector<Stepper> all = {
+      {"bullet", [](double dt) { return make_bullet_simulation("simulation", dt); }},
+      {"bullet.tuned", [](double dt) { return make_bullet_simulation("simulation_tuned", dt); }},
+      {"ode", [](double dt) { return make_ode_simulation("simulation", dt); }},
+      {"ode.quick", [](double dt) { return make_ode_simulation("simulation_quick", dt); }},
+  };
+  return all;
+}
+
+void compare(const app::MotionScene& motion, const Options& options) {
+  const std::string& scene = motion.scene.name;
+  print(scene, 0, "fast", true, trial(motion, make_fast, &oracle::Subject::simulation, options.rounds));
+  print(scene, 0, "fast.constraint", true, trial(motion, make_fast, &oracle::Subject::constraint, options.rounds));
+  for (const Stepper& stepper : steppers()) {
+    for (const int steps : options.sizes) {
+      const Maker maker = [&stepper, steps] { return stepper.make(1.0 / steps); };
+      print(scene, steps, stepper.name, false, trial(motion, maker, &oracle::Subject::simulation, options.rounds));
+    }
+  }
+}
+
+void run(const Options& options) {
+  std::printf("workload,size,name,whose,ns,median_error,worst_error,left_out,impacts\n");
+  for (const app::MotionScene& motion : app::motion_scenes()) {
+    if (std::ranges::count(options.workloads, motion.scene.name) > 0) compare(motion, options);
+  }
+}
+
+}  // namespace
+}  // namespace touchstone::bench
+
+int main(int argc, char** argv) {
+  using namespace touchstone::bench;
+  return run_comparison(argc, argv,
+                        {"Simulators of named scenes, and the error that their time buys.",
+                         "steps a second",
+                         {{64, 512, 4096}, names(), 5},
+                         names()},
+                        run);
+}
