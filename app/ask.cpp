@@ -163,7 +163,7 @@ std::string words_of(const reference::ImpulseTruth::Modes& m) {
 Json impulse(const Scene& scene) {
   const reference::ImpulseTruth truth = reference::impulse(scene);
   const auto shown = [&](const reference::ExactVec3& v) {
-    return truth.certified ? json_of(v) : json_of(v)["nearest"];
+    return truth.certified && truth.error == 0 ? json_of(v) : json_of(v)["nearest"];
   };
   Json json = {{"modes", words_of(truth.modes)},
                {"P_A_W", shown(truth.P_A_W)},

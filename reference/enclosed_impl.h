@@ -27,6 +27,7 @@ class Enclosed {
     mpfr_set_q(at(lo_), q.get_mpq_t(), MPFR_RNDD);
     mpfr_set_q(at(hi_), q.get_mpq_t(), MPFR_RNDU);
   }
+  explicit Enclosed(const Float& x) : lo_(x), hi_(x) {}
   Enclosed(Float lo, Float hi) : lo_(std::move(lo)), hi_(std::move(hi)) {}
 
   const Float& lo() const { return lo_; }
@@ -54,11 +55,10 @@ class Enclosed {
   friend Enclosed operator-(const Enclosed& a, const Enclosed& b) { return a + -b; }
   friend Enclosed operator*(const Enclosed& a, const Enclosed& b) {
     if (a.is_zero() || b.is_zero()) return {};
-    Enclosed c = product(a.lo_, b.lo_);
-    for (const Enclosed& other : {product(a.lo_, b.hi_), product(a.hi_, b.lo_), product(a.hi_, b.hi_)}) {
-      c = hull(c, other);
-    }
-    return c;
+    if (a.lo_ >= 0) return product(b.lo_ >= 0 ? a.lo_ : a.hi_, b.lo_, b.hi_ >= 0 ? a.hi_ : a.lo_, b.hi_);
+    if (a.hi_ <= 0) return -(-a * b);
+    if (b.lo_ >= 0 || b.hi_ <= 0) return b * a;
+    return hull(product(a.lo_, b.hi_, a.lo_, b.lo_), product(a.hi_, b.lo_, a.hi_, b.hi_));
   }
   /// Throws Undecided if b may be 0.
   friend Enclosed operator/(const Enclosed& a, const Enclosed& b) {
@@ -89,15 +89,31 @@ class Enclosed {
  private:
   static mpfr_ptr at(Float& f) { return f.backend().data(); }
   static mpfr_srcptr at(const Float& f) { return f.backend().data(); }
-  static Enclosed product(const Float& a, const Float& b) {
-    Enclosed c;
-    mpfr_mul(at(c.lo_), at(a), at(b), MPFR_RNDD);
-    mpfr_mul(at(c.hi_), at(a), at(b), MPFR_RNDU);
-    return c;
+  /// [a b, c d].
+  static Enclosed product(const Float& a, const Float& b, const Float& c, const Float& d) {
+    Enclosed result;
+    mpfr_mul(at(result.lo_), at(a), at(b), MPFR_RNDD);
+    mpfr_mul(at(result.hi_), at(c), at(d), MPFR_RNDU);
+    return result;
   }
 
   Float lo_, hi_;
 };
+
+/// Of real numbers: they throw Undecided where the enclosures do not tell.
+inline bool operator<(const Enclosed& a, const Enclosed& b) {
+  if (a.hi() < b.lo()) return true;
+  if (a.lo() >= b.hi()) return false;
+  throw Undecided("an order");
+}
+inline bool operator>(const Enclosed& a, const Enclosed& b) { return b < a; }
+inline bool operator<=(const Enclosed& a, const Enclosed& b) { return !(b < a); }
+inline bool operator>=(const Enclosed& a, const Enclosed& b) { return !(a < b); }
+inline bool operator==(const Enclosed& a, const Enclosed& b) {
+  if (a.hi() < b.lo() || b.hi() < a.lo()) return false;
+  if (a.lo() == a.hi() && b.lo() == b.hi()) return true;
+  throw Undecided("an equality");
+}
 
 using EnclosedVec = Three<Enclosed>;
 

@@ -65,6 +65,26 @@ class Stretch {
   virtual bool ends_at_peak() const = 0;  ///< of U
 };
 
+/// Nothing happens on it: the law has looked.
+template <class T>
+class Jump : public Stretch<T> {
+ public:
+  Jump(Moment<T> begin, Moment<T> end, bool ends_at_peak = false)
+      : begin_(std::move(begin)), end_(std::move(end)), ends_at_peak_(ends_at_peak) {}
+  const Moment<T>& begin() const override { return begin_; }
+  const Moment<T>* end() const override { return &end_; }
+  std::optional<Moment<T>> when_p(const T&, const Moment<T>&) const override { return {}; }
+  std::optional<Moment<T>> when_U(const T&, const Moment<T>&) const override { return {}; }
+  std::optional<Moment<T>> when_W(const T&, const Moment<T>&) const override { return {}; }
+  T slope(const Moment<T>&) const override { return T(0); }
+  std::optional<T> rise_left(const Moment<T>&) const override { return {}; }
+  bool ends_at_peak() const override { return ends_at_peak_; }
+
+ private:
+  Moment<T> begin_, end_;
+  bool ends_at_peak_;
+};
+
 /// Compression until U = 0, then restitution until the law says stop; for Poisson's law again if U < 0 then.
 template <class T>
 class Walk {

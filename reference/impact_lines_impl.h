@@ -27,25 +27,25 @@ class Ray : public Stretch<T> {
   const Moment<T>* end() const override { return end_ ? &*end_ : nullptr; }
 
   std::optional<Moment<T>> when_p(const T& c, const Moment<T>& from) const override {
-    return reached(T(c - from.p), from);
+    return reached(T(c - from.p), from, &Moment<T>::p, c);
   }
 
   std::optional<Moment<T>> when_U(const T& c, const Moment<T>& from) const override {
     if (from.U >= c) return from;
     if (slope_ <= 0) return {};
-    return reached(T((c - from.U) / slope_), from);
+    return reached(T((c - from.U) / slope_), from, &Moment<T>::U, c);
   }
 
-  /// U x + U' x²/2 = c − W, the root at which W rises, in the form that cancels nothing. None where U falls to 0 before,
-  /// as it may while slip jams. From U < 0 (it jammed before) W falls first.
+  /// U x + U' x²/2 = c − W, the root at which W rises, in the form that cancels nothing. None where U falls to 0
+  /// before, as it may while slip jams. From U < 0 (it jammed before) W falls first.
   std::optional<Moment<T>> when_W(const T& c, const Moment<T>& from) const override {
     const T missing = c - from.W;
     if (missing <= 0) return from;
     const T discriminant = from.U * from.U + 2 * slope_ * missing;
     if (discriminant < 0 || (from.U <= 0 && slope_ <= 0)) return {};
     const T last_U = root(discriminant);
-    if (from.U < 0) return reached(T((last_U - from.U) / slope_), from);
-    return reached(T(2 * missing / (from.U + last_U)), from);
+    if (from.U < 0) return reached(T((last_U - from.U) / slope_), from, &Moment<T>::W, c);
+    return reached(T(2 * missing / (from.U + last_U)), from, &Moment<T>::W, c);
   }
 
   T slope(const Moment<T>&) const override { return slope_; }
@@ -53,11 +53,14 @@ class Ray : public Stretch<T> {
   bool ends_at_peak() const override { return false; }
 
  private:
-  std::optional<Moment<T>> reached(const T& further, const Moment<T>& from) const {
+  /// What was asked for is c there, whatever rounding has made of it.
+  std::optional<Moment<T>> reached(const T& further, const Moment<T>& from, T Moment<T>::*asked, const T& c) const {
     if (further <= 0) return from;
     const T at = from.at + further;
     if (end_ && at > end_->at) return {};
-    return after(at);
+    Moment<T> moment = after(at);
+    moment.*asked = c;
+    return moment;
   }
 
   Moment<T> after(const T& x) const {

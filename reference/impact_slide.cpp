@@ -415,24 +415,6 @@ std::optional<T> remaining(const Around<T>& a, int c, const T& delta) {
   return {};
 }
 
-/// Nothing happens on it: the law has looked.
-template <class T>
-class Jump : public Stretch<T> {
- public:
-  Jump(Moment<T> begin, Moment<T> end) : begin_(std::move(begin)), end_(std::move(end)) {}
-  const Moment<T>& begin() const override { return begin_; }
-  const Moment<T>* end() const override { return &end_; }
-  std::optional<Moment<T>> when_p(const T&, const Moment<T>&) const override { return {}; }
-  std::optional<Moment<T>> when_U(const T&, const Moment<T>&) const override { return {}; }
-  std::optional<Moment<T>> when_W(const T&, const Moment<T>&) const override { return {}; }
-  T slope(const Moment<T>&) const override { return T(0); }
-  std::optional<T> rise_left(const Moment<T>&) const override { return {}; }
-  bool ends_at_peak() const override { return false; }
-
- private:
-  Moment<T> begin_, end_;
-};
-
 /// No zero of dU/dp between two directions less than a half turn apart: it is monotone where k × σ keeps its sign.
 template <class T>
 bool monotone(const Tangent<T>& t, const Slip<T>& a, const Slip<T>& b) {

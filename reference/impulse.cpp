@@ -12,6 +12,7 @@
 #include "reference/impact_lines_impl.h"
 #include "reference/impact_root_impl.h"
 #include "reference/impact_slide_impl.h"
+#include "reference/impact_sweep_impl.h"
 #include "reference/rational_impl.h"
 
 namespace touchstone::reference {
@@ -222,10 +223,14 @@ void set_normal_impulses(ImpulseTruth& truth, const mpq_class& square, const mpq
   truth.p_f = rational_of(times_length(p_f));
 }
 
-/// What a walk in floats found, `shift` and `shift_of_u` being the exponents of its units.
+/// Both named as for the other kinds of numbers.
+using reference::exact_of;
+mpq_class exact_of(const Enclosed& x) { return exact_of(x.middle()); }
+
+/// What a walk in other numbers found, `shift` and `shift_of_u` being the exponents of its units.
 template <class T>
 Triple told(ImpulseTruth& truth, const Blow<mpq_class>& exact, const Blow<Float>& blow, const Outcome<T>& outcome,
-            int shift, int shift_of_u) {
+            int shift = 0, int shift_of_u = 0) {
   const auto in_si = [&](const T& p) {
     mpq_class q = exact_of(p);
     (shift < 0 ? mpq_mul_2exp : mpq_div_2exp)(q.get_mpq_t(), q.get_mpq_t(), static_cast<mp_bitcnt_t>(std::abs(shift)));
@@ -236,6 +241,46 @@ Triple told(ImpulseTruth& truth, const Blow<mpq_class>& exact, const Blow<Float>
   truth.p_f = rational_of(in_si(outcome.end.p));
   if (outcome.near_jump) set_ambiguous(truth, blow, ldexp(float_of(exact_of(*outcome.near_jump)), -shift_of_u));
   return {in_si(outcome.end.P[0]), in_si(outcome.end.P[1]), in_si(outcome.end.P[2])};
+}
+
+Blow<Enclosed> enclosed(const Blow<mpq_class>& exact) {
+  const auto vector = [](const Triple& a) { return EnclosedVec{a[0], a[1], a[2]}; };
+  const auto matrix = [&](const std::array<Triple, 3>& M) {
+    return Square<Enclosed>{vector(M[0]), vector(M[1]), vector(M[2])};
+  };
+  Blow<Enclosed> blow;
+  blow.K = matrix(exact.K);
+  blow.K_inverse = matrix(exact.K_inverse);
+  blow.u0 = vector(exact.u0);
+  blow.N = scaled(Enclosed(1 / root(Enclosed(exact.square))), vector(exact.N));
+  blow.square = 1;
+  blow.cone = mpq_class(exact.cone / exact.square);
+  blow.e = exact.e;
+  blow.law = exact.law;
+  blow.facts = exact.facts;
+  return blow;
+}
+
+/// √(dPᵀ K dP) of half the box's diagonal dP, at most √(tr K) |dP|; rounded up.
+double enclosed_error(const Blow<Enclosed>& blow, const EnclosedVec& P) {
+  Enclosed square_of_dP = 0;
+  for (const Enclosed& p : P) square_of_dP = square_of_dP + square(Enclosed(p.width()));
+  return root(Enclosed(square_of_dP * (blow.K[0][0] + blow.K[1][1] + blow.K[2][2]))).in_doubles().hi;
+}
+
+/// None where an order of two numbers does not show in 254 bits, or slip turns for too long.
+std::optional<Triple> strike_enclosed(ImpulseTruth& truth, const Blow<mpq_class>& exact, const Blow<Float>& blow) try {
+  const Blow<Enclosed> numbers = enclosed(exact);
+  const Outcome<Enclosed> outcome =
+      on_lines(exact.facts) ? walked(numbers, Lines<Enclosed>(numbers)) : walked(numbers, Sweep(numbers));
+  ImpulseTruth proved = truth;
+  const Triple P = told(proved, exact, blow, outcome);
+  truth = proved;
+  truth.error = enclosed_error(numbers, outcome.end.P);
+  truth.certified = !truth.pi;
+  return P;
+} catch (const Undecided&) {
+  return {};
 }
 
 Triple strike_exactly(ImpulseTruth& truth, const Blow<mpq_class>& exact, const Blow<Float>& blow) {
@@ -256,8 +301,11 @@ Triple strike(ImpulseTruth& truth, const Blow<mpq_class>& exact, Digits digits) 
     return strike_exactly(truth, exact, blow);
   } catch (const Irrational&) {
     if (digits == Digits::some && !two_doubles_do(blow)) digits = Digits::many;
+    if (digits == Digits::many) {
+      if (const auto P = strike_enclosed(truth, exact, blow)) return *P;
+    }
     truth.error = stated_error(blow, digits);
-    if (digits == Digits::many) return told(truth, exact, blow, nearly(blow), 0, 0);
+    if (digits == Digits::many) return told(truth, exact, blow, nearly(blow));
     const Scaled scaled = in_double_doubles(blow);
     return told(truth, exact, blow, nearly(scaled.blow), scaled.shift, scaled.shift_of_u);
   }
