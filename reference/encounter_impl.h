@@ -183,7 +183,7 @@ class Encounter {
     std::vector<int> vertices;
     for (const VertexPair& pair : contact.pairs) vertices.push_back(pair.*side);
     std::ranges::sort(vertices);
-    vertices.erase(std::ranges::unique(vertices).begin(), vertices.end());
+    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
     return vertices;
   }
 

@@ -1,6 +1,8 @@
 #include "reference/time_of_impact.h"
 
 #include <cmath>
+#include <optional>
+#include <sstream>
 #include <string>
 #include <utility>
 
@@ -9,6 +11,7 @@
 #include "reference/encounter_impl.h"
 #include "reference/flight_impl.h"
 #include "reference/float_mode_impl.h"
+#include "reference/next_impact_impl.h"
 #include "reference/penetration.h"
 #include "reference/rational_impl.h"
 #include "reference/start_impl.h"
@@ -53,6 +56,7 @@ TimeOfImpactTruth at_start(const Parts& parts, const Question& question, Meeting
   truth.meeting = meeting;
   truth.at_start = true;
   truth.time = {question.from, meeting == Meeting::hit ? question.from : question.end};
+  if (standing.kind == Standing::Kind::overlapping) return truth;
   const auto vec = [](const Triple& v) { return Vec3(nearest(v[0]), nearest(v[1]), nearest(v[2])); };
   const Float scale = 1 / sqrt(float_of(dot(standing.n, standing.n)));
   for (int i = 0; i < 3; ++i) {
@@ -63,35 +67,46 @@ TimeOfImpactTruth at_start(const Parts& parts, const Question& question, Meeting
   return truth;
 }
 
-[[noreturn]] void refuse_overlap(const Parts& parts, const Question& question) {
-  const std::string names = "\"" + parts.A.name + "\" and \"" + parts.B.name + "\"";
-  std::string depth;
-  if (!std::holds_alternative<Compound>(parts.A.shape) && !std::holds_alternative<Compound>(parts.B.shape)) {
-    depth = " by " + std::to_string(penetration(question.scene).depth.hi) + " m";
+[[noreturn]] void refuse_overlap(const Scene& scene) {
+  const Body& A = scene.bodies[0];
+  const Body& B = scene.bodies[1];
+  std::ostringstream what;
+  what << '"' << A.name << "\" and \"" << B.name << "\" overlap";
+  if (!std::holds_alternative<Compound>(A.shape) && !std::holds_alternative<Compound>(B.shape)) {
+    what << " by " << penetration(scene).depth.hi << " m";
   }
-  throw InputError("bodies", names + " overlap" + depth + " where their flight begins; expected bodies that are apart");
+  throw InputError("bodies", what.str() + " where their flight begins; expected bodies that are apart");
+}
+
+/// One of them has been flying before: their poses are known to rounding, and so is an overlap.
+void refuse_overlap_to_rounding(const Question& question) {
+  Scene scene = question.scene;
+  for (std::size_t i = 0; i < 2; ++i) scene.bodies[i] = moved(question.scene, i, question.from);
+  if (distance(scene).verdict == Verdict::overlapping) refuse_overlap(scene);
 }
 
 /// Where doubles see nothing between the two at the start.
 TimeOfImpactTruth closely(const Parts& parts, const Question& question) {
   const auto& [a, b] = question.departures;
   Encounter<InWide> encounter(parts, question.departures, question.apart);
-  if (!question.poses_hold) return truth_of(encounter.search(question.from, question.end), parts, question.end);
-  Standing there = standing(parts.A, parts.a, a, parts.B, parts.b, b, question.apart);
+  const auto search = [&](const Float& from) { return encounter.search(from, question.end); };
+  if (!question.poses_hold) {
+    const Found<Float> found = search(question.from);
+    if (found.lo == question.from && question.only_meetings) refuse_overlap_to_rounding(question);
+    return truth_of(found, parts, question.end);
+  }
+  const Standing there = standing(parts.A, parts.a, a, parts.B, parts.b, b, question.apart);
   using Kind = Standing::Kind;
-  Float from = question.from;
-  if (there.kind == Kind::overlapping && question.only_meetings) refuse_overlap(parts, question);
-  if (there.kind == Kind::overlapping || (there.kind != Kind::apart && !question.only_meetings)) {
-    return at_start(parts, question, Meeting::hit, there);
-  }
+  if (there.kind == Kind::apart) return truth_of(search(question.from), parts, question.end);
+  if (!question.only_meetings) return at_start(parts, question, Meeting::hit, there);
+  if (there.kind == Kind::overlapping) refuse_overlap(question.scene);
   if (there.kind == Kind::approaching) return at_start(parts, question, Meeting::hit, there);
-  if (there.kind == Kind::neither) return at_start(parts, question, Meeting::undecided, there);
   if (there.kind == Kind::parting) {
-    const std::optional<Float> later = encounter.leave(there, from, question.end);
-    if (!later) return at_start(parts, question, Meeting::undecided, there);
-    from = *later;
+    if (const std::optional<Float> later = encounter.leave(there, question.from, question.end)) {
+      return truth_of(search(*later), parts, question.end);
+    }
   }
-  return truth_of(encounter.search(from, question.end), parts, question.end);
+  return at_start(parts, question, Meeting::undecided, there);
 }
 
 TimeOfImpactTruth between_parts(const Parts& parts, const Question& question) {

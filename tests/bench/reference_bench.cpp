@@ -1,19 +1,17 @@
 // How fast exact truth is. CPU time; run it several times on a busy machine.
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
 #include <vector>
 
 #include "reference/agreement.h"
 #include "reference/distance.h"
 #include "reference/penetration.h"
-#include "tests/reference/hard_pairs.h"
+#include "reference/time_of_impact.h"
+#include "tests/reference/flights.h"
 
 namespace touchstone::tests {
 namespace {
-
-Quaternion random_quaternion(Dice& dice) {
-  return {dice.around_zero(), dice.around_zero(), dice.around_zero(), dice.around_zero()};
-}
 
 /// Random hulls of `vertices` points in random poses, centres `reach` radii apart.
 std::vector<Scene> round_pairs(int vertices, double reach) {
@@ -86,6 +84,45 @@ void depth_by_minkowski_hull(benchmark::State& state) {
           [](const Scene& s) { return reference::penetration(s, reference::DepthRoute::minkowski_hull); });
 }
 BENCHMARK(depth_by_minkowski_hull)->Arg(8)->Arg(20)->Unit(benchmark::kMicrosecond);
+
+/// Hulls that fly at each other; the counters say how many meet, and how far apart the ends of half the enclosures are.
+template <class Change>
+void times_of_impact(benchmark::State& state, Change change) {
+  Dice dice(3);
+  std::vector<Scene> scenes;
+  for (int i = 0; i < 64; ++i) scenes.push_back(change(ballistic_pair(dice, static_cast<int>(state.range(0)))));
+  ask_all(state, scenes, [](const Scene& s) { return reference::time_of_impact(s); });
+  std::vector<double> widths;
+  for (const Scene& scene : scenes) {
+    const reference::TimeOfImpactTruth truth = reference::time_of_impact(scene);
+    if (truth.meeting == TimeOfImpact::Meeting::hit) widths.push_back(truth.time.hi - truth.time.lo);
+  }
+  std::ranges::sort(widths);
+  state.counters["hits"] = static_cast<double>(widths.size());
+  state.counters["width_median"] = widths[widths.size() / 2];
+  state.counters["width_greatest"] = widths.back();
+}
+
+void time_of_impact_screws(benchmark::State& state) {
+  times_of_impact(state, [](Scene scene) { return scene; });
+}
+BENCHMARK(time_of_impact_screws)->Arg(8)->Arg(20)->Arg(50)->Arg(100)->Unit(benchmark::kMicrosecond);
+
+void time_of_impact_tops(benchmark::State& state) {
+  times_of_impact(state, [](Scene scene) {
+    for (Body& body : scene.bodies) std::get<MassProperties>(body.mass).I_BBcm_B = Vec3(1, 1, 1.5).asDiagonal();
+    return scene;
+  });
+}
+BENCHMARK(time_of_impact_tops)->Arg(20)->Unit(benchmark::kMicrosecond);
+
+void time_of_impact_tumbling(benchmark::State& state) {
+  times_of_impact(state, [](Scene scene) {
+    for (Body& body : scene.bodies) body.mass = Density{};
+    return scene;
+  });
+}
+BENCHMARK(time_of_impact_tumbling)->Arg(20)->Unit(benchmark::kMicrosecond);
 
 }  // namespace
 }  // namespace touchstone::tests

@@ -241,6 +241,12 @@ TEST_CASE("Overlap at the start is bad input, with the pair and the depth") {
   scene = flight_of(scene, 1);
   CHECK_THROWS_WITH(time_of_impact(scene), Catch::Contains("\"left\" and \"right\"") && Catch::Contains("0.5"));
   CHECK(time_of_distance(scene, 0.25).at_start);
+
+  // The left one began sooner, where it was still apart.
+  scene.bodies[0].X_WB.p_WB.x() = -4;
+  scene.bodies[0].velocity.v_WBcm.x() = 4;
+  scene.flight->since = {0, 1};
+  CHECK_THROWS_WITH(time_of_impact(scene), Catch::Contains("0.5 m"));
 }
 
 TEST_CASE("Each body flies from its own start") {
