@@ -1,19 +1,22 @@
-// Flights of bodies that turn as screws do, at 254 bits, and the gap between two hulls by all axes that can separate
-// them. For holding certified times against: shares no code with the reference's flights.
+// Flights of bodies that turn as screws do, in 76 digits, and the gap between two hulls by all axes that can separate
+// them. For holding certified times against: shares no code with the reference.
 #pragma once
 
-#include <array>
+#include <Eigen/Geometry>
+#include <boost/multiprecision/eigen.hpp>
+#include <boost/multiprecision/mpfr.hpp>
 #include <vector>
 
 #include "model/scene.h"
-#include "reference/float_impl.h"
 
 namespace touchstone::tests {
 
-using reference::Float;
-using FineVec = reference::Three<Float>;
+using Fine =
+    boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<76, boost::multiprecision::allocate_stack>,
+                                  boost::multiprecision::et_off>;
+using FineVec = Eigen::Matrix<Fine, 3, 1>;
 
-/// A body with three equal moments about its own origin.
+/// A body with three equal moments about its own origin, a polytope.
 class FineFlight {
  public:
   FineFlight(const Scene& scene, std::size_t index);
@@ -23,7 +26,6 @@ class FineFlight {
   const std::vector<std::vector<int>>& faces() const;
 
  private:
-  /// Rodrigues: v + sin θ u × v + (1 − cos θ) u × (u × v).
   FineVec turned(const FineVec& v, double time) const;
   FineVec place(double time) const;
 
@@ -32,6 +34,6 @@ class FineFlight {
 };
 
 /// The greatest over face normals and crossed edges n of (min n·a − max n·b)/|n|: above 0 exactly if the two are apart.
-Float greatest_gap(const FineFlight& A, const FineFlight& B, double time);
+Fine greatest_gap(const FineFlight& A, const FineFlight& B, double time);
 
 }  // namespace touchstone::tests
