@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "fast/simulation/books.h"
 #include "model/answers.h"
@@ -14,7 +15,8 @@ struct SimulationOptions {
   double frame = 1.0 / 30;      ///< s; how far ahead boxes look. No path depends on it where closed forms do
   bool exact_momentum = false;  ///< linear momentum on a grid of a power of two: its total never changes a bit
   bool keep_events = true;      ///< else they are counted only
-  std::int64_t most_events = 20'000'000;
+  std::int64_t most_events = 2'000'000;
+  std::int64_t most_hops = 300'000;  ///< micro-collisions: where more are needed, a contact has no mode here
 };
 
 /// Why a simulation ended before its time.
@@ -27,6 +29,7 @@ struct Stopped {
 struct Simulated {
   Trajectory trajectory;
   world::Books books;
+  std::vector<Vec3> momentum_before, momentum;  ///< kg m/s, by body, if it is kept exact: the two sums are the same double
   std::optional<Stopped> stopped;
 };
 

@@ -82,6 +82,7 @@ Simulated Loop::run() {
     now_ = frame_end_;
   }
   if (done_.stopped) done_.trajectory.complete_until = now_;
+  done_.momentum = std::move(momentum_);
   return std::move(done_);
 }
 
@@ -148,6 +149,9 @@ void Loop::attend(const Due& due) {
   if (!has_closed_form(a, b)) touch = foremost(a, b, touch);
   meet(due, touch);
   if (events_ > options_.most_events) stop(due, "more events than allowed");
+  if (done_.books.of(Event::Kind::micro_collision) > options_.most_hops) {
+    stop(due, "a contact that rests on hops alone takes more of them than allowed");
+  }
 }
 
 /// Of all points at which the two touch, the one that approaches fastest; the first of several.
@@ -395,6 +399,7 @@ void Loop::keep_momentum() {
   for (const Mover& body : bodies_) {
     momentum_.push_back(body.fixed() ? Vec3(Vec3::Zero()) : on_grid(body.path().v / body.inverse_mass(), grid_));
   }
+  done_.momentum_before = momentum_;
 }
 
 void Loop::move_exactly(const Due& due, Hit& hit) {
