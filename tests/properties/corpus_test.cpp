@@ -65,6 +65,7 @@ TEST_CASE("Pairs, boxes and masses of the corpus by hand") {
   CHECK(oracle::truth::broad_phase(scene_of("broad_phase/corner_neighbours")) == PairSet{{0, 1}, {1, 2}});
   CHECK(oracle::truth::broad_phase(scene_of("broad_phase/equal_end_points")) == PairSet{{0, 1}, {0, 2}, {1, 2}});
   CHECK(oracle::truth::broad_phase(scene_of("broad_phase/speck_in_giant")) == PairSet{{0, 1}});
+  CHECK(oracle::truth::broad_phase(scene_of("broad_phase/balls_in_one_cell")) == PairSet{{0, 1}});
   const auto box = oracle::truth::bounds(scene_of("bounds/three_four_five"))[0];
   CHECK(box.hi[0] == Rational("7/5"));
   CHECK(box.lo[1] == Rational("-7/5"));
