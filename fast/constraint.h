@@ -11,7 +11,7 @@ namespace touchstone::fast {
 
 struct ConstraintOptions {
   std::optional<double> step = {};  ///< s, at most; none: 1/4096 of the flight
-  int sweeps = 2000;                ///< of the solver a step, at most
+  int sweeps = 200;                 ///< of the solver a step, at most
 };
 
 /// A time-stepper at the level of velocities (Moreau; Stewart and Trinkle 1996). In a step h, for all contacts within

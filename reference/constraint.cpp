@@ -109,6 +109,7 @@ class Course {
   void land(const Slab& slab, const EnclosedVec& over, Slip slip);
   void record(Event::Kind kind, const Slab& slab, const EnclosedVec& n, const EnclosedVec& P, const Enclosed& rate,
               const Enclosed& kick);
+  void note_clear(const Next& change, const Enclosed& span);
   void note_speed();
   Enclosed pull() const;
 
@@ -225,6 +226,23 @@ void Course::record(Event::Kind kind, const Slab& slab, const EnclosedVec& n, co
   truth_.changes.push_back(std::move(change));
 }
 
+/// Boxes that the ball has just left or is about to meet are what the changes themselves are about.
+void Course::note_clear(const Next& change, const Enclosed& span) {
+  Float clear = ldexp(Float(1), 1000);  // where there is nothing else
+  if (face_) {
+    const bool passes = change.what == Next::What::passes;
+    clear =
+        std::min(clear, least_inside(*face_, way_, span, passes ? std::optional(change.passing.over) : std::nullopt));
+  }
+  for (const Slab& slab : slabs_) {
+    const bool parts = std::ranges::any_of(partings_, [&](const Parting& p) { return p.body == slab.body; });
+    if (parts || &slab == change.met || (face_ && face_->slab == &slab)) continue;
+    clear = std::min(clear, least_distance(way_, slab, ball_.radius, span));
+  }
+  const double told = Enclosed(clear, clear).in_doubles().lo;
+  (truth_.changes.empty() ? truth_.clear : truth_.changes.back().clear) = told;
+}
+
 void Course::flies() {
   mode_ = Mode::flies;
   face_.reset();
@@ -250,6 +268,7 @@ void Course::begin() {
     if (touched) throw InputError("bodies", "the ball starts between two boxes");
     touched = start;
   }
+  truth_.pull = pull().in_doubles().hi;
   if (!touched) return;
   const Face& face = *touched->face;
   const EnclosedVec n = face.normal_W();
@@ -262,6 +281,7 @@ void Course::begin() {
     meet(*face.slab);
   }
   truth_.mode = mode_;
+  truth_.pull = pull().in_doubles().hi;
 }
 
 Course::Next Course::next() const {
@@ -372,6 +392,7 @@ Slip Course::strike(const Slab& slab, const EnclosedVec& n_B) {
   way_.w = plus(way_.w, spin);
   record(Event::Kind::impact, slab, n, scaled(ball_.mass, jump), approach,
          hull(length(jump), ball_.radius * length(spin)));
+  if (!only_axis(n_B)) truth_.changes.back().curvature = (1 / ball_.radius).in_doubles().hi;
   return after;
 }
 
@@ -427,6 +448,7 @@ ConstraintTruth Course::run() {
     const Next change = next();
     const Enclosed end(times_.back());
     const bool over = change.what == Next::What::nothing || !(end - (way_.start + change.tau)).is_positive();
+    note_clear(over ? Next{} : change, over ? end - way_.start : change.tau);
     look(over ? end + end : way_.start + change.tau);
     if (over) return truth_;
     way_ = way_.later(change.tau);

@@ -36,15 +36,18 @@ struct ConstraintTruth {
     Vec3 nhat_W = Vec3::Zero();               ///< from the box to the ball
     Vec3 P_W = Vec3::Zero();                  ///< on the ball (N s)
     Mode mode = Mode::flies;                  ///< from now on
-    double rate = 0;  ///< how fast that which is 0 at the change goes through 0, at least: of slip m/s², else m/s
-    double kick = 0;  ///< m/s: by how much v and r w jump, at most
-    double pull = 0;  ///< m/s²: |v'| and r |w'| from now on, at most
+    double rate = 0;       ///< how fast that which is 0 at the change goes through 0, at least: of slip m/s², else m/s
+    double kick = 0;       ///< m/s: by how much v and r w jump, at most
+    double curvature = 0;  ///< 1/m: of an impact, how fast n̂ turns with the place, at most; 0 over a face
+    double pull = 0;       ///< m/s²: |v'| and r |w'| from now on, at most
+    double clear = 0;      ///< m: until the next change, how far it is from another one, at least
     BallTruth after;
   };
 
   int ball = 0;
-  Mode mode = Mode::flies;        ///< at the start
-  double speed = 0;               ///< m/s: |v| and r |w| at the start, and at each look and change since, at most
+  Mode mode = Mode::flies;        ///< at the start, and so
+  double pull = 0, clear = 0;     ///< as in Change
+  double speed = 0;               ///< m/s: |v| and r |w| at the start, at each look and change, at most
   std::vector<Change> changes;    ///< in their order; a contact at the start is the first
   std::vector<BallTruth> states;  ///< by time of the flight
 };

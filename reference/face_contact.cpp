@@ -102,4 +102,21 @@ std::optional<Passing> first_passing(const Face& face, const Parabola& way, cons
   return first;
 }
 
+Float least_inside(const Face& face, const Parabola& way, const Enclosed& span, std::optional<std::size_t> but) {
+  constexpr int pieces = 32;
+  const EnclosedVec p = face.slab->in(way.p), v = face.slab->turned_in(way.v), a = face.slab->turned_in(way.a);
+  const Enclosed step = span / pieces, within(Float(0), step.hi());
+  std::optional<Float> least;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (i == face.axis || i == but) continue;
+    for (int k = 0; k < pieces; ++k) {
+      const Enclosed from = step * k;
+      const Enclosed c = p[i] + from * (v[i] + from / 2 * a[i]) + within * (v[i] + from * a[i] + within / 2 * a[i]);
+      const Float inside = (face.slab->half[i] - magnitude(c)).lo();
+      if (!least || inside < *least) least = inside;
+    }
+  }
+  return *least;
+}
+
 }  // namespace touchstone::reference

@@ -52,4 +52,7 @@ struct Passing {
 /// The first within the horizon. Requires a centre over the face's inside.
 std::optional<Passing> first_passing(const Face& face, const Parabola& way, const Enclosed& horizon);
 
+/// No more than how far the centre stays inside the face's edges over the next `span`; but for those across `but`.
+Float least_inside(const Face& face, const Parabola& way, const Enclosed& span, std::optional<std::size_t> but);
+
 }  // namespace touchstone::reference

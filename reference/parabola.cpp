@@ -135,4 +135,13 @@ std::optional<Enclosed> first_meeting(const Parabola& way, const Slab& slab, con
   return searched(gap, from, end, least);
 }
 
+Float least_distance(const Parabola& way, const Slab& slab, const Enclosed& radius, const Enclosed& span) {
+  constexpr int pieces = 32;
+  const Gap gap(way, slab, radius);
+  const Enclosed step = span / pieces;
+  Float least = gap.value(Enclosed(0), step).lo();
+  for (int i = 1; i < pieces; ++i) least = std::min(least, gap.value(step * i, step).lo());
+  return (root(Enclosed(least, least) + square(radius)) - radius).lo();
+}
+
 }  // namespace touchstone::reference

@@ -48,4 +48,7 @@ EnclosedVec excess(const Slab& slab, const EnclosedVec& centre_W);
 std::optional<Enclosed> first_meeting(const Parabola& way, const Slab& slab, const Enclosed& radius,
                                       const Enclosed& horizon, const std::optional<Parting>& parting);
 
+/// No more than how far the ball stays from the box over the next `span`.
+Float least_distance(const Parabola& way, const Slab& slab, const Enclosed& radius, const Enclosed& span);
+
 }  // namespace touchstone::reference

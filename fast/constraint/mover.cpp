@@ -26,12 +26,17 @@ Quaternion normalised(const Quaternion& q) {
   return {s * q.w, s * q.x, s * q.y, s * q.z};
 }
 
+/// Times a power of two: the same rotation, exactly, with squares that are in range.
+Quaternion about_1(const Quaternion& q) {
+  const int exponent = -std::ilogb(std::max({std::abs(q.w), std::abs(q.x), std::abs(q.y), std::abs(q.z)}));
+  const auto scaled = [&](double x) { return std::scalbn(x, exponent); };
+  return {scaled(q.w), scaled(q.x), scaled(q.y), scaled(q.z)};
+}
+
 }  // namespace
 
 Mover::Mover(const Body& body, const std::string& place)
-    : solid_(solid_of(body, place)),
-      q_WB_(normalised(body.X_WB.q_WB)),
-      twist_{body.velocity.v_WBcm, body.velocity.w_WB} {
+    : solid_(solid_of(body, place)), q_WB_(about_1(body.X_WB.q_WB)), twist_{body.velocity.v_WBcm, body.velocity.w_WB} {
   if (const auto properties = fast::mass(body)) {
     inverse_mass_ = 1 / properties->mass;
     p_BBcm_ = properties->p_BBcm;

@@ -19,11 +19,13 @@ class Mover {
   Mover(const Body& body, const std::string& place);
 
   bool is_fixed() const { return inverse_mass_ == 0; }
+  bool moves() const { return !twist_.v.isZero(0) || !twist_.w.isZero(0); }
   double inverse_mass() const { return inverse_mass_; }
   double mass() const { return 1 / inverse_mass_; }
   const Mat3& inverse_inertia() const { return inverse_inertia_W_; }  ///< in W; 0 if fixed
   const Vec3& centre() const { return centre_; }
   const Twist& twist() const { return twist_; }
+  const lin_canny::Solid& solid() const { return solid_; }
   const lin_canny::Convex& convex() const { return solid_.parts().front(); }
   const Mat3& R_WB() const { return R_WB_; }
   Pose pose() const;

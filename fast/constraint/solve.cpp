@@ -9,8 +9,8 @@
 namespace touchstone::fast::constraint {
 namespace {
 
-constexpr double settled = 0x1p-45;
-constexpr int sweeps_to_a_jump = 32;
+constexpr double settled = 0x1p-44;
+constexpr int sweeps_to_a_jump = 16;
 constexpr std::size_t most_that_jump = 64;  // contacts: the jump costs their cube
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
@@ -32,19 +32,23 @@ double relax(Touch& touch, const std::vector<Mover>& movers, std::vector<Twist>&
   const double P_n = touch.n.dot(touch.P);
   const double u_n = touch.n.dot(relative_velocity(touch, twists));
   const double pushed = std::max(0.0, P_n + (touch.least_u_n - u_n) / touch.K_nn);
+  // A guess may come from another normal: what is across the new one counts as friction, and is cut to the disc as
+  // well.
+  Vec3 P_t = touch.P - P_n * touch.n;
   touch.P += (pushed - P_n) * touch.n;
   push(touch, touch.P - before, movers, twists);
-  if (touch.friction > 0) {
-    const Vec3 with_normal = touch.P;
-    const Vec3 u = relative_velocity(touch, twists);
-    Vec3 P_t = (touch.P - pushed * touch.n) - (u - touch.n.dot(u) * touch.n) / touch.K_tt;
-    const double size = P_t.norm(), most = touch.friction * pushed;
-    if (size > most) P_t *= most / size;
-    touch.P = pushed * touch.n + P_t;
-    push(touch, touch.P - with_normal, movers, twists);
-  }
+  const Vec3 with_normal = touch.P;
+  const Vec3 u = relative_velocity(touch, twists);
+  P_t -= (u - touch.n.dot(u) * touch.n) / touch.K_tt;
+  const double size = P_t.norm(), most = touch.friction * pushed;
+  if (size > most) P_t *= most / size;
+  touch.P = pushed * touch.n + P_t;
+  push(touch, touch.P - with_normal, movers, twists);
   return (touch.P - before).norm() * std::max(touch.K_nn, touch.K_tt);
 }
+
+/// Of the terms that a velocity at the end of an arm is made of: rounding is relative to these.
+double greatest(const Twist& twist, const Vec3& arm) { return twist.v.norm() + twist.w.norm() * arm.norm(); }
 
 double sweep(std::vector<Touch>& touches, const std::vector<Mover>& movers, std::vector<Twist>& twists) {
   double change = 0;
@@ -90,7 +94,8 @@ Vec3 relative_velocity(const Touch& touch, const std::vector<Twist>& twists) {
 void solve(std::vector<Touch>& touches, const std::vector<Mover>& movers, std::vector<Twist>& twists, int sweeps) {
   double fastest = 0;
   for (Touch& touch : touches) {
-    fastest = std::max({fastest, relative_velocity(touch, twists).norm(), std::abs(touch.least_u_n)});
+    fastest = std::max({fastest, std::abs(touch.least_u_n), greatest(twists[index(touch.a)], touch.arm_A),
+                        greatest(twists[index(touch.b)], touch.arm_B)});
     push(touch, touch.P, movers, twists);
   }
   for (int i = 1; i <= sweeps; ++i) {

@@ -30,8 +30,8 @@ Vec3 relative_velocity(const Touch& touch, const std::vector<Twist>& twists);
 
 /// Finds P for all touches: P_n ≥ 0, u_n ≥ least_u_n, one of the two equal; P_t in the disc of radius μ P_n, against
 /// u_t where it is on its rim. `twists`: with the guesses' effect left out; then with all P's. Each contact is solved
-/// in turn, the disc round, until no sweep changes a velocity by more than 2⁻⁴⁵ of the greatest, or `sweeps` have been
-/// made. Where they crawl, every 32nd is followed by a jump (active_set.h), which is taken back if the next sweep finds
+/// in turn, the disc round, until no sweep changes a velocity by more than 2⁻⁴⁴ of the greatest, or `sweeps` have been
+/// made. Where they crawl, every 16th is followed by a jump (active_set.h), which is taken back if the next sweep finds
 /// it worse.
 void solve(std::vector<Touch>& touches, const std::vector<Mover>& movers, std::vector<Twist>& twists, int sweeps);
 

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <string>
 
-#include "fast/broad_phase/sweep_and_prune.h"
 #include "model/input_error.h"
 #include "model/limits.h"
 
@@ -31,19 +30,13 @@ Stepper::Stepper(const Scene& scene, double longest_step, int sweeps)
       sweeps_(sweeps),
       skin_(envelope(scene) / 2),
       movers_(movers_of(scene)),
-      collider_(std::make_unique<SweepAndPrune>(),
-                2 * (skin_ + 2 * longest_step * greatest_speed(scene.flight->times.back()))) {
-  for (std::size_t i = 0; i < movers_.size(); ++i) {
-    collider_.insert(static_cast<BodyId>(i), scene.bodies[i].shape, movers_[i].pose());
-  }
-  collider_.update();
-  for (const NearPair& near : collider_.pairs()) {
-    const Mover &A = movers_[near.bodies.a], &B = movers_[near.bodies.b];
-    if (near.nearest.proximity.verdict == Verdict::overlapping && !(A.is_fixed() && B.is_fixed())) {
-      throw InputError("bodies[" + std::to_string(near.bodies.b) + "]",
-                       "overlaps bodies[" + std::to_string(near.bodies.a) + "] at the start");
-    }
-  }
+      margin_(skin_ + 2 * longest_step * greatest_speed(scene.flight->times.back())) {
+  for (std::size_t i = 0; i < movers_.size(); ++i) boxes_.insert(static_cast<BodyId>(i), around(movers_[i]));
+}
+
+Aabb Stepper::around(const Mover& body) const {
+  const Vec3 reach = Vec3::Constant(body.reach() + margin_);
+  return {body.centre() - reach, body.centre() + reach};
 }
 
 /// No point of a body is faster, unless forces or impacts give it energy from elsewhere; then contacts are seen late.
@@ -63,14 +56,18 @@ double Stepper::span(const Mover& body, double h) const {
   return h * (speed + h * pull);
 }
 
-void Stepper::meet(const NearPair& near, double h) {
-  const int a = static_cast<int>(near.bodies.a), b = static_cast<int>(near.bodies.b);
+void Stepper::meet(int a, int b, double h) {
   const Mover &A = movers_[index(a)], &B = movers_[index(b)];
   if (A.is_fixed() && B.is_fixed()) return;
   const double reach = skin_ + span(A, h) + span(B, h);
-  const lin_canny::Proximity& proximity = near.nearest.proximity;
-  if (proximity.distance > reach) return;
   Pair& pair = pairs_[{a, b}];
+  const lin_canny::Proximity proximity =
+      nearest_parts(A.solid(), lin_canny::Station(A.pose()), B.solid(), lin_canny::Station(B.pose()), pair.walk)
+          .proximity;
+  if (first_step_ && proximity.verdict == Verdict::overlapping) {
+    throw InputError("bodies[" + std::to_string(b) + "]", "overlaps bodies[" + std::to_string(a) + "] at the start");
+  }
+  if (proximity.distance > reach) return;
   const Manifold found = manifold(A, B, proximity, pair.nhat_BA_W);
   pair.seen = true;
   pair.nhat_BA_W = found.nhat_BA_W;
@@ -101,7 +98,11 @@ void Stepper::meet(double h) {
   points_.clear();
   met_.clear();
   for (auto& [bodies, pair] : pairs_) pair.seen = false;
-  for (const NearPair& near : collider_.pairs()) meet(near, h);
+  boxes_.update();
+  near_ = boxes_.pairs();
+  std::ranges::sort(near_);
+  for (const BodyPair& pair : near_) meet(static_cast<int>(pair.a), static_cast<int>(pair.b), h);
+  first_step_ = false;
 }
 
 std::vector<Twist> Stepper::free_twists(double time, double h) const {
@@ -183,20 +184,21 @@ void Stepper::tell(double h, double until) {
     for (std::size_t i = 0; i < met.count; ++i) met.pair->P.push_back(touches_[met.first + i].P);
     tell(met.a, met.b, met.pair->watch, told(met, slip_counts * weight));
   }
-  for (auto it = pairs_.begin(); it != pairs_.end();) {
-    if (it->second.seen) {
-      ++it;
-      continue;
-    }
+  for (auto& [bodies, pair] : pairs_) {
+    if (pair.seen || !pair.nhat_BA_W) continue;
     PairStep parted;
-    parted.nhat_BA_W = *it->second.nhat_BA_W;
-    tell(it->first.first, it->first.second, it->second.watch, parted);
-    it = pairs_.erase(it);
+    parted.nhat_BA_W = *pair.nhat_BA_W;
+    pair.P.clear();
+    tell(bodies.first, bodies.second, pair.watch, parted);
   }
+  // Who is no longer near is forgotten.
+  std::erase_if(pairs_, [&](const auto& entry) {
+    const BodyPair bodies{static_cast<BodyId>(entry.first.first), static_cast<BodyId>(entry.first.second)};
+    return !std::ranges::binary_search(near_, bodies);
+  });
 }
 
 void Stepper::step(double time, double h, double until) {
-  collider_.update();
   meet(h);
   std::vector<Twist> now, twists = free_twists(time, h);
   for (const Mover& body : movers_) now.push_back(body.twist());
@@ -215,7 +217,7 @@ void Stepper::step(double time, double h, double until) {
   }
   for (std::size_t i = 0; i < movers_.size(); ++i) {
     movers_[i].advance(h, twists[i], touched[i], shift[i]);
-    collider_.move(static_cast<BodyId>(i), movers_[i].pose());
+    if (!movers_[i].is_fixed() || movers_[i].moves()) boxes_.move(static_cast<BodyId>(i), around(movers_[i]));
   }
   tell(h, until);
 }

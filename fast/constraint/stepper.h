@@ -6,11 +6,12 @@
 #include <utility>
 #include <vector>
 
-#include "fast/collider.h"
+#include "fast/broad_phase/sweep_and_prune.h"
 #include "fast/constraint.h"
 #include "fast/constraint/manifold.h"
 #include "fast/constraint/pair_watch.h"
 #include "fast/constraint/solve.h"
+#include "fast/lin_canny/nearest_parts.h"
 
 namespace touchstone::fast::constraint {
 
@@ -28,9 +29,10 @@ class Stepper {
   /// What is kept of a pair that is near.
   struct Pair {
     std::optional<Vec3> nhat_BA_W;
-    std::vector<Vec3> P;  ///< of its points in the last step
+    std::vector<lin_canny::FeaturePair> walk = {{}};  ///< where the last walk to the closest features ended
+    std::vector<Vec3> P;                              ///< of its points in the last step
     PairWatch watch;
-    bool seen = false;  ///< in this step
+    bool seen = false;  ///< in this step: near enough to touch
   };
   struct Met {
     Pair* pair = nullptr;
@@ -41,7 +43,8 @@ class Stepper {
   double greatest_speed(double duration) const;
   double span(const Mover& body, double h) const;
   void meet(double h);
-  void meet(const NearPair& near, double h);
+  void meet(int a, int b, double h);
+  Aabb around(const Mover& body) const;
   std::vector<Twist> free_twists(double time, double h) const;
   void push(std::vector<Twist>& twists);
   std::vector<Twist> apart(double h);
@@ -52,7 +55,10 @@ class Stepper {
   int sweeps_;
   double skin_;  ///< bodies rest this far apart
   std::vector<Mover> movers_;
-  Collider collider_;
+  double margin_;  ///< boxes meet before their bodies can
+  SweepAndPrune boxes_;
+  bool first_step_ = true;
+  std::vector<BodyPair> near_;  ///< sorted
   std::map<std::pair<int, int>, Pair> pairs_;
   std::vector<Met> met_;
   std::vector<Touch> touches_;
