@@ -39,6 +39,22 @@ double greatest_curl(const Inertia& inertia, double rate) {
   return rate * rate * (1 + c / std::numbers::sqrt3) * (1 + 8 * u);
 }
 
+/// With c as above, |α| ≤ cΩ²/√3 and, in the body's axes, |α'| ≤ 2c|α|Ω; so p''' = α' × r + 2α × (ω × r) + ω × (α × r)
+/// + ω × (ω × (ω × r)), α' = (α' in the body) + ω × α, is at most (1 + (4c + 2c²)/√3) Ω³ |r|.
+double greatest_whirl(const Inertia& inertia, double rate) {
+  const double c = inertia.c.lpNorm<Eigen::Infinity>() + 2 * inertia.c_error;
+  return rate * rate * rate * (1 + (4 * c + 2 * c * c) / std::numbers::sqrt3) * (1 + 8 * u);
+}
+
+/// α = I⁻¹ (Iω × ω), turned out to W: c_i ω_j ω_k in P.
+Vec3 spin_up(const Inertia& inertia, const Quaternion& q_WB, const Vec3& w_WB) {
+  Mat3 R_WP = rotation(q_WB);
+  if (!inertia.is_aligned) R_WP = R_WP.lazyProduct(rotation(inertia.q_BP)).eval();
+  const Vec3 w = R_WP.transpose() * w_WB;
+  const Vec3& c = inertia.c;
+  return R_WP * Vec3(c[0] * w[1] * w[2], c[1] * w[2] * w[0], c[2] * w[0] * w[1]);
+}
+
 }  // namespace
 
 Flight::Flight(const Flyer& flyer, double since, const Pose& X_WB, const Velocity& velocity, const Vec3& acceleration)
@@ -55,6 +71,7 @@ Flight::Flight(const Flyer& flyer, double since, const Pose& X_WB, const Velocit
     tumble_ = Tumble(flyer.inertia.c, flyer.inertia.c_error, w_P, (flyer.inertia.is_aligned ? 18 : 36) * u);
   }
   curl_ = greatest_curl(flyer.inertia, rate_);
+  whirl_ = greatest_whirl(flyer.inertia, rate_);
 }
 
 /// τ, v τ and a τ²/2 round by u, 3u and 6u (a itself by 64u more), p_WB − O by u, R p_BBcm by 18u; three sums. Where
@@ -75,7 +92,7 @@ Centre Flight::centre(double t, const Vec3& p_WO) const {
 /// Turns off by: q₀/|q₀| 24u, each product of quaternions 16u, q_BP 24u (twice), R's own rounding 12u.
 Stand Flight::stand(double t, const Vec3& p_WO) const {
   const double tau = t - since_;
-  Stand now{centre(t, p_WO), start_.q_WB, {}, velocity_.w_WB, 12 * u, 0};
+  Stand now{centre(t, p_WO), start_.q_WB, {}, velocity_.w_WB, 12 * u, 0, Vec3::Zero()};
   const Vec3& w = velocity_.w_WB;
   if (turns() && tau > 0) {
     const Quaternion q_WB0 = unit(start_.q_WB);
@@ -107,6 +124,7 @@ Stand Flight::stand(double t, const Vec3& p_WO) const {
     }
   }
   now.R_WB = rotation(now.q_WB);
+  if (flyer_->turning != Turning::steady && turns()) now.alpha_WB = spin_up(flyer_->inertia, now.q_WB, now.w_WB);
   return now;
 }
 

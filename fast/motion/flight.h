@@ -22,9 +22,10 @@ struct Stand {
   Centre centre;
   Quaternion q_WB;
   Mat3 R_WB = Mat3::Identity();
-  Vec3 w_WB = Vec3::Zero();  ///< rad/s
-  double turn_error = 0;     ///< rad; R's own rounding is in it
-  double w_error = 0;        ///< rad/s
+  Vec3 w_WB = Vec3::Zero();      ///< rad/s
+  double turn_error = 0;         ///< rad; R's own rounding is in it
+  double w_error = 0;            ///< rad/s
+  Vec3 alpha_WB = Vec3::Zero();  ///< rad/s²; as exact as w_WB's square
 };
 
 /// A flight from a state at time `since`, as docs/design/simulation.md says: the centre of mass moves along
@@ -58,6 +59,9 @@ class Flight {
   /// ≥ |p̈ − acceleration| / |p − p_BBcm| for all points p of the body, at all times (rad²/s²).
   double curl() const { return curl_; }
 
+  /// ≥ the length of the third derivative of p / |p − p_BBcm|, likewise (rad³/s³).
+  double whirl() const { return whirl_; }
+
   /// Holds the body at all times of [from, until], also if from `from` on an unknown force of at most `greatest_force`
   /// (N) acts on it anywhere: the parabola with its apex, and around it the ball about the centre of mass; of a body
   /// that does not turn, its tight box instead. Rounded outward.
@@ -74,6 +78,7 @@ class Flight {
   Vec3 p_BBcm_W_;  ///< at `since`
   double rate_ = 0;
   double curl_ = 0;
+  double whirl_ = 0;
   mutable Tumble tumble_;  ///< of a tumbling body
 };
 

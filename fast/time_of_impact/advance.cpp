@@ -105,7 +105,7 @@ class Advance {
     const double depth = 4 * slab.error();
     const double approach = -slab.least_speed(8 * slab.error());
     const double by_speed = approach > 0 ? depth / approach : infinity;
-    const double by_fall = slab.curvature() < 0 ? std::sqrt(2 * depth / -slab.curvature()) : infinity;
+    const double by_fall = slab.greatest_bend() > 0 ? std::sqrt(2 * depth / slab.greatest_bend()) : infinity;
     const double grain = 4 * u * std::abs(t_) + 0x1p-1000;
     return std::max(grain, std::min({by_speed, by_fall, left()}));
   }

@@ -1,6 +1,8 @@
 #include "fast/time_of_impact/look.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "fast/lin_canny/bracket.h"
@@ -66,6 +68,15 @@ bool is_inside(const Placed& P, const Vec3& p, double error) {
   return P.hull->face_count() > 0;
 }
 
+/// A vertex, or the middle of an edge, or of a face's first edge.
+Vec3 point_of(const Placed& P, const lin_canny::FeatureId& feature) {
+  if (feature.kind == lin_canny::Kind::vertex) return P.vertex(feature.index);
+  const bool is_edge = feature.kind == lin_canny::Kind::edge;
+  const Hull::Edge& edge =
+      P.hull->edge(is_edge ? feature.index : P.hull->side(P.hull->face(feature.index).first_corner));
+  return (P.vertex(edge.tail) + P.vertex(edge.head)) / 2;
+}
+
 bool fit_doubles(const Placed& A, const Placed& B) {
   return A.hull->fits_doubles() && B.hull->fits_doubles() && (B.t - A.t).lpNorm<Eigen::Infinity>() < 0x1p250;
 }
@@ -85,14 +96,38 @@ Look::Look(const Pair& pair, double t, FeaturePair& memory, const Vec3& known)
       walked_(walked(A_.core, B_.core, memory)),
       slab_(best_slab(memory, known)) {}
 
+/// How fast the direction n, which the closest features name, turns with them: with a face, or an edge that a vertex
+/// faces; with two edges e, f as their product does; with two points that stay apart by their radii as their difference
+/// does. Two vertices of polytopes have no direction that would stay so: none.
+Vec3 Look::turn_of_features(const Vec3& n) const {
+  using lin_canny::Kind;
+  const auto& [a, b] = walked_.closest.features;
+  if (a.kind == Kind::face) return A_.w.cross(n);
+  if (b.kind == Kind::face) return B_.w.cross(n);
+  const auto across_n = [&](const Vec3& x) { return Vec3(x - n.dot(x) * n); };
+  if (a.kind == Kind::edge && b.kind == Kind::edge) {
+    const Vec3 e = A_.core.turned_out(A_.core.hull->edge(a.index).along).normalized();
+    const Vec3 f = B_.core.turned_out(B_.core.hull->edge(b.index).along).normalized();
+    const double crossing = n.dot(e.cross(f));
+    if (std::abs(crossing) < 0x1p-5) return Vec3::Zero();
+    return across_n(A_.w.cross(e).cross(f) + e.cross(B_.w.cross(f))) / crossing;
+  }
+  if (a.kind == Kind::edge) return A_.w.cross(n);
+  if (b.kind == Kind::edge) return B_.w.cross(n);
+  if (!(A_.radius + B_.radius > 0)) return Vec3::Zero();
+  const Vec3 at_a = walked_.closest.a - A_.core.t + A_.arm, at_b = walked_.closest.b - B_.core.t + B_.arm;
+  return across_n((B_.v + B_.w.cross(at_b)) - (A_.v + A_.w.cross(at_a))) / std::sqrt(walked_.closest.squared);
+}
+
 /// Features that are apart name their direction well. Where they are no further apart than rounding tells, they do not:
 /// two vertices' difference is noise, two edges' normal may have the wrong sign, and inside there is none.
 Slab Look::best_slab(const FeaturePair& before, const Vec3& known) const {
   const Vec3 n =
       walked_.inside ? Vec3(Vec3::Zero()) : lin_canny::separating_direction(A_.core, B_.core, walked_.closest);
+  const Vec3 p_OC = walked_.inside ? A_.core.t : Vec3((walked_.closest.a + walked_.closest.b) / 2);
   if (!n.isZero(0)) {
-    Slab slab(A_, B_, n);
-    if (slab.gap() > 4 * slab.error()) return slab;
+    Slab slab(A_, B_, n, turn_of_features(n), p_OC);
+    if (slab.gap() > slab.error()) return slab;
   }
   Widest widest(A_.core, B_.core);
   widest.ask(n);
@@ -106,7 +141,7 @@ Slab Look::best_slab(const FeaturePair& before, const Vec3& known) const {
   }
   const double radii = A_.radius + B_.radius;
   if (!widest.has_one() || widest.found_gap() < radii - 8 * lin_canny::rounding(A_.core, B_.core)) widest.ask_faces();
-  return {A_, B_, widest.direction()};
+  return {A_, B_, widest.direction(), Vec3::Zero(), p_OC};
 }
 
 double Look::at_most() const {
@@ -115,29 +150,37 @@ double Look::at_most() const {
   return std::max(0.0, (lin_canny::bracket(A_.core, B_.core, walked_.closest).hi - radii) * (1 + 4 * u));
 }
 
-/// Two points of the cores are nearer than the radii reach; or four differences have 0 inside; or a vertex, or what was
-/// closest before, is inside the other: the last two see what the first does not, and the other way round, where two
-/// solids meet flat.
+/// Two points of the cores are nearer than the radii reach; or what was closest before is inside the other, or a vertex
+/// is; or four differences have 0 inside. The first two are quick, and the last one misses solids that meet flat.
 bool Look::overlap(const Look& before) const {
+  const Placed &A = A_.core, &B = B_.core;
   if (!walked_.inside) {
-    const double cores = lin_canny::bracket(A_.core, B_.core, walked_.closest).hi;
+    const double cores = lin_canny::bracket(A, B, walked_.closest).hi;
     if (cores < (A_.radius + B_.radius) * (1 - 4 * u)) return true;
   }
-  if (lin_canny::common_point(A_.core, B_.core)) return true;
-  const double error = 2 * lin_canny::rounding(A_.core, B_.core);
-  const auto has_one_of = [&](const Placed& P, const Placed& Q, const Vec3& was_closest) {
-    if (is_inside(P, Q.out(was_closest), error)) return true;
+  const double error = 2 * lin_canny::rounding(A, B);
+  if (!before.walked_.inside) {
+    const lin_canny::Closest& then = before.walked_.closest;
+    if (is_inside(B, A.out(before.A_.core.in(then.a)), error)) return true;
+    if (is_inside(A, B.out(before.B_.core.in(then.b)), error)) return true;
+  }
+  if (lin_canny::common_point(A, B)) return true;
+  const auto has_a_vertex_of = [&](const Placed& P, const Placed& Q) {
     return std::ranges::any_of(Q.hull->vertices(), [&](const Vec3& x) { return is_inside(P, Q.out(x), error); });
   };
-  return has_one_of(A_.core, B_.core, before.B_.core.in(before.walked_.closest.b)) ||
-         has_one_of(B_.core, A_.core, before.A_.core.in(before.walked_.closest.a));
+  return has_a_vertex_of(A, B) || has_a_vertex_of(B, A);
 }
 
-/// Of the features' closest points, each moved out by its radius along n.
+/// Of the features' closest points, each moved out by its radius along n. Inside, where nothing was measured, the point
+/// of the lesser feature.
 Vec3 Look::middle() const {
   const Vec3& n = slab_.direction();
-  const lin_canny::Bracket found = lin_canny::bracket(A_.core, B_.core, walked_.closest);
-  return ((found.a + A_.radius * n) + (found.b - B_.radius * n)) / 2;
+  if (!walked_.inside) {
+    const lin_canny::Bracket found = lin_canny::bracket(A_.core, B_.core, walked_.closest);
+    return ((found.a + A_.radius * n) + (found.b - B_.radius * n)) / 2;
+  }
+  const auto& [a, b] = walked_.closest.features;
+  return a.kind <= b.kind ? point_of(A_.core, a) : point_of(B_.core, b);
 }
 
 }  // namespace touchstone::fast::meeting

@@ -32,6 +32,7 @@ class Look {
 
  private:
   Slab best_slab(const lin_canny::FeaturePair& before, const Vec3& known) const;
+  Vec3 turn_of_features(const Vec3& n) const;
 
   Side A_, B_;
   lin_canny::Walked walked_;

@@ -8,7 +8,8 @@ using lin_canny::Convex;
 using lin_canny::u;
 
 /// To the stand's turn error come 6u of a computed R v, and 28u of R_WB R_BP; the part's own place is turned once more
-/// (24u with its sums). A velocity w × r rounds by 8u |w||r|, r itself by the placement's error; n·v by 4u |v|.
+/// (24u with its sums). A velocity w × r rounds by 8u |w||r|, r itself by the placement's error; n·v by 4u |v|; p̈ by as
+/// much again for each w in it, and for α, a product of two of them. A push over mass is known to 64u.
 Side side(const motion::Flight& flight, std::size_t part, double t, const Vec3& p_WO) {
   const motion::Flyer& body = flight.flyer();
   const Convex& convex = body.solid.parts()[part];
@@ -29,7 +30,11 @@ Side side(const motion::Flight& flight, std::size_t part, double t, const Vec3& 
   s.slope_error = now.centre.v_error + 4 * u * s.v.lpNorm<1>() +
                   reach * (now.w_error + (s.core.turn_error + 16 * u) * flight.rate());
   s.acceleration = flight.acceleration();
+  s.alpha = now.alpha_WB;
   s.swirl = flight.curl() * reach;
+  s.bend_error = s.swirl * (4 * s.core.turn_error + 64 * u) + 4 * flight.rate() * now.w_error * reach +
+                 128 * u * s.acceleration.lpNorm<1>();
+  s.whirl = flight.whirl() * reach;
   return s;
 }
 

@@ -16,7 +16,10 @@ struct Side {
   Vec3 w = Vec3::Zero();    ///< rad/s
   double slope_error = 0;   ///< m/s; of n·velocity of any core point, |n| = 1
   Vec3 acceleration = Vec3::Zero();
-  double swirl = 0;  ///< m/s²; ≥ curl |r| for all core points
+  Vec3 alpha = Vec3::Zero();  ///< rad/s²
+  double swirl = 0;           ///< m/s²; ≥ |p̈ − acceleration| of all core points, at all times
+  double bend_error = 0;      ///< m/s²; of n·p̈ as computed from w and alpha
+  double whirl = 0;           ///< m/s³; ≥ the third derivative's length, of all core points, at all times
 };
 
 /// Part `part` of the flight's body at time t, in W's axes, seen from O.

@@ -6,85 +6,123 @@
 #include <limits>
 
 #include "fast/lin_canny/bracket.h"
+#include "fast/motion/steady_turn.h"
 
 namespace touchstone::fast::meeting {
 
 using lin_canny::u;
 
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
 double first_root(double z, double s, double c) {
-  const double root = std::sqrt(s * s - 2 * c * z);
-  if (s > 0) return c < 0 ? (s + root) / -c : std::numeric_limits<double>::infinity();
-  return z > 0 ? 2 * z / (root - s) : 0;
+  const double square = s * s - 2 * c * z;
+  if (square < 0) return infinity;
+  const double root = std::sqrt(square);
+  if (s > 0) return c < 0 ? (s + root) / -c : infinity;
+  if (!(z > 0)) return c > 0 && s == 0 ? infinity : 0;
+  return root - s > 0 ? 2 * z / (root - s) : infinity;
 }
 
-/// lin_canny::rounding covers heights along any n; |n| is 1 within 2u, and the radii's difference rounds.
-Slab::Slab(const Side& A, const Side& B, const Vec3& n) : n_(n), radii_(A.radius + B.radius) {
-  A_.see(A, n, 0, 0);
-  B_.see(B, n, n.dot(B.core.t - A.core.t), n.dot(B.v - A.v));
-  error_ = lin_canny::rounding(A.core, B.core) + 4 * u * radii_;
-  speed_error_ = (A.slope_error + B.slope_error) * (1 + 8 * u) + 4 * u * std::abs(n.dot(B.v - A.v));
-  const double swirl = (A.swirl + B.swirl) * (1 + 8 * u);
-  const double fall = n.dot(B.acceleration - A.acceleration);
-  const double fall_error = 128 * u * (A.acceleration.lpNorm<1>() + B.acceleration.lpNorm<1>());
-  c_ = std::min(0.0, fall - swirl - fall_error);
-  gap_ = between(0).z;
+/// Seen from A's core and centre of mass: only differences count. lin_canny::rounding covers heights along any n; |n|
+/// is 1 within 2u, and the radii's difference rounds. m is as long as 1 + |turn|² h²/2 at most: the radii's part of the
+/// bend.
+Slab::Slab(const Side& A, const Side& B, const Vec3& n, const Vec3& turn, const Vec3& p_OC) : n_(n) {
+  const Vec3 v = B.v - A.v, a = B.acceleration - A.acceleration;
+  A_.see(A, n, turn, 0, A.core.t - p_OC, Vec3::Zero(), Vec3::Zero());
+  B_.see(B, -n, -turn, -n.dot(B.core.t - A.core.t), B.core.t - p_OC, v, a);
+  const double radii = A.radius + B.radius;
+  const double gap = -B_.height[B_.highest()] - A_.height[A_.highest()] - radii;
+  const double turning = motion::length(turn);
+  error_ = lin_canny::rounding(A.core, B.core) + 4 * u * (radii + std::abs(gap));
+  gap_ = gap - error_;
+  const double slope_error = (A.slope_error + B.slope_error) * (1 + 8 * u) + 8 * u * v.lpNorm<1>();
+  const double from_C = (A.core.t - p_OC).lpNorm<1>() + (B.core.t - p_OC).lpNorm<1>();
+  speed_error_ = slope_error + turning * (2 * error_ + 8 * u * from_C);
+  bend_error_ = A.bend_error + B.bend_error + 4 * turning * slope_error + radii * turning * turning * (1 + 8 * u);
+  greatest_bend_ = A.swirl + B.swirl + std::abs(n.dot(a)) + bend_error_;
+  greatest_rate_ = std::max({motion::length(A.w), motion::length(B.w), turning});
 }
 
-/// n·(w × r) = (n × w)·r, r = R x + arm.
-void Slab::Heights::see(const Side& side, const Vec3& n, double middle, double speed_of_middle) {
-  const Vec3 m = n.cross(side.w);
-  const Vec3 up = side.core.turned_in(n), faster = side.core.turned_in(m);
-  const double speed_of_origin = speed_of_middle + m.dot(side.arm);
+/// With r = R x + arm: n·(w × r) = (n × w)·r, n·(w × (w × r)) = ((n·w) w − w² n)·r.
+void Slab::Heights::see(const Side& side, const Vec3& up, const Vec3& turn, double place, const Vec3& from_C,
+                        const Vec3& v, const Vec3& a) {
+  const Vec3 sweep = up.cross(side.w);
+  const Vec3 to_bend =
+      up.dot(side.w) * side.w - side.w.squaredNorm() * up + up.cross(side.alpha) + 2 * turn.cross(side.w);
+  const Vec3 height_B = side.core.turned_in(up), speed_B = side.core.turned_in(sweep + turn);
+  const Vec3 bend_B = side.core.turned_in(to_bend);
+  const double speed_O = up.dot(v) + sweep.dot(side.arm) + turn.dot(from_C);
+  const double bend_O = up.dot(a) + 2 * turn.dot(v) + to_bend.dot(side.arm);
   const std::vector<Vec3>& vertices = side.core.hull->vertices();
   height.resize(vertices.size());
   speed.resize(vertices.size());
+  bend.resize(vertices.size());
   for (std::size_t i = 0; i < vertices.size(); ++i) {
-    height[i] = middle + up.dot(vertices[i]);
-    speed[i] = speed_of_origin + faster.dot(vertices[i]);
+    height[i] = place + height_B.dot(vertices[i]);
+    speed[i] = speed_O + speed_B.dot(vertices[i]);
+    bend[i] = bend_O + bend_B.dot(vertices[i]);
   }
+  whirl = side.whirl + 3 * motion::length(turn) * (side.swirl + motion::length(a));
 }
 
 /// How high comes first, which one second: no processor could predict the comparisons of a loop that asks for both.
-std::size_t Slab::Heights::foremost(double h, double sign) const {
-  const auto at = [&](std::size_t i) { return sign * (height[i] + speed[i] * h); };
-  double most = at(0);
-  for (std::size_t i = 1; i < height.size(); ++i) most = std::max(most, at(i));
+std::size_t Slab::Heights::highest() const {
+  double most = height[0];
+  for (const double x : height) most = std::max(most, x);
   std::size_t i = 0;
-  while (at(i) != most && i + 1 < height.size()) ++i;
+  while (height[i] != most) ++i;
   return i;
 }
 
-/// A's highest and B's lowest at h.
-Slab::Parabola Slab::between(double h) const {
-  const std::size_t a = A_.foremost(h, 1), b = B_.foremost(h, -1);
-  const double gap = B_.height[b] - A_.height[a] - radii_;
-  return {gap - 4 * u * std::abs(gap) - error_, B_.speed[b] - A_.speed[a] - speed_error_};
+double Slab::Heights::fastest(double at_least_as_high_as) const {
+  double most = -infinity;
+  for (std::size_t i = 0; i < height.size(); ++i) {
+    if (height[i] >= at_least_as_high_as) most = std::max(most, speed[i]);
+  }
+  return most;
+}
+
+/// Most vertices are so low that nothing takes them up in time. A share of 2^-40 of the way is kept for the rounding of
+/// this, and of the root.
+double Slab::Heights::below(double z, double s, double bend_error, double H) const {
+  double until = H;
+  for (std::size_t i = 0; i < height.size(); ++i) {
+    const double way = (z - height[i]) * (1 - 0x1p-40), gain = s - speed[i];
+    const double bent = -(bend[i] + bend_error + whirl * until / 3);
+    if (way + std::min(0.0, gain) * until + std::min(0.0, bent) * until / 2 * until >= 0) continue;
+    until = std::min(until, first_root(std::max(0.0, way), gain, bent) * (1 - 0x1p-30));
+  }
+  return until;
 }
 
 double Slab::least_speed(double above) const {
-  const double top = A_.height[A_.foremost(0, 1)], bottom = B_.height[B_.foremost(0, -1)];
-  double fastest = -std::numeric_limits<double>::infinity(), slowest = -fastest;
-  for (std::size_t i = 0; i < A_.height.size(); ++i) {
-    if (A_.height[i] >= top - above) fastest = std::max(fastest, A_.speed[i]);
-  }
-  for (std::size_t i = 0; i < B_.height.size(); ++i) {
-    if (B_.height[i] <= bottom + above) slowest = std::min(slowest, B_.speed[i]);
-  }
-  return slowest - fastest - speed_error_;
+  const double a = A_.fastest(A_.height[A_.highest()] - above), b = B_.fastest(B_.height[B_.highest()] - above);
+  return -b - a - speed_error_;
 }
 
-/// From the root of the pair that is nearest now, down to that of the pair that is nearest then, until none is below 0:
-/// each pair is taken up once at most.
+/// Seen from A's foremost vertex, B's is at `apart`. What rounding may be counts as A's.
 double Slab::clear_until(double h_max) const {
-  const double lift = std::max(0.0, -gap_);
-  const auto root = [&](const Parabola& p) { return first_root(std::max(0.0, p.z + lift), p.s, c_) * (1 - 0x1p-30); };
-  double h = std::min(h_max, root(between(0)));
-  for (int tries = 0; tries < 100 && h > 0; ++tries) {
-    const Parabola nearest = between(h);
-    if (nearest.z + lift + nearest.s * h + c_ * h / 2 * h >= 0) return h;
-    h = std::min(h, root(nearest)) * (1 - 0x1p-30);
+  const double near = 8 * error_;
+  const double top_A = A_.height[A_.highest()], top_B = B_.height[B_.highest()];
+  const double speed_A = A_.fastest(top_A - near) + speed_error_, speed_B = B_.fastest(top_B - near);
+  const double half = std::max(0.0, gap_) / 2;
+  const double plane_speed = (speed_A - speed_B) / 2;
+  const auto clear = [&](double H) {
+    const double until_A = A_.below(top_A + half, plane_speed - speed_error_, bend_error_, H);
+    return B_.below(top_B + half, -plane_speed, bend_error_, until_A);
+  };
+  // Three terms tell much of half a radian's turn. Where that is not enough, or too much, they are asked again.
+  double H = greatest_rate_ > 0 ? std::min(h_max, 0.5 / greatest_rate_) : h_max;
+  double h = clear(H);
+  for (int doublings = 0; doublings < 2 && h == H && H < h_max; ++doublings) {
+    H = std::min(h_max, 2 * H);
+    h = std::max(h, clear(H));
   }
-  return 0;
+  return h < H / 4 ? std::max(h, clear(2 * h)) : h;
 }
 
 }  // namespace touchstone::fast::meeting

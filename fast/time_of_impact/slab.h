@@ -1,4 +1,4 @@
-// How long two bodies surely stay on their sides of a slab that is fixed in space.
+// How long two bodies surely stay on their sides of a plane.
 #pragma once
 
 #include <vector>
@@ -7,50 +7,56 @@
 
 namespace touchstone::fast::meeting {
 
-/// First h ≥ 0 at which z + s h + c h²/2 = 0, for z ≥ 0 and c ≤ 0; infinity if there is none.
+/// First h ≥ 0 at which z + s h + c h²/2 = 0, for z ≥ 0; infinity if there is none.
 double first_root(double z, double s, double c);
 
-/// For a unit n from A to B: with heights x_i = n·p_i and speeds x_i' of A's vertices, y_j of B's,
+/// The plane may turn, at right angles to m(h) = n + turn h: |n| = 1, from A to B, turn ⊥ n. With a vertex at p from
+/// some point near both, and p, ṗ, p̈ known at t,
 ///
-///   n·(p_j − p_i)(t + h) ≥ (y_j − x_i) + (y_j' − x_i') h + c h²/2,   c = n·(a_B − a_A) − swirl_A − swirl_B,
+///   m·p(t + h) = n·p + (n·ṗ + turn·p) h + (n·p̈ + 2 turn·ṗ) h²/2 + rest,   |rest| ≤ (|p⃛| + 3 |turn||p̈|) h³/6,
 ///
-/// so the least of these over all pairs, less the radii, is a lower bound of the distance at t + h. It is concave in h
-/// (c > 0 counts as 0): positive at 0 and at h, it is positive between. What heights and speeds are off by is taken
-/// off.
+/// and h³/6 ≤ (H/3) h²/2 for h ≤ H. A plane that moves at a constant speed, halfway between the foremost vertices of
+/// the two, parts the bodies until the first vertex may cross it: one quadratic a vertex. If the plane turns as the
+/// features do that are closest, the gap that is left then is of third order in the step. (If it does not, the ends of
+/// an edge, or the corners of a face, cross it while the closest points are still apart: each step leaves a share of
+/// the gap.)
 class Slab {
  public:
-  Slab(const Side& A, const Side& B, const Vec3& n);
+  /// `p_OC`: a point near both, in the pair's frame.
+  Slab(const Side& A, const Side& B, const Vec3& n, const Vec3& turn, const Vec3& p_OC);
 
   const Vec3& direction() const { return n_; }
-  /// The bound at h = 0 (m), and how much of it was taken off for rounding.
+  /// ≤ the distance (m), and how much of it was taken off for rounding.
   double gap() const { return gap_; }
   double error() const { return error_; }
 
-  /// ≤ n·(v_B − v_A) of vertices that are within `above` (m) of the gap's own, rounding taken off (m/s).
+  /// ≤ the rate of the gap (m/s) as far as vertices rule it that are within `above` (m) of the foremost.
   double least_speed(double above) const;
-  double speed_error() const { return speed_error_; }
-  double curvature() const { return c_; }
+  /// ≥ |n·(p̈_B − p̈_A)| of vertices, at all times (m/s²).
+  double greatest_bend() const { return greatest_bend_; }
 
-  /// A time up to which the bound is positive, and at which its first root is, up to a billionth; at most h_max.
-  /// Requires that the two are apart, or touch, at h = 0: a gap below 0 is rounding's doing and counts as 0.
+  /// A time until which the two surely stay apart, at most h_max. Requires that they are apart, or touch, at h = 0: a
+  /// gap below 0 is rounding's doing and counts as 0.
   double clear_until(double h_max) const;
 
  private:
-  /// Of vertices: n·p and its rate.
+  /// Of vertices, seen so that the other body is above: B's are turned round.
   struct Heights {
-    std::vector<double> height, speed;
-    void see(const Side& side, const Vec3& n, double height, double speed);
-    /// Index of the one that is highest (sign 1) or lowest (−1) at h.
-    std::size_t foremost(double h, double sign) const;
+    std::vector<double> height, speed, bend;
+    double whirl = 0;
+    /// As seen from a point that is at `place` (height) from the core's origin, and has the velocity `v` and the
+    /// acceleration `a` against its centre of mass; `from_C`: from C to the core's origin.
+    void see(const Side& side, const Vec3& up, const Vec3& turn, double place, const Vec3& from_C, const Vec3& v,
+             const Vec3& a);
+    std::size_t highest() const;
+    double fastest(double at_least_as_high_as) const;
+    /// Until when all are below a plane at height z + s h, at most H.
+    double below(double z, double s, double bend_error, double H) const;
   };
-  struct Parabola {
-    double z, s;
-  };
-  Parabola between(double h) const;
 
   Vec3 n_;
   Heights A_, B_;
-  double gap_ = 0, error_ = 0, radii_ = 0, speed_error_ = 0, c_ = 0;
+  double gap_ = 0, error_ = 0, speed_error_ = 0, bend_error_ = 0, greatest_bend_ = 0, greatest_rate_ = 0;
 };
 
 }  // namespace touchstone::fast::meeting
