@@ -32,7 +32,7 @@ class MovingCore {
     for (const Vec3& vertex : core_.vertices) {
       const Coordinates<E> v = {E(vertex.x()), E(vertex.y()), E(vertex.z())};
       arms_.push_back(Coordinates<E>{dot(x, v), dot(y, v), dot(z, v)} + offset);
-      reach_ = std::max(reach_, upper(length(arms_.back())));
+      reach_ = greater(reach_, upper(length(arms_.back())));
     }
   }
 

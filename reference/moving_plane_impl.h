@@ -63,14 +63,14 @@ class Clearance {
       const E above = !support ? dot(n, at) : support->on_A[i] ? E(0) : dot(n, at - support->x);
       A_.push_back({above, dot(n, pair.A.rates[i]) + dot(m, at)});
       const P rate = lower(dot(m, pair.A.rates[i]));
-      slowest = slowest ? std::min(*slowest, rate) : rate;
+      slowest = slowest ? lesser(*slowest, rate) : rate;
     }
     for (std::size_t i = 0; i < pair.B.places.size(); ++i) {
       const Coordinates<E>& at = pair.B.places[i];
       const E above = !support ? dot(n, at) : support->on_B[i] ? E(0) : dot(n, at - support->y);
       B_.push_back({above, dot(n, pair.B.rates[i]) + dot(m, at)});
       const P rate = upper(dot(m, pair.B.rates[i]));
-      fastest = fastest ? std::max(*fastest, rate) : rate;
+      fastest = fastest ? greater(*fastest, rate) : rate;
     }
     set_terms(pair, plane, thin(*slowest) - thin(*fastest));
     for (const Height& a : A_) low_A_.push_back({lower(a.at), lower(a.rate)});
@@ -124,16 +124,16 @@ class Clearance {
     std::optional<P> low, high;
     for (const Height& a : A_) {
       const P x = lower(E(a.at + h * a.rate));
-      if (!low || x < *low) low = x;
+      low = low ? lesser(*low, x) : x;
     }
     for (const Height& b : B_) {
       const P x = upper(E(b.at + h * b.rate));
-      if (!high || x > *high) high = x;
+      high = high ? greater(*high, x) : x;
     }
     return lower(E(thin(*low) - thin(*high) - thin(room))) > 0;
   }
 
-  static E at_least_0(const E& x) { return thin(std::max(P(0), upper(x))); }
+  static E at_least_0(const E& x) { return thin(greater(P(0), upper(x))); }
 
   Line value(const P& h) const {
     const auto at = [&](const Line& line) { return P(line.at + h * line.rate); };

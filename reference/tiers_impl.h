@@ -75,6 +75,16 @@ inline Float middle(const WideEnclosure& x) {
   return f;
 }
 
+/// The lesser of two ends, the greater: no number as soon as one of them is none, so that nothing is proved by it.
+template <class P>
+P lesser(const P& a, const P& b) {
+  return a != a || a <= b ? a : b;
+}
+template <class P>
+P greater(const P& a, const P& b) {
+  return a != a || a >= b ? a : b;
+}
+
 inline Enclosure between(double lo, double hi) { return Enclosure(lo, hi); }
 
 inline WideEnclosure between(const Float& lo, const Float& hi) {

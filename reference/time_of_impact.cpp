@@ -118,13 +118,15 @@ TimeOfImpactTruth between_parts(const Parts& parts, const Question& question) {
   return truth_of(encounter.search(quick.lo, question.end), parts, question.end);
 }
 
-/// Of both: the first meeting is the earlier one.
+/// Of both: nothing before the earlier `lo`, and a meeting by the earlier `hi`.
 TimeOfImpactTruth earlier(const TimeOfImpactTruth& a, const TimeOfImpactTruth& b) {
-  const auto latest = [](const TimeOfImpactTruth& t) { return t.meeting == Meeting::hit ? t.time.hi : INFINITY; };
   const bool a_begins = a.time.lo <= b.time.lo;
   TimeOfImpactTruth first = a_begins ? a : b;
   const TimeOfImpactTruth& other = a_begins ? b : a;
-  if (first.meeting == Meeting::hit) first.time.hi = std::min(first.time.hi, latest(other));
+  if (other.meeting == Meeting::hit) {
+    first.meeting = Meeting::hit;
+    first.time.hi = std::min(first.time.hi, other.time.hi);
+  }
   return first;
 }
 

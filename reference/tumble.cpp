@@ -153,12 +153,12 @@ std::optional<Tumble::State> Tumble::tube(const State& y, const Float& h) const 
   const State f = wide_.derivative(box);
   for (std::size_t i = 0; i < 7; ++i) {
     reached[i] = y[i] + between(Float(0), h) * f[i];
-    if (lower(reached[i]) < lower(box[i]) || upper(reached[i]) > upper(box[i])) return std::nullopt;
+    if (!(lower(reached[i]) >= lower(box[i]) && upper(reached[i]) <= upper(box[i]))) return std::nullopt;
   }
   return reached;
 }
 
-void Tumble::extend() {
+bool Tumble::extend() {
   const RoundUpward rounding;
   Step step;
   step.begin = steps_.empty() ? Float(0) : steps_.back().end();
@@ -168,7 +168,11 @@ void Tumble::extend() {
   narrow_.extend(step.narrow, wide_orders, degree);
   step.validated = stride(step.narrow);
   std::optional<State> reached = tube(now_, step.validated);
-  for (; !reached; reached = tube(now_, step.validated)) step.validated /= 2;
+  for (int i = 0; !reached && i < 100; ++i) {
+    step.validated /= 2;
+    reached = tube(now_, step.validated);
+  }
+  if (!reached) return false;
 
   Series<Enclosure> over_tube;
   over_tube[0] = in_doubles(*reached);
@@ -179,13 +183,13 @@ void Tumble::extend() {
   step.turning = dot(w, w) + length(angular(wide_.derivative(*reached)));
   now_ = sum_of(step.wide, thin(Float(step.end() - step.begin)));
   steps_.push_back(std::move(step));
+  return true;
 }
 
 /// Requires τ ≥ 0.
 const Tumble::Step* Tumble::step_at(const Float& tau) {
   while (steps_.empty() || tau >= steps_.back().end()) {
-    if (steps_.size() == most_steps) return nullptr;
-    extend();
+    if (steps_.size() == most_steps || !extend()) return nullptr;
   }
   const auto after = std::upper_bound(steps_.begin(), steps_.end(), tau,
                                       [](const Float& t, const Step& step) { return t < step.begin; });

@@ -68,7 +68,7 @@ class Tumble {
 
   static Float stride(const Series<Enclosure>& c);
   std::optional<State> tube(const State& y, const Float& h) const;
-  void extend();                          ///< by a step
+  bool extend();                          ///< by a step; false if there is none
   const Step* step_at(const Float& tau);  ///< none beyond the last
   template <class E>
   At<E> sum(const E& tau, Series<E> Step::*series);

@@ -250,6 +250,44 @@ TEST_CASE("Overlap at the start is bad input, with the pair and the depth") {
   CHECK_THROWS_WITH(time_of_impact(scene), Catch::Contains("0.5 m"));
 }
 
+TEST_CASE("Any unit of length") {
+  Dice dice(7);
+  const Scene scene = ballistic_pair(dice, 8);
+  const TimeOfImpactTruth metres = time_of_impact(scene);
+  REQUIRE(metres.meeting == Meeting::hit);
+  for (const int k : {-400, -100, 100, 400}) {
+    Scene scaled = scene;
+    scaled.gravity *= std::ldexp(1, k);
+    for (Body& b : scaled.bodies) {
+      for (Vec3& v : std::get<Polytope>(b.shape).vertices) v *= std::ldexp(1, k);
+      b.X_WB.p_WB *= std::ldexp(1, k);
+      b.velocity.v_WBcm *= std::ldexp(1, k);
+    }
+    const TimeOfImpactTruth units = time_of_impact(scaled);
+    CAPTURE(k);
+    CHECK(units.meeting == Meeting::hit);
+    CHECK(std::max(units.time.lo, metres.time.lo) <= std::min(units.time.hi, metres.time.hi));
+    CHECK(units.time.hi - units.time.lo < 1e-13);
+  }
+}
+
+TEST_CASE("Parts of a compound: the first to meet") {
+  Compound dumbbell;
+  for (const double x : {-2.0, 2.0}) dumbbell.parts.push_back({{Vec3(x, 0, 0), {}}, Sphere{1}});
+  dumbbell.parts.push_back({{}, Box{Vec3(2, 0.25, 0.25)}});
+  Scene scene = pair(body(dumbbell, Vec3(0, 0, 8)), body(Box{Vec3(0.5, 0.5, 0.5)}));
+  scene.bodies[0].velocity.v_WBcm = Vec3(0, 0, -1);
+  scene.flight = Flight{.times = {16}};
+  const TimeOfImpactTruth bar = time_of_impact(scene);
+  CHECK(bar.time.lo <= 7.25);
+  CHECK(bar.time.hi >= 7.25);
+  scene.bodies[1].X_WB.p_WB.x() = 2;
+  const TimeOfImpactTruth bell = time_of_impact(scene);
+  CHECK(bell.time.lo <= 6.5);
+  CHECK(bell.time.hi >= 6.5);
+  CHECK(bell.time.hi - bell.time.lo < 1e-14);
+}
+
 TEST_CASE("Each body flies from its own start") {
   Scene scene = flight_of(pair(ball(1, Vec3(-8, 0, 0), Vec3(2, 0, 0)), ball(1, Vec3(8, 0, 0), Vec3(-1, 0, 0))), 8);
   const TimeOfImpactTruth whole = time_of_impact(scene);
