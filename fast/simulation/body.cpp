@@ -72,6 +72,11 @@ State Mover::state(double t) const {
   return {{path_.place(t), turned(path_.q, angle)}, {path_.velocity(t), path_.w + tau * path_.alpha}};
 }
 
+bool Mover::follows(double t) const {
+  return kind_ != Kind::other || fixed_ || flyer().turning != motion::Turning::tumbling ||
+         flight().stand(t).turn_error <= 0x1p-12;
+}
+
 Aabb Mover::box(double from, double until, double margin) const {
   Aabb box;
   if (kind_ == Kind::other) {

@@ -57,6 +57,9 @@ class Mover {
   /// Sets out anew: from the state, under the acceleration.
   void fly(double since, const State& state, const Vec3& acceleration, const Vec3& alpha = Vec3::Zero());
 
+  /// Whether doubles still know how it is turned at t: a body that tumbles near its unstable axis forgets in the end.
+  bool follows(double t) const;
+
   /// Holds the body from `from` to `until` (≥ since), and `margin` more on each side.
   Aabb box(double from, double until, double margin) const;
 

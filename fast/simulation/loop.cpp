@@ -124,6 +124,7 @@ void Loop::begin_frame() {
   ++done_.books.frames;
   frame_end_ = std::min(end_, static_cast<double>(done_.books.frames) * options_.frame);
   for (BodyId id = 0; id < bodies_.size(); ++id) {
+    if (!bodies_[id].follows(frame_end_)) begin_anew(id);
     if (moves(id) || done_.books.frames == 1) file(id);
   }
   for (BodyId a = 0; a < bodies_.size(); ++a) {
@@ -326,6 +327,16 @@ double Loop::start(BodyId id) const {
   return since.empty() ? 0 : since[id];
 }
 
+/// A tumbling body's error is proved for one flight only, and grows. Before it is worth nothing the body sets out anew
+/// from where it is said to be: what was not proved then stays so.
+void Loop::begin_anew(BodyId id) {
+  const double from = std::max(now_, bodies_[id].path().since);
+  bodies_[id].fly(from, bodies_[id].state(from), bodies_[id].path().a);
+  if (!bodies_[id].follows(frame_end_)) {
+    done_.stopped = {now_, static_cast<int>(id), -1, "turns too wildly to be followed for a frame"};
+  }
+}
+
 void Loop::file(BodyId id) {
   const double from = std::max(now_, bodies_[id].path().since);
   tiling_.file(id, bodies_[id].box(from, std::max(from, frame_end_), envelope_));
@@ -366,6 +377,7 @@ void Loop::refuse_overlap(BodyId a, BodyId b, const Touch& touch) const {
 void Loop::set_out(BodyId id, const State& state) {
   if (bodies_[id].fixed()) return;
   bodies_[id].fly(now_, state, pull_[id]);
+  if (!bodies_[id].follows(frame_end_)) begin_anew(id);
   heap_.drop(id);
   file(id);
 }

@@ -50,6 +50,7 @@ class Loop {
   /// Whose box is made anew in each frame, and who asks whom it meets; in the first frame also who only could move.
   bool moves(BodyId id) const { return !bodies_[id].still() || (done_.books.frames == 1 && !bodies_[id].fixed()); }
   double start(BodyId id) const;
+  void begin_anew(BodyId id);
   void file(BodyId id);
   void watch(BodyId a, BodyId b, double from);
   void watch_all(BodyId id, BodyId but);

@@ -130,7 +130,7 @@ TEST_CASE("where no closed form is known hops stand for contact: a ball on a tur
 }
 
 TEST_CASE("a brick that spins about its middle axis turns over and keeps energy and angular momentum") {
-  Scene scene = flight({brick(Vec3(0.5, 0.3, 0.1), Vec3::Zero(), {})}, Vec3::Zero(), {1, 5, 20});
+  Scene scene = flight({brick(Vec3(0.5, 0.3, 0.1), Vec3::Zero(), {})}, Vec3::Zero(), {1, 4.5, 4.75, 5, 5.25, 5.5, 20});
   scene.bodies[0].velocity.w_WB = Vec3(1e-6, 5, 1e-6);
   scene.bodies[0].mass = MassProperties{1, Vec3::Zero(), Vec3(0.1, 0.26, 0.34).asDiagonal()};
   scene.bodies.push_back(ball(0.5, Vec3(5, 0, 0), Vec3::Zero(), {}));
