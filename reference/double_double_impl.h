@@ -1,6 +1,6 @@
 // A float of two doubles, some 104 bits, over the exponents of one: the sum hi + lo, |lo| at most half an ulp of hi.
 //
-// Each operation is one of Joldes, Muller and Popescu 2017 (joldes2017), who prove its relative error, with u = 2^-53:
+// Each operation is one of Joldes, Muller & Popescu 2017, who prove its relative error, with u = 2^-53:
 // sum 3u² + 13u³ (Algorithm 6), product 5u² (10), quotient 15u² (17), where nothing over- or underflows. Needs rounding
 // to nearest.
 #pragma once
