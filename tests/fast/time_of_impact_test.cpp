@@ -189,5 +189,27 @@ TEST_CASE("sizes and spins at the ends of what is used") {
   }
 }
 
+TEST_CASE("needles meet when the reference says they do") {
+  RandomFlight random(11);
+  int hits = 0;
+  for (int i = 0; i < 24; ++i) {
+    Scene scene = random.pair(1, 1);
+    const double width = std::ldexp(1.0, -10 - i % 11);
+    scene.bodies[0].shape = Box{Vec3(1, width, width)};
+    scene.bodies[1].shape = Box{Vec3(width, 1, 1)};
+    scene.bodies[1].velocity.w_WB = Vec3::Zero();
+    const TimeOfImpact found = time_of_impact_of(scene);
+    const reference::TimeOfImpactTruth truth = reference::time_of_impact(scene);
+    CAPTURE(i, width);
+    REQUIRE(found.meeting == truth.meeting);
+    if (found.meeting != Kind::hit) continue;
+    ++hits;
+    REQUIRE(found.enclosure->lo <= truth.time.hi);
+    REQUIRE(found.enclosure->hi >= truth.time.lo);
+    REQUIRE(found.enclosure->hi - found.enclosure->lo < 1e-9);
+  }
+  CHECK(hits > 8);
+}
+
 }  // namespace
 }  // namespace touchstone::fast
