@@ -8,6 +8,7 @@
 #include "app/motion_scenes.h"
 #include "oracle/subjects/bullet_simulation.h"
 #include "oracle/subjects/ode_simulation.h"
+#include "oracle/subjects/simbody_simulation.h"
 #include "oracle/subjects/touchstone_fast.h"
 #include "tests/bench/command_line.h"
 #include "tests/bench/simulation/trial.h"
@@ -51,6 +52,7 @@ const std::vector<Stepper>& steppers() {
       {"bullet.tuned", [](double dt) { return make_bullet_simulation("simulation_tuned", dt); }},
       {"ode", [](double dt) { return make_ode_simulation("simulation", dt); }},
       {"ode.quick", [](double dt) { return make_ode_simulation("simulation_quick", dt); }},
+      {"simbody", make_simbody_simulation},
   };
   return all;
 }
@@ -82,7 +84,7 @@ int main(int argc, char** argv) {
   return run_comparison(argc, argv,
                         {"Simulators of named scenes, and the error that their time buys.",
                          "steps a second",
-                         {{64, 512, 4096}, names(), 5},
+                         {{64, 1024}, names(), 3},
                          names()},
                         run);
 }

@@ -14,13 +14,13 @@ using Maker = std::function<std::unique_ptr<oracle::Subject>()>;
 using Query = Answer<Trajectory> (oracle::Subject::*)(const Scene&);
 
 struct Outcome {
-  double seconds = 0;    ///< CPU time of the fastest run
+  double seconds = 0;    ///< CPU time of a run
   double error = 0;      ///< as the scene says
   double impacts = -1;   ///< −1: it tells none
   std::string left_out;  ///< why there is no figure; else empty
 };
 
-/// Runs up to `rounds` times, as long as all take less than a second together.
+/// A short run is repeated, `rounds` times long enough for the clock; the fastest counts.
 Outcome trial(const app::MotionScene& motion, const Maker& maker, Query query, int rounds);
 
 }  // namespace touchstone::bench
