@@ -21,8 +21,10 @@ struct FlightTruth {
 ///
 /// Requires a completed scene with a flight. Throws InputError if `time` is before the body's start, if a push of the
 /// body begins between the two (its motion then has more than one piece), or if a given inertia is not positive
-/// definite exactly. Error: enclosed; computed with 76 digits, so an end is within some ulps of the exact value. Cost:
-/// 0.1 ms; without two equal moments of inertia some ms for each radian of turn.
+/// definite exactly.
+/// Error: enclosed; an end is within some ulps of the exact value, as long as it is known at all.
+/// Gives up: a tumbling body (three different moments of inertia, not about a principal axis) is lost after some 20
+/// rad: its intervals are infinite then. Cost: 0.1 ms; 2 to 5 ms for each radian of tumbling.
 FlightTruth flown(const Scene& scene, std::size_t body, double time);
 
 }  // namespace touchstone::reference

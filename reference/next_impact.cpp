@@ -52,6 +52,7 @@ double radius(const Body& body, int part) { return core_of(body, part).radius; }
 
 Body moved(const Scene& scene, std::size_t index, double time) {
   const FlightTruth truth = flown(scene, index, time);
+  if (!std::isfinite(truth.R_WB[0][0].hi - truth.R_WB[0][0].lo)) throw Lost();
   const auto middle = [](const Interval& i) { return i.lo + (i.hi - i.lo) / 2; };
   const auto vec = [&](const std::array<Interval, 3>& v) { return Vec3(middle(v[0]), middle(v[1]), middle(v[2])); };
   const auto& q = truth.q_WB;

@@ -4,13 +4,19 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <stdexcept>
 
 #include "model/scene.h"
 #include "reference/time_of_impact.h"
 
 namespace touchstone::reference {
 
-/// The body at a time of its flight, to the nearest doubles or so.
+/// A tumbling body is not known any more (reference/flight.h).
+struct Lost : std::runtime_error {
+  Lost() : std::runtime_error("a tumbling body is not known any more") {}
+};
+
+/// The body at a time of its flight, to the nearest doubles or so. Throws Lost.
 Body moved(const Scene& scene, std::size_t body, double time);
 
 struct NextImpact {
@@ -20,7 +26,7 @@ struct NextImpact {
 
 /// Within half the envelope and approaching: proved apart by at least that, or not approaching, at all times before.
 /// Two that start nearer than that (they just had an impact, as a rule) and part may go apart and come back, or come
-/// nearer still: by a 64th of their gap. Requires two bodies in flight.
+/// nearer still: by a 64th of their gap. Requires two bodies in flight. Throws Lost.
 NextImpact next_impact(const Scene& pair, double envelope);
 
 /// Where the impulse acts, for two that stand as their poses say: the midpoint of their closest points, and of several

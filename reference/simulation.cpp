@@ -43,23 +43,31 @@ class Course {
   }
 
   Trajectory run() {
+    try {
+      follow();
+    } catch (const Lost&) {
+      trajectory_.complete_until = whole_until_;
+    }
+    return std::move(trajectory_);
+  }
+
+ private:
+  void follow() {
     for (int b = 1; b < bodies(); ++b) {
       for (int a = 0; a < b; ++a) look_ahead(a, b);
     }
     while (const std::optional<Due> due = next()) {
       look_until(due->time);
-      if (due->b < 0) {
-        push(*due);
-      } else if (!due->known || !strike(*due)) {
+      if (due->b >= 0 && (!due->known || !strike(*due))) {
         trajectory_.complete_until = due->time;
-        return trajectory_;
+        return;
       }
+      if (due->b < 0) push(*due);
+      whole_until_ = due->time;
     }
     look_until(now_.flight->times.back());
-    return trajectory_;
   }
 
- private:
   int bodies() const { return static_cast<int>(now_.bodies.size()); }
   Body& body(int i) { return now_.bodies[static_cast<std::size_t>(i)]; }
   double& since(int i) { return now_.flight->since[static_cast<std::size_t>(i)]; }
@@ -174,6 +182,7 @@ class Course {
       std::vector<State> states;
       for (int i = 0; i < bodies(); ++i)
         states.push_back(state_of(moved(alone({i}), 0, times[trajectory_.states.size()])));
+      whole_until_ = times[trajectory_.states.size()];
       trajectory_.states.push_back(std::move(states));
     }
   }
@@ -181,6 +190,7 @@ class Course {
   Scene now_;
   SimulationLimits limits_;
   int impacts_so_far_ = 0;
+  double whole_until_ = 0;
   std::vector<Due> impacts_, pushes_;
   Trajectory trajectory_;
 };

@@ -92,7 +92,8 @@ TimeOfImpactTruth closely(const Parts& parts, const Question& question) {
   const auto search = [&](const Float& from) { return encounter.search(from, question.end); };
   if (!question.poses_hold) {
     const Found<Float> found = search(question.from);
-    if (found.lo == question.from && question.only_meetings) refuse_overlap_to_rounding(question);
+    const bool known = isfinite(found.gap);  // else a tumbling body is lost
+    if (known && found.lo == question.from && question.only_meetings) refuse_overlap_to_rounding(question);
     return truth_of(found, parts, question.end);
   }
   const Standing there = standing(parts.A, parts.a, a, parts.B, parts.b, b, question.apart);

@@ -158,7 +158,21 @@ std::optional<Tumble::State> Tumble::tube(const State& y, const Float& h) const 
   return reached;
 }
 
+/// Is the enclosure of q or of ω so wide that it is of no use?
+bool Tumble::is_lost() const {
+  const auto lost = [&](std::size_t first, std::size_t last) {
+    Float size = 0, width = 0;
+    for (std::size_t i = first; i < last; ++i) {
+      size = greater(size, Float(abs(middle(now_[i]))));
+      width = greater(width, Float(upper(now_[i]) - lower(now_[i])));
+    }
+    return !(width <= size * Float(0x1p-30));
+  };
+  return lost(0, 4) || lost(4, 7);
+}
+
 bool Tumble::extend() {
+  if (is_lost()) return false;
   const RoundUpward rounding;
   Step step;
   step.begin = steps_.empty() ? Float(0) : steps_.back().end();

@@ -42,7 +42,7 @@ class Tumble {
 
  private:
   static constexpr std::size_t degree = 30, wide_orders = 14;
-  static constexpr std::size_t most_steps = 1000;  ///< some seconds; beyond them nothing is known
+  static constexpr std::size_t most_steps = 1000;  ///< some seconds
   using State = std::array<WideEnclosure, 7>;      ///< q, ω
   template <class E>
   using Series = std::array<std::array<E, 7>, degree + 1>;
@@ -68,6 +68,7 @@ class Tumble {
 
   static Float stride(const Series<Enclosure>& c);
   std::optional<State> tube(const State& y, const Float& h) const;
+  bool is_lost() const;
   bool extend();                          ///< by a step; false if there is none
   const Step* step_at(const Float& tau);  ///< none beyond the last
   template <class E>

@@ -145,6 +145,12 @@ TEST_CASE("The centre of mass falls; a fixed body turns about its origin") {
   CHECK(vec(flown(table, 0, 2).w_WB) == Vec3(1, 2, 3));
 }
 
+TEST_CASE("A tumbling body is lost in the end, and no number stands for what is not known") {
+  const Scene scene = spinning(Vec3(1, 2, 2.75).asDiagonal(), Vec3(1, 8, 2));
+  CHECK(widest(flown(scene, 0, 1)) < 1e-13);
+  CHECK(std::isinf(widest(flown(scene, 0, 16))));
+}
+
 TEST_CASE("A body has no place before its start") {
   Scene scene = spinning(Mat3::Identity(), Vec3::Zero());
   scene.flight->since = {1};

@@ -148,6 +148,15 @@ TEST_CASE("A push is an event of its own") {
   CHECK(said.states[1][0].X_WB.p_WB == Vec3(2, 0, 3));
 }
 
+TEST_CASE("A tumbling body that is lost ends it") {
+  Body block = body(Box{Vec3(1, 2, 3)});
+  block.velocity.w_WB = Vec3(1, 8, 2);
+  const Trajectory said = simulation(looked_at({block}, {0.5, 1, 16}));
+  REQUIRE(said.complete_until);
+  CHECK(*said.complete_until == 1);
+  CHECK(said.states.size() == 2);
+}
+
 TEST_CASE("Bodies that overlap at the start are refused") {
   CHECK_THROWS_AS(
       simulation(looked_at({ball(1, Vec3::Zero(), Vec3::Zero()), ball(1, Vec3(1, 0, 0), Vec3::Zero())}, {1})),
