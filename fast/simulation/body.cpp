@@ -35,7 +35,7 @@ Range swept(double p, double v, double a, double from, double until) {
 }  // namespace
 
 Mover::Mover(const Body& body, double since, const Vec3& gravity)
-    : material_(body.material), fixed_(std::holds_alternative<Fixed>(body.mass)), body_(&body) {
+    : fixed_(std::holds_alternative<Fixed>(body.mass)), material_(body.material), body_(&body) {
   const std::optional<MassProperties> mass = fast::mass(body);
   const auto* sphere = std::get_if<Sphere>(&body.shape);
   if (mass) inverse_mass_ = 1 / mass->mass;

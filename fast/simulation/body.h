@@ -83,13 +83,13 @@ class Mover {
   };
   Other& other() const;
 
-  // Many balls are many of these: what only few kinds need stands elsewhere.
-  Path path_;
+  // Many balls are many of these: what only few kinds need stands elsewhere, and what meetings need stands first.
   double radius_ = 0;
-  double inverse_mass_ = 0, inverse_moment_ = 0;
-  Material material_;
   Kind kind_ = Kind::other;
   bool fixed_ = false;
+  Path path_;
+  double inverse_mass_ = 0, inverse_moment_ = 0;
+  Material material_;
   const Body* body_;
   std::unique_ptr<const Block> block_;
   mutable std::unique_ptr<Other> other_;

@@ -129,7 +129,7 @@ void Loop::begin_frame() {
   }
   for (BodyId a = 0; a < bodies_.size(); ++a) {
     if (!moves(a)) continue;
-    for (const BodyId b : tiling_.near(a)) {
+    for (const BodyId b : near(a)) {
       if (!moves(b) || a < b) watch(std::min(a, b), std::max(a, b), 0);
     }
   }
@@ -342,8 +342,15 @@ void Loop::file(BodyId id) {
   tiling_.file(id, bodies_[id].box(from, std::max(from, frame_end_), envelope_));
 }
 
+/// Whom the body's box intersects; their paths are asked for at once, so that none is waited for alone.
+std::span<const BodyId> Loop::near(BodyId id) {
+  const std::span<const BodyId> found = tiling_.near(id);
+  for (const BodyId other : found) __builtin_prefetch(&bodies_[other]);
+  return found;
+}
+
 void Loop::watch_all(BodyId id, BodyId but) {
-  for (const BodyId other : tiling_.near(id)) {
+  for (const BodyId other : near(id)) {
     if (other != but) watch(std::min(id, other), std::max(id, other), now_);
   }
 }

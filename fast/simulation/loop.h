@@ -52,6 +52,7 @@ class Loop {
   double start(BodyId id) const;
   void begin_anew(BodyId id);
   void file(BodyId id);
+  std::span<const BodyId> near(BodyId id);
   void watch(BodyId a, BodyId b, double from);
   void watch_all(BodyId id, BodyId but);
   void set_out(BodyId id, const State& state);

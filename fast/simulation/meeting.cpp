@@ -1,7 +1,9 @@
 #include "fast/simulation/meeting.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 
 #include "fast/lin_canny/nearest_parts.h"
 #include "fast/time_of_impact.h"
@@ -118,9 +120,9 @@ bool has_closed_form(const Mover& a, const Mover& b) {
 }
 
 double clearance(const Mover& a, const Mover& b, double t, double envelope) {
-  int exponent = 0;
-  std::frexp(rounding(a, t) + rounding(b, t), &exponent);
-  return std::min(envelope / 2, std::ldexp(1, exponent));
+  constexpr std::uint64_t exponent = 0x7ff0000000000000;
+  const double sum = rounding(a, t) + rounding(b, t);
+  return std::min(envelope / 2, 2 * std::bit_cast<double>(std::bit_cast<std::uint64_t>(sum) & exponent));
 }
 
 Touch touch(const Mover& a, const Mover& b, double t, Memory& memory) {

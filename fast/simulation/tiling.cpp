@@ -93,7 +93,7 @@ std::size_t Tiling::look(const Level& level, const Aabb& box, std::size_t size) 
       for (std::int64_t x = 0; x < count[0]; ++x) {
         const Cell& cell = level.cells[index(from[0] + x, from[1] + y, from[2] + z)];
         if (size + room > found_.size()) found_.resize(2 * size + 64);
-        std::copy_n(cell.bodies, room, found_.data() + size);  // all of the room, whatever is in it: no branch
+        for (std::uint32_t i = 0; i < room; ++i) found_[size + i] = cell.bodies[i];  // all of the room: no branch
         size += cell.count;
         for (std::uint32_t id = cell.more; id != nobody; id = place_[id].after) {
           if (size == found_.size()) found_.resize(2 * size);

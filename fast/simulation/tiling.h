@@ -30,7 +30,7 @@ class Tiling {
   static constexpr std::uint32_t nobody = 0xffffffff;
   static constexpr int levels = 64;
   static constexpr int middle = 24;  ///< the level of the given cell
-  static constexpr std::size_t few = 16;
+  static constexpr std::size_t few = 48;
   static constexpr std::uint32_t room = 6;  ///< so that a cell is half a line of memory
 
   struct Place {
