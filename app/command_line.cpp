@@ -152,17 +152,14 @@ void add_seed(CLI::App& command, std::uint64_t& seed) {
 }
 
 /// CLI11's own ranges let NaN pass.
-std::string within_a_day(const std::string& word) {
+std::string seconds_up_to(double most, const std::string& word) {
   double seconds = 0;
-  const bool right = CLI::detail::lexical_cast(word, seconds) && seconds > 0 && seconds <= 86400;
-  return right ? "" : "expected seconds, above 0 and at most 86400, found " + word;
+  const bool right = CLI::detail::lexical_cast(word, seconds) && seconds > 0 && seconds <= most;
+  return right ? "" : fmt::format("expected seconds, above 0 and at most {}, found {}", most, word);
 }
 
-std::string within_an_age(const std::string& word) {
-  double seconds = 0;
-  const bool right = CLI::detail::lexical_cast(word, seconds) && seconds > 0 && seconds <= 1e9;
-  return right ? "" : "expected seconds, above 0 and at most 1e9, found " + word;
-}
+std::string within_a_day(const std::string& word) { return seconds_up_to(86400, word); }
+std::string within_an_age(const std::string& word) { return seconds_up_to(1e9, word); }
 
 void add_time_limit(CLI::App& command, double& seconds) {
   command.add_option("--time-limit", seconds, "CPU seconds that a subject may take for one question")

@@ -19,15 +19,21 @@ constexpr const char* head = R"(# Simulations: error and time
 
 ![error against time, log-log, a panel a scene, a point for each step](simulation.svg)
 
-A scene is simulated to its end, in one process alone; CPU time of the fastest run, on a machine that others were using too. The error is that of the
+A scene is simulated to its end, each run in a process of its own; CPU time, short runs repeated, on a machine that others were using too. The error is that of the
 scene's own truth, the worst of all its looks: a share of a length or an energy. *impacts*: those that `fast` resolved one by one. Engines that step were
-run with several steps a second; here stands the run with the least error.
+run with several steps a second; here stands the run with the least error. An empty cell: it was not run.
 )";
 
 const MotionScene* motion_of(const std::string& name) {
   const auto found =
       std::ranges::find_if(motion_scenes(), [&](const MotionScene& motion) { return motion.scene.name == name; });
   return found == motion_scenes().end() ? nullptr : &*found;
+}
+
+/// In a table's cell a bar would end it.
+std::string in_cell(std::string text) {
+  for (std::size_t at = 0; (at = text.find('|', at)) != std::string::npos; at += 2) text.insert(at, 1, '\\');
+  return text;
 }
 
 std::string figure(const WorkPrecision& row) {
@@ -61,7 +67,7 @@ std::vector<std::string> peers_of(const std::vector<WorkPrecision>& rows) {
 std::string scene_line(const Rows& rows, const std::string& impacts, const std::vector<std::string>& peers) {
   const std::string& scene = rows.front()->workload;
   const MotionScene* motion = motion_of(scene);
-  std::string line = fmt::format("| `{}`: {} ", scene, motion != nullptr ? motion->truth : "");
+  std::string line = fmt::format("| `{}`: {} ", scene, motion != nullptr ? in_cell(motion->truth) : "");
   for (const std::string name : {"fast", "fast.constraint"}) {
     const Rows some = named(rows, name);
     line += "| " + (some.empty() ? "" : figure(best(some))) + (name == "fast" ? " | " + impacts : "") + " ";

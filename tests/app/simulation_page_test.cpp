@@ -23,6 +23,10 @@ TEST_CASE("simulation page: a scene's row has its truth, our figures and the bes
   CHECK(has(page, "Nowhere."));
 }
 
+TEST_CASE("simulation page: a truth with bars stays in its cell") {
+  CHECK(has(simulation_page(head + "rough_ball,0,fast,ours,1000,,0,,4\n"), "m\\|u_n\\|"));
+}
+
 TEST_CASE("simulation page: who is faster or nearer to the truth is named, and who is left out says why") {
   const std::string page = simulation_page(head +
                                            "heap,0,fast,ours,2000000,,1e-3,,12\n"
