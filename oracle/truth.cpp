@@ -3,6 +3,7 @@
 #include <list>
 #include <utility>
 
+#include "model/input_error.h"
 #include "reference/broad_phase.h"
 #include "reference/convex_hull.h"
 #include "reference/validity.h"
@@ -71,6 +72,35 @@ const reference::PenetrationTruth& penetration(const Scene& scene) {
 const reference::ImpulseTruth& impulse(const Scene& scene) {
   thread_local Memory<reference::ImpulseTruth> memory;
   return memory.of(scene, [](const Scene& s) { return reference::impulse(s, reference::Digits::some); });
+}
+
+const ConstraintOrWhy& constraint(const Scene& scene) {
+  thread_local Memory<ConstraintOrWhy> memory;
+  return memory.of(scene, [](const Scene& s) -> ConstraintOrWhy {
+    try {
+      return reference::constraint(s);
+    } catch (const InputError& outside) {
+      return outside.what();
+    }
+  });
+}
+
+const reference::TimeOfImpactTruth& time_of_impact(const Scene& scene) {
+  thread_local Memory<reference::TimeOfImpactTruth, remembered_flights> memory;
+  return memory.of(scene, [](const Scene& s) { return reference::time_of_impact(s); });
+}
+
+// Remembered by the scene as it is asked: that body alone, looked at at that time.
+const reference::FlightTruth& flown(const Scene& scene, std::size_t body, double time) {
+  thread_local Memory<reference::FlightTruth, remembered_flights> memory;
+  Scene question = scene;
+  question.name = std::to_string(body);
+  question.flight->times = {time};
+  return memory.of(question, [&](const Scene&) { return reference::flown(scene, body, time); });
+}
+
+reference::TimeOfImpactTruth time_of_distance(const Scene& scene, double apart) {
+  return reference::time_of_distance(scene, apart);
 }
 
 const Pixels& pixel(const Scene& scene) {

@@ -3,11 +3,14 @@
 // The door through which properties and generators reach the reference; plain values and exact value types only.
 #pragma once
 
+#include <string>
+#include <variant>
 #include <vector>
 
 #include "model/scene.h"
 #include "reference/bounds.h"
 #include "reference/broad_phase.h"
+#include "reference/constraint.h"
 #include "reference/distance.h"
 #include "reference/impulse.h"
 #include "reference/mass.h"
@@ -28,6 +31,10 @@ const PairHistory& pair_history(const Scene& film);
 const reference::DistanceTruth& distance(const Scene& scene);
 const reference::PenetrationTruth& penetration(const Scene& scene);
 const reference::ImpulseTruth& impulse(const Scene& scene);
+
+/// Or why the scene is outside.
+using ConstraintOrWhy = std::variant<reference::ConstraintTruth, std::string>;
+const ConstraintOrWhy& constraint(const Scene& scene);
 
 const Pixels& pixel(const Scene& scene);
 

@@ -9,6 +9,7 @@
 #include "oracle/impact.h"
 #include "oracle/precision.h"
 #include "oracle/tolerance.h"
+#include "oracle/tolerance_constraint.h"
 #include "oracle/truth.h"
 #include "properties/domain.h"
 
@@ -264,6 +265,30 @@ std::vector<Class> with_kinds_of_body(std::vector<Class> classes) {
   return classes;
 }
 
+void constraint_classes(const Scene& scene, Names& names) {
+  using Truth = reference::ConstraintTruth;
+  const auto* truth = std::get_if<Truth>(&oracle::truth::constraint(scene));
+  if (truth == nullptr) {
+    names.push_back("laws alone");
+    return;
+  }
+  const auto mode = [&](Truth::Mode m) {
+    names.push_back(m == Truth::Mode::rolls ? "rolls" : m == Truth::Mode::slides ? "slides" : "flies");
+  };
+  mode(truth->mode);
+  int impacts = 0;
+  for (const Truth::Change& change : truth->changes) {
+    mode(change.mode);
+    if (change.kind == Event::Kind::release) names.push_back("a contact ends");
+    if (change.kind == Event::Kind::impact) ++impacts;
+    if (change.kind == Event::Kind::contact && change.rate > 0) names.push_back("slip stops");
+  }
+  if (impacts > 0) names.push_back("an impact");
+  if (impacts > 2) names.push_back("three impacts or more");
+  const auto sure = oracle::tolerance::rolling(scene, *truth, Precision::binary64).size();
+  names.push_back(sure == scene.flight->times.size() ? "sure to the end" : "not sure to the end");
+}
+
 }  // namespace
 
 std::vector<std::string> classes_of(const Scene& scene, const std::string& stem) {
@@ -275,6 +300,7 @@ std::vector<std::string> classes_of(const Scene& scene, const std::string& stem)
   if (stem == "broad_phase") broad_phase_classes(scene, names);
   if (stem == "pixel" && scene.raster && scene.bodies.size() == 2) pixel_classes(scene, names);
   if (stem == "impulse" && scene.contact) impulse_classes(scene, names);
+  if (stem == "constraint" && scene.flight) constraint_classes(scene, names);
   if (oracle::exact_in(scene, Precision::binary32)) names.push_back("binary32");
   std::ranges::sort(names);
   names.erase(std::unique(names.begin(), names.end()), names.end());
@@ -342,7 +368,40 @@ const std::vector<Class>& classes(const std::string& stem) {
                                              {"one body fixed", 0.2},
                                              {"no body fixed", 0.2},
                                              {"binary32", 0.5}};
+  static const std::vector<Class> constraint = {{"rolls", 0.2},
+                                                {"slides", 0.2},
+                                                {"flies", 0.2},
+                                                {"slip stops", 0.1},
+                                                {"a contact ends", 0.1},
+                                                {"an impact", 0.2},
+                                                {"three impacts or more", 0.01},
+                                                {"sure to the end", 0.3},
+                                                {"laws alone", 0.1},
+                                                {"binary32", 0.1}};
+  static const std::vector<Class> flights = {{"hit", 0.3},
+                                             {"miss", 0.15},
+                                             {"hit at the start", 0.01},
+                                             {"gravity", 0.1},
+                                             {"pushes", 0.03},
+                                             {"one body fixed", 0.08},
+                                             {"spins", 0.2},
+                                             {"a ball", 0.1},
+                                             {"a polytope", 0.1},
+                                             {"starts of their own", 0.03},
+                                             {"binary32", 0.5}};
+  static const std::vector<Class> runs = {{"gravity", 0.15},
+                                          {"pushes", 0.03},
+                                          {"one body fixed", 0.1},
+                                          {"spins", 0.2},
+                                          {"a ball", 0.3},
+                                          {"a polytope", 0.1},
+                                          {"one or two bodies", 0.15},
+                                          {"three bodies or more", 0.2},
+                                          {"elastic", 0.1},
+                                          {"friction", 0.2},
+                                          {"binary32", 0.5}};
   if (stem == "impulse") return impulse;
+  if (stem == "constraint") return constraint;
   if (stem == "mass") return mass;
   if (stem == "bounds") return bounds;
   if (stem == "broad_phase") return broad_phase;

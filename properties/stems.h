@@ -16,5 +16,6 @@ std::vector<Property> penetration_properties();
 std::vector<Property> pixel_properties();
 std::vector<Property> impulse_properties();
 std::vector<Property> impulse_law_properties();
+std::vector<Property> constraint_properties();
 
 }  // namespace touchstone::properties

@@ -41,6 +41,7 @@ std::vector<Canary> canaries_about_films();
 std::vector<Canary> canaries_about_mass();
 std::vector<Canary> canaries_about_impacts();
 std::vector<Canary> canaries_about_pixels();
+std::vector<Canary> canaries_about_constraints();
 std::vector<Canary> canaries_about_anything();
 
 /// Calls f on a query's plain answer; nothing if there is none.

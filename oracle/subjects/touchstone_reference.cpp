@@ -1,15 +1,20 @@
 #include "oracle/subjects/touchstone_reference.h"
 
 #include <cmath>
+#include <utility>
 
+#include "model/input_error.h"
 #include "oracle/subjects/engine.h"
 #include "reference/bounds.h"
 #include "reference/broad_phase.h"
+#include "reference/constraint.h"
 #include "reference/distance.h"
 #include "reference/impulse.h"
 #include "reference/mass.h"
 #include "reference/penetration.h"
 #include "reference/pixel.h"
+#include "reference/simulation.h"
+#include "reference/time_of_impact.h"
 
 namespace touchstone::oracle::subjects {
 namespace {
@@ -68,6 +73,39 @@ double error_of(const reference::ImpulseTruth& truth, const Vec3& P) {
   }
   const double rounding = square.sqrt_enclosure().hi;
   return truth.error == 0 ? rounding : std::nextafter(rounding + truth.error, INFINITY);
+}
+
+Vec3 middle(const std::array<Interval, 3>& v) { return {middle(v[0]), middle(v[1]), middle(v[2])}; }
+
+State state_of(const reference::BallTruth& truth, const Body& ball) {
+  return {{middle(truth.p_WB), ball.X_WB.q_WB}, {middle(truth.v_WB), middle(truth.w_WB)}};
+}
+
+/// The pair's lower index is A.
+Event event_of(const reference::ConstraintTruth::Change& change, const Scene& scene, int ball) {
+  const Body& other = scene.bodies[static_cast<std::size_t>(change.other)];
+  Event event{change.kind, middle(change.time), ball, change.other, change.p_WC, change.nhat_W, change.P_W,
+              state_of(change.after, scene.bodies[static_cast<std::size_t>(ball)]), {other.X_WB, other.velocity}};
+  if (ball < change.other) return event;
+  std::swap(event.a, event.b);
+  std::swap(event.after_a, event.after_b);
+  event.nhat_BA_W = -event.nhat_BA_W;
+  event.P_A_W = -event.P_A_W;
+  return event;
+}
+
+Trajectory trajectory_of(const reference::ConstraintTruth& truth, const Scene& scene) {
+  Trajectory said;
+  const auto ball = static_cast<std::size_t>(truth.ball);
+  for (const reference::BallTruth& at : truth.states) {
+    std::vector<State> states;
+    for (const Body& body : scene.bodies) states.push_back({body.X_WB, body.velocity});
+    states[ball] = state_of(at, scene.bodies[ball]);
+    said.states.push_back(std::move(states));
+  }
+  said.events.emplace();
+  for (const auto& change : truth.changes) said.events->push_back(event_of(change, scene, truth.ball));
+  return said;
 }
 
 class Reference : public Subject {
@@ -139,14 +177,36 @@ class Reference : public Subject {
     return said;
   }
 
+  Answer<Trajectory> constraint(const Scene& scene) override {
+    try {
+      return trajectory_of(reference::constraint(scene), scene);
+    } catch (const InputError& outside) {
+      return Abstains{outside.what()};
+    }
+  }
+
   Answer<Pixels> pixel(const Scene& scene) override { return reference::pixel(scene); }
+
+  Answer<TimeOfImpact> time_of_impact(const Scene& scene) override {
+    const reference::TimeOfImpactTruth truth = reference::time_of_impact(scene);
+    TimeOfImpact said;
+    said.meeting = truth.meeting;
+    if (truth.meeting == TimeOfImpact::Meeting::hit) said.time = middle(truth.time);
+    if (truth.meeting != TimeOfImpact::Meeting::miss) said.enclosure = truth.time;
+    if (truth.meeting == TimeOfImpact::Meeting::undecided) said.gap = truth.gap;
+    return said;
+  }
+
+  Answer<Trajectory> simulation(const Scene& scene) override { return reference::simulation(scene); }
 
  private:
   const Card card_{
       .name = "reference",
       .version = "0.1.0",
       .precision = Precision::exact,
-      .answers = {"mass", "bounds", "broad_phase", "pair_history", "distance", "penetration", "impulse", "pixel"},
+      .answers = {"mass", "bounds", "broad_phase", "pair_history", "distance", "penetration", "impulse", "pixel",
+                  "time_of_impact", "simulation",
+                  "constraint"},
       .knows_touching = true,
       .about = "Touchstone's exact reference, results rounded to doubles",
       .homepage = "",

@@ -29,6 +29,13 @@ class Truthful : public oracle::Subject {
     return asked.emplace_back(scene, reference_->impulse(scene)).second;
   }
 
+  Answer<Trajectory> constraint(const Scene& scene) override {
+    static std::vector<std::pair<Scene, Answer<Trajectory>>> asked;
+    const auto found = std::ranges::find(asked, scene, &std::pair<Scene, Answer<Trajectory>>::first);
+    if (found != asked.end()) return found->second;
+    return asked.emplace_back(scene, reference_->constraint(scene)).second;
+  }
+
  private:
   const std::unique_ptr<oracle::Subject> reference_ = oracle::subjects::make_reference();
 };

@@ -194,10 +194,13 @@ const std::vector<Scene>& impacts() {
   return all;
 }
 
-const std::vector<Scene>& scenes_of(const std::string& stem) { return stem == "impulse" ? impacts() : scenes(); }
+const std::vector<Scene>& scenes_of(const std::string& stem) {
+  if (stem == "constraint") return tables();
+  return stem == "impulse" ? impacts() : scenes();
+}
 
 const Scene& scene(const std::string& name) {
-  for (const auto* some : {&scenes(), &impacts()}) {
+  for (const auto* some : {&scenes(), &impacts(), &tables()}) {
     const auto found = std::ranges::find(*some, name, &Scene::name);
     if (found != some->end()) return *found;
   }

@@ -12,6 +12,8 @@ namespace touchstone::tests {
 const std::vector<Scene>& scenes();
 /// Two bodies that meet.
 const std::vector<Scene>& impacts();
+/// Balls on tables.
+const std::vector<Scene>& tables();
 /// Those that a stem's properties are shown on: impacts for "impulse", scenes for the others.
 const std::vector<Scene>& scenes_of(const std::string& stem);
 /// Of all of them.

@@ -1,0 +1,287 @@
+// docs/spec/constraint.md, as sentences that run.
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "oracle/tolerance_impulse.h"
+#include "oracle/words.h"
+#include "properties/motion.h"
+#include "properties/rolling_case.h"
+#include "properties/stems.h"
+
+namespace touchstone::properties {
+namespace {
+
+using oracle::Defect;
+using oracle::Finding;
+using oracle::Subject;
+namespace judge = oracle::judge;
+namespace tolerance = oracle::tolerance;
+using oracle::words::text;
+
+judge::Allowance metres(double bound) { return {bound, 1, "m"}; }
+judge::Allowance metres_per_second(double bound) { return {bound, 1, "m/s"}; }
+
+std::string text_of(const std::array<Interval, 3>& v) {
+  return text(
+      Vec3(v[0].lo + (v[0].hi - v[0].lo) / 2, v[1].lo + (v[1].hi - v[1].lo) / 2, v[2].lo + (v[2].hi - v[2].lo) / 2));
+}
+
+std::string at(const Scene& scene, std::size_t look) { return " at " + text(scene.flight->times[look]) + " s"; }
+
+/// The worst over the looks; the first failure ends it.
+template <class JudgeLook>
+Finding each_look(const RollingCase& asked, JudgeLook&& judge_look) {
+  Finding worst = judge::outside("a change may be at each of the looks");
+  for (std::size_t i = 0; i < asked.looks(); ++i) {
+    const Finding finding = judge_look(i);
+    if (finding.outcome == oracle::Outcome::outside) continue;
+    if (finding.outcome != oracle::Outcome::holds) return finding;
+    if (worst.outcome == oracle::Outcome::outside || finding.error > worst.error) worst = finding;
+  }
+  return worst;
+}
+
+Finding place(const Scene& scene, Subject& subject) {
+  return of_rolling(scene, subject, [](const RollingCase& asked) {
+    return each_look(asked, [&](std::size_t i) {
+      const Vec3& p = asked.ball(i).X_WB.p_WB;
+      return judge::at_most(
+          off(p, asked.exact(i).p_WB), metres(asked.bounds[i].place), Defect::wrong_motion,
+          [&] { return "the ball's centre is " + text(p) + at(asked.scene, i); },
+          [&] { return text_of(asked.exact(i).p_WB); });
+    });
+  });
+}
+
+Finding velocity(const Scene& scene, Subject& subject) {
+  return of_rolling(scene, subject, [](const RollingCase& asked) {
+    return each_look(asked, [&](std::size_t i) {
+      if (!asked.bounds[i].settled) return judge::outside("a change may be at the look");
+      const Velocity& V = asked.ball(i).velocity;
+      const double error =
+          std::max(off(V.v_WBcm, asked.exact(i).v_WB), asked.radius() * off(V.w_WB, asked.exact(i).w_WB));
+      return judge::at_most(
+          error, metres_per_second(asked.bounds[i].speed), Defect::wrong_velocity,
+          [&] { return "v = " + text(V.v_WBcm) + ", w = " + text(V.w_WB) + at(asked.scene, i); },
+          [&] { return "v = " + text_of(asked.exact(i).v_WB) + ", w = " + text_of(asked.exact(i).w_WB); });
+    });
+  });
+}
+
+std::string text_of(const std::set<std::pair<int, int>>& pairs) {
+  std::string all;
+  for (const auto& [a, b] : pairs) all += " (" + std::to_string(a) + ", " + std::to_string(b) + ")";
+  return all.empty() ? "no contact" : "contact of" + all;
+}
+
+Finding contacts(const Scene& scene, Subject& subject) {
+  return of_rolling(scene, subject, [](const RollingCase& asked) {
+    if (!asked.said.events) return judge::silent("its events");
+    std::vector<Event> exact;
+    for (const auto& change : asked.truth.changes) {
+      Event event;
+      event.kind = change.kind;
+      event.time = change.time.hi;
+      event.a = std::min(asked.truth.ball, change.other);
+      event.b = std::max(asked.truth.ball, change.other);
+      exact.push_back(std::move(event));
+    }
+    return each_look(asked, [&](std::size_t i) {
+      if (!asked.bounds[i].settled) return judge::outside("a change may be at the look");
+      const double time = asked.scene.flight->times[i];
+      const auto said = in_contact(*asked.said.events, time), truth = in_contact(exact, time);
+      if (said == truth) return judge::holds();
+      return judge::wrong(said.size() < truth.size() ? Defect::missed : Defect::phantom,
+                          text_of(said) + at(asked.scene, i), text_of(truth));
+    });
+  });
+}
+
+Scene as_at(Scene scene, const std::vector<State>& states) {
+  for (std::size_t i = 0; i < states.size(); ++i) scene.bodies[i].X_WB = states[i].X_WB;
+  return scene;
+}
+
+Finding apart(const Scene& scene, Subject& subject) {
+  return of_steps(scene, subject, [&](const Trajectory& said) {
+    if (said.states.empty()) return judge::silent("any look");
+    const double bound = tolerance::sunk(scene);
+    Finding worst;
+    // The last look: what has sunk stays sunk.
+    const Scene end = as_at(scene, said.states.back());
+    for (std::size_t a = 0; a < end.bodies.size(); ++a) {
+      for (std::size_t b = a + 1; b < end.bodies.size(); ++b) {
+        if (std::holds_alternative<Fixed>(end.bodies[a].mass) && std::holds_alternative<Fixed>(end.bodies[b].mass)) {
+          continue;
+        }
+        Scene pair;
+        pair.bodies = {end.bodies[a], end.bodies[b]};
+        const Interval depth = oracle::truth::distance(pair).verdict == Verdict::overlapping
+                                   ? oracle::truth::penetration(pair).depth
+                                   : Interval{0, 0};
+        const Finding finding = judge::at_most(
+            depth.lo, metres(bound), Defect::overdeep,
+            [&] {
+              return "bodies " + std::to_string(a) + " and " + std::to_string(b) + " overlap by " + text(depth.lo) +
+                     " m" + at(scene, said.states.size() - 1);
+            },
+            [] { return std::string("they touch at most"); });
+        if (finding.outcome == oracle::Outcome::fails) return finding;
+        if (finding.error >= worst.error) worst = finding;
+      }
+    }
+    return worst;
+  });
+}
+
+/// Kinetic and potential, J.
+double energy(const Scene& scene, const std::vector<State>& states) {
+  double sum = 0;
+  const auto& masses = oracle::truth::mass(scene);
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    if (!masses[i]) continue;
+    const auto middle = [](const Interval& x) { return x.lo + (x.hi - x.lo) / 2; };
+    const auto& m = *masses[i];
+    Mat3 I;
+    const double xy = middle(m.I_BBcm_B[3]), xz = middle(m.I_BBcm_B[4]), yz = middle(m.I_BBcm_B[5]);
+    I << middle(m.I_BBcm_B[0]), xy, xz, xy, middle(m.I_BBcm_B[1]), yz, xz, yz, middle(m.I_BBcm_B[2]);
+    const Quaternion& q = states[i].X_WB.q_WB;
+    const Eigen::Quaterniond turn = Eigen::Quaterniond(q.w, q.x, q.y, q.z).normalized();
+    const Vec3 w = turn.conjugate() * states[i].velocity.w_WB, v = states[i].velocity.v_WBcm;
+    const Vec3 p = turn * Vec3(middle(m.p_BBcm[0]), middle(m.p_BBcm[1]), middle(m.p_BBcm[2])) + states[i].X_WB.p_WB;
+    sum += middle(m.mass) * (v.squaredNorm() / 2 - scene.gravity.dot(p)) + w.dot(I * w) / 2;
+  }
+  return sum;
+}
+
+Finding energy_falls(const Scene& scene, Subject& subject) {
+  return of_steps(scene, subject, [&](const Trajectory& said) {
+    for (const Body& body : scene.bodies) {
+      const bool moves = std::holds_alternative<Fixed>(body.mass) && body.velocity != Velocity{};
+      if (moves || !scene.flight->pushes.empty()) return judge::outside("something from outside does work");
+    }
+    std::vector<State> before;
+    for (const Body& body : scene.bodies) before.push_back({body.X_WB, body.velocity});
+    const double allowed = tolerance::energy_of_steps(scene);
+    double last = energy(scene, before);
+    const double rounding = 0x1p-40 * (std::abs(last) + allowed);
+    Finding worst;
+    for (std::size_t i = 0; i < said.states.size(); ++i) {
+      const double now = energy(scene, said.states[i]);
+      const Finding finding = judge::at_most(
+          std::max(0.0, now - last), {allowed + rounding, 1, "J"}, Defect::wrong_energy,
+          [&] { return "energy rises by " + text(now - last) + " J" + at(scene, i); },
+          [] { return std::string("it never rises"); });
+      if (finding.outcome == oracle::Outcome::fails) return finding;
+      if (finding.error > worst.error) worst = finding;
+      last = now;
+    }
+    return worst;
+  });
+}
+
+Finding cone(const Scene& scene, Subject& subject) {
+  return of_steps(scene, subject, [&](const Trajectory& said) {
+    if (!said.events) return judge::silent("its events");
+    Finding worst = judge::outside("no event");
+    for (const Event& event : *said.events) {
+      const auto body = [&](int i) -> const Body& { return scene.bodies[static_cast<std::size_t>(i)]; };
+      const double mu = std::min(body(event.a).material.friction, body(event.b).material.friction);
+      const double P_n = event.nhat_BA_W.dot(event.P_A_W), size = event.P_A_W.norm();
+      const double P_t = (event.P_A_W - P_n * event.nhat_BA_W).norm();
+      const double beyond = std::max({-P_n, P_t - mu * P_n, 0.0});
+      const oracle::Real impulse = size, friction = mu;
+      const Finding finding = judge::at_most(
+          beyond, {4 * tolerance::cone(impulse, friction, subject.card().precision), 1, "N s"},
+          P_n < 0 ? Defect::pulls : Defect::beyond_cone,
+          [&] { return "P_n = " + text(P_n) + ", |P_t| = " + text(P_t) + " at " + text(event.time) + " s"; },
+          [&] { return "P_n ≥ 0 and |P_t| ≤ " + text(mu) + " P_n"; });
+      if (finding.outcome == oracle::Outcome::fails) return finding;
+      if (worst.outcome == oracle::Outcome::outside || finding.error > worst.error) worst = finding;
+    }
+    return worst;
+  });
+}
+
+Finding fixed(const Scene& scene, Subject& subject) {
+  return of_steps(scene, subject, [&](const Trajectory& said) {
+    Finding finding = judge::outside("no body is fixed and at rest");
+    for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
+      const Body& body = scene.bodies[k];
+      if (!std::holds_alternative<Fixed>(body.mass) || body.velocity != Velocity{}) continue;
+      finding = judge::holds();
+      for (const std::vector<State>& states : said.states) {
+        const bool stays = states[k].X_WB.p_WB == body.X_WB.p_WB && states[k].velocity == body.velocity;
+        if (!stays) return judge::wrong(Defect::drifts, "a fixed body moves", "it stays where it is");
+      }
+    }
+    return finding;
+  });
+}
+
+/// The answer to the moved question, moved back, against the answer; each may be off by its bound.
+template <class Back>
+Finding covariant(const Scene& scene, const std::optional<Scene>& moved, Subject& subject, Back&& back) {
+  return of_rolling(scene, subject, [&](const RollingCase& asked) {
+    return of_moved(moved, subject, [&](const Scene& other) {
+      return judge::given(subject.constraint(other), [&](const Trajectory& said) {
+        if (!fault_of_steps(other, said).empty()) return judge::outside("not a trajectory; see constraint.survives");
+        return each_look(asked, [&](std::size_t i) {
+          if (i >= said.states.size()) return judge::outside("not so far");
+          const Vec3 p = asked.ball(i).X_WB.p_WB;
+          const Vec3 q = back(said.states[i][static_cast<std::size_t>(asked.truth.ball)].X_WB.p_WB);
+          return judge::at_most((p - q).norm(), metres(2 * asked.bounds[i].place), Defect::moved_with_frame,
+                                [&] { return text(q) + ", moved back," + at(asked.scene, i); },
+                                [&] { return text(p); });
+        });
+      });
+    });
+  });
+}
+
+Finding moved(const Scene& scene, Subject& subject) {
+  const std::optional<Scene> other = translated(scene);
+  const Vec3 by = other ? translation_between(scene, *other) : Vec3::Zero();
+  return covariant(scene, other, subject, [&](const Vec3& p) { return Vec3(p - by); });
+}
+
+Finding turned_world(const Scene& scene, Subject& subject) {
+  return covariant(scene, turned(scene), subject, [](const Vec3& p) { return turned(turned(p)); });
+}
+
+Finding survives_any(const Scene& scene, Subject& subject) {
+  if (!scene.flight) return judge::outside("no flight");
+  return of_scene(scene, subject, [&] {
+    return survives<Trajectory>(&Subject::constraint, scene, subject,
+                                [&](const Trajectory& said) { return fault_of_steps(scene, said); });
+  });
+}
+
+Finding repeats_itself(const Scene& scene, Subject& subject) {
+  if (!scene.flight) return judge::outside("no flight");
+  Scene another = scene;
+  another.gravity *= 0.5;
+  return of_scene(scene, subject, [&] { return repeats<Trajectory>(&Subject::constraint, scene, another, subject); });
+}
+
+}  // namespace
+
+std::vector<Property> constraint_properties() {
+  const std::string stem = "constraint";
+  return {
+      {"constraint.agrees", stem, {"TS-CONSTRAINT-1"}, "The ball is where it is.", place},
+      {"constraint.velocity", stem, {"TS-CONSTRAINT-2"}, "It moves and spins as it does.", velocity},
+      {"constraint.contacts", stem, {"TS-CONSTRAINT-3"}, "It touches what it touches.", contacts},
+      {"constraint.fixed", stem, {"TS-CONSTRAINT-4"}, "Fixed bodies stay where they are.", fixed},
+      {"constraint.moved", stem, {"TS-CONSTRAINT-5"}, "The world moves, the ball with it.", moved},
+      {"constraint.turned", stem, {"TS-CONSTRAINT-5"}, "The world turns, the ball with it.", turned_world},
+      {"constraint.apart", stem, {"TS-CONSTRAINT-6"}, "Bodies do not sink into each other.", apart},
+      {"constraint.energy", stem, {"TS-CONSTRAINT-7"}, "Energy never rises.", energy_falls},
+      {"constraint.cone", stem, {"TS-CONSTRAINT-8"}, "Contacts push, and friction is in its cone.", cone},
+      {"constraint.survives", stem, {"TS-CONSTRAINT-9"}, "An answer comes, finite and whole.", survives_any},
+      {"constraint.repeats", stem, {"TS-CONSTRAINT-10"}, "The same scene, the same answer.", repeats_itself},
+  };
+}
+
+}  // namespace touchstone::properties
