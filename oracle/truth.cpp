@@ -85,24 +85,6 @@ const ConstraintOrWhy& constraint(const Scene& scene) {
   });
 }
 
-const reference::TimeOfImpactTruth& time_of_impact(const Scene& scene) {
-  thread_local Memory<reference::TimeOfImpactTruth, remembered_flights> memory;
-  return memory.of(scene, [](const Scene& s) { return reference::time_of_impact(s); });
-}
-
-// Remembered by the scene as it is asked: that body alone, looked at at that time.
-const reference::FlightTruth& flown(const Scene& scene, std::size_t body, double time) {
-  thread_local Memory<reference::FlightTruth, remembered_flights> memory;
-  Scene question = scene;
-  question.name = std::to_string(body);
-  question.flight->times = {time};
-  return memory.of(question, [&](const Scene&) { return reference::flown(scene, body, time); });
-}
-
-reference::TimeOfImpactTruth time_of_distance(const Scene& scene, double apart) {
-  return reference::time_of_distance(scene, apart);
-}
-
 const Pixels& pixel(const Scene& scene) {
   thread_local Memory<Pixels> memory;
   return memory.of(scene, [](const Scene& s) { return reference::pixel(s); });
