@@ -432,6 +432,10 @@ void Slide<T>::foresee() {
   if (!to) return;
   settled_ = abs(to->delta) <= ldexp(T(1), -Places<T>::bits_kept);
   if (stop_ || to->g >= 0) return;
+  // Where g is next to 0 (and perhaps is 0, but for rounding) slip stops so late, if ever, that p and W on the way
+  // would cancel each other's digits.
+  const Tangent<T>& t = tangent_;
+  if (-to->g <= ldexp(T(abs(t.k1) + abs(t.k2) + t.mu * (t.l1 + t.l2)), -Places<T>::bits / 2)) return;
   const Around<T> a = around(tangent_, *to, Places<T>::terms_to_stop);
   const auto rest_of_p = remaining(a, 1, to->delta);
   const auto rest_of_D = remaining(a, 2, to->delta);

@@ -291,6 +291,25 @@ TEST_CASE("impulse: some digits are the first of many, within what is stated, ho
   }
 }
 
+// The million of `check --effort standard` met it: slip settles where it neither grows nor shrinks, and a rounding that
+// said it shrinks made it stop at p = 2^100.
+TEST_CASE("impulse: slip that settles and keeps its speed") {
+  const Scene scene = tests::scene({.mass = 2,
+                                    .I = diagonal(3, 6, 6),
+                                    .r = {2, 0, -3},
+                                    .v = {0, 0, 0},
+                                    .w = {3, 4, 1},
+                                    .law = Law::stronge,
+                                    .e = 0.75,
+                                    .mu = 0.5});
+  const ImpulseTruth some = impulse(scene, Digits::some);
+  const ImpulseTruth many = impulse(scene);
+  CHECK(many.certified);
+  CHECK(some.modes == many.modes);
+  CHECK_FALSE(some.modes.sticks);
+  CHECK(near(some.p_f, many.p_f, 1e-20));
+}
+
 // The hodograph (impulse_routes_test.cpp) says that what is enclosed is right; this, how often it can be enclosed.
 TEST_CASE("impulse: nearly every impact is proved, most to 45 digits") {
   tests::Dice dice(64);
