@@ -118,13 +118,11 @@ TimeOfImpact time_of_impact_of(const Scene& scene) {
   const Start A(scene, 0), B(scene, 1);
   const double from = std::max(A.since, B.since), until = scene.flight->times.back();
   std::vector<lin_canny::FeaturePair> memory(A.flyer.solid.parts().size() * B.flyer.solid.parts().size());
-  const Verdict verdict = verdict_at(from, A, B, memory);
-  if (verdict == Verdict::overlapping) {
+  if (verdict_at(from, A, B, memory) == Verdict::overlapping) {
     throw InputError("bodies",
                      '\'' + scene.bodies[0].name + "' and '" + scene.bodies[1].name + "' overlap at the start");
   }
-  Meeting met = time_of_impact(A.flight, B.flight, from, until, 0, memory);
-  if (verdict == Verdict::touching && met.meeting == Kind::hit && met.lo == from) met.hi = from;
+  const Meeting met = time_of_impact(A.flight, B.flight, from, until, 0, memory);
   TimeOfImpact said;
   said.meeting = met.meeting;
   if (met.meeting == Kind::miss) return said;

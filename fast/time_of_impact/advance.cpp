@@ -43,7 +43,7 @@ std::optional<double> balls_apart(const Pair& pair, double t) {
 class Advance {
  public:
   Advance(const Pair& pair, double from, double until, double envelope, lin_canny::FeaturePair& memory)
-      : pair_(pair), until_(until), envelope_(envelope), memory_(memory), t_(from) {}
+      : pair_(pair), from_(from), until_(until), envelope_(envelope), memory_(memory), t_(from) {}
 
   Meeting run() {
     for (int looks = 0; looks < most_looks; ++looks) {
@@ -53,9 +53,12 @@ class Advance {
       }
       const Look look(pair_, t_, memory_, known_);
       known_ = look.slab().direction();
-      if (is_clear(look.slab()) || parts(look.slab())) {
+      // That the two do not overlap was proved on the way here. At the start any plane across which they part will do;
+      // later it must be the one that they came to, or a touch in passing would be overlooked.
+      const bool is_good = look.slab().is_clear() || look.slab().parts();
+      if (const auto slab = is_good ? std::optional(look.slab()) : t_ == from_ ? look.parting() : std::nullopt) {
         const double before = t_;
-        if (!go_on(look.slab().clear_until(left()))) return apart();
+        if (!go_on(slab->clear_until(left()))) return apart();
         if (t_ > before) continue;
       }
       if (const std::optional<Meeting> met = touch(look)) return *met;
@@ -75,23 +78,15 @@ class Advance {
     return true;
   }
 
-  /// Surely apart, and by more than rounding.
-  static bool is_clear(const Slab& slab) { return slab.gap() > 2 * slab.error(); }
-
-  /// All points that may touch surely part. (That the two do not overlap was proved on the way here.)
-  static bool parts(const Slab& slab) {
-    return slab.gap() > -8 * slab.error() && slab.least_speed(8 * slab.error()) > 0;
-  }
-
   /// No more than rounding keeps the two apart at t_.
   std::optional<Meeting> touch(const Look& look) {
-    if (envelope_ > 0 && look.at_most() <= envelope_ && !parts(look.slab())) return hit(look, t_);
+    if (envelope_ > 0 && look.at_most() <= envelope_ && !look.slab().parts()) return hit(look, t_);
     for (double h = first_wait(look.slab());; h *= 2) {
       const double t = std::min(t_ + h, until_);
       lin_canny::FeaturePair memory = memory_;
       const Look next(pair_, t, memory, known_);
       if (next.overlap(look)) return hit(look, t);
-      if (is_clear(next.slab())) {
+      if (next.slab().is_clear()) {
         doubt(look.at_most(), t);
         memory_ = memory;
         return std::nullopt;
@@ -136,7 +131,7 @@ class Advance {
   };
 
   const Pair& pair_;
-  double until_, envelope_;
+  double from_, until_, envelope_;
   lin_canny::FeaturePair& memory_;
   double t_;
   Vec3 known_ = Vec3::Zero();

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "fast/lin_canny/bracket.h"
@@ -66,6 +67,28 @@ bool is_inside(const Placed& P, const Vec3& p, double error) {
     if (!(face.normal.dot(x) < face.height - error)) return false;
   }
   return P.hull->face_count() > 0;
+}
+
+/// From p into both: back over the face that it is farthest outside of, by no more than needed, again and again (Agmon
+/// 1954, Motzkin & Schoenberg 1954). Slow in a sharp wedge, quick where two flat faces leave a thin slice.
+bool is_shared(const Placed& A, const Placed& B, Vec3 p, double error) {
+  if (A.hull->face_count() == 0 || B.hull->face_count() == 0) return false;
+  for (int tries = 0; tries < 60; ++tries) {
+    double outside = -std::numeric_limits<double>::infinity();
+    Vec3 n = Vec3::Zero();
+    for (const Placed* P : {&A, &B}) {
+      const Vec3 x = P->in(p);
+      for (int f = 0; f < P->hull->face_count(); ++f) {
+        const double height = P->hull->face(f).normal.dot(x) - P->hull->face(f).height;
+        if (!(height > outside)) continue;
+        outside = height;
+        n = P->turned_out(P->hull->face(f).normal);
+      }
+    }
+    if (outside < -error) return true;
+    p -= (outside + 1.5 * error) * n;
+  }
+  return false;
 }
 
 /// A vertex, or the middle of an edge, or of a face's first edge.
@@ -144,14 +167,28 @@ Slab Look::best_slab(const FeaturePair& before, const Vec3& known) const {
   return {A_, B_, widest.direction(), Vec3::Zero(), p_OC};
 }
 
+std::optional<Slab> Look::parting() const {
+  const auto parts = [&](const Vec3& n) -> std::optional<Slab> {
+    Slab slab(A_, B_, n, Vec3::Zero(), A_.core.t);
+    return slab.parts() ? std::optional(slab) : std::nullopt;
+  };
+  for (int f = 0; f < A_.core.hull->face_count(); ++f) {
+    if (const auto found = parts(A_.core.turned_out(A_.core.hull->face(f).normal))) return found;
+  }
+  for (int f = 0; f < B_.core.hull->face_count(); ++f) {
+    if (const auto found = parts(-B_.core.turned_out(B_.core.hull->face(f).normal))) return found;
+  }
+  return std::nullopt;
+}
+
 double Look::at_most() const {
   if (walked_.inside) return 2 * lin_canny::rounding(A_.core, B_.core);
   const double radii = A_.radius + B_.radius;
   return std::max(0.0, (lin_canny::bracket(A_.core, B_.core, walked_.closest).hi - radii) * (1 + 4 * u));
 }
 
-/// Two points of the cores are nearer than the radii reach; or what was closest before is inside the other, or a vertex
-/// is; or four differences have 0 inside. The first two are quick, and the last one misses solids that meet flat.
+/// Two points of the cores are nearer than the radii reach; or what was closest before is inside the other; or four
+/// differences have 0 inside; or a point is found that is inside both: for solids that meet flat.
 bool Look::overlap(const Look& before) const {
   const Placed &A = A_.core, &B = B_.core;
   if (!walked_.inside) {
@@ -165,10 +202,7 @@ bool Look::overlap(const Look& before) const {
     if (is_inside(A, B.out(before.B_.core.in(then.b)), error)) return true;
   }
   if (lin_canny::common_point(A, B)) return true;
-  const auto has_a_vertex_of = [&](const Placed& P, const Placed& Q) {
-    return std::ranges::any_of(Q.hull->vertices(), [&](const Vec3& x) { return is_inside(P, Q.out(x), error); });
-  };
-  return has_a_vertex_of(A, B) || has_a_vertex_of(B, A);
+  return is_shared(A, B, middle(), error);
 }
 
 /// Of the features' closest points, each moved out by its radius along n. Inside, where nothing was measured, the point

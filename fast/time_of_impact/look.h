@@ -1,6 +1,8 @@
 // Two parts at one time: how near, across which slab, and whether they surely share a point.
 #pragma once
 
+#include <optional>
+
 #include "fast/lin_canny/walk.h"
 #include "fast/time_of_impact/slab.h"
 
@@ -22,6 +24,8 @@ class Look {
   Look(const Pair& pair, double t, lin_canny::FeaturePair& memory, const Vec3& known);
 
   const Slab& slab() const { return slab_; }
+  /// At contact, where several planes keep the two apart: one along a face across which they part.
+  std::optional<Slab> parting() const;
   /// ≥ the distance (m).
   double at_most() const;
   /// A point that both surely have: proved, not likely. `before`: an earlier look, whose closest points have gone along

@@ -30,6 +30,11 @@ class Slab {
   double gap() const { return gap_; }
   double error() const { return error_; }
 
+  /// Surely apart, and by more than rounding.
+  bool is_clear() const { return gap_ > 2 * error_; }
+  /// Of two that do not overlap: all points that may touch surely part.
+  bool parts() const { return gap_ > -8 * error_ && least_speed(8 * error_) > 0; }
+
   /// ≤ the rate of the gap (m/s) as far as vertices rule it that are within `above` (m) of the foremost.
   double least_speed(double above) const;
   /// ≥ |n·(p̈_B − p̈_A)| of vertices, at all times (m/s²).
