@@ -69,8 +69,8 @@ bool is_inside(const Placed& P, const Vec3& p, double error) {
   return P.hull->face_count() > 0;
 }
 
-/// From p into both: back over the face that it is farthest outside of, by no more than needed, again and again (Agmon
-/// 1954, Motzkin & Schoenberg 1954). Slow in a sharp wedge, quick where two flat faces leave a thin slice.
+/// From p into both: back over the face that it is farthest outside of, by no more than needed, again and again
+/// (Agmon 1954; Motzkin & Schoenberg 1954). Slow in a sharp wedge, quick where two flat faces leave a thin slice.
 bool is_shared(const Placed& A, const Placed& B, Vec3 p, double error) {
   if (A.hull->face_count() == 0 || B.hull->face_count() == 0) return false;
   for (int tries = 0; tries < 60; ++tries) {
