@@ -127,7 +127,8 @@ TimeOfImpact time_of_impact_of(const Scene& scene) {
   said.meeting = met.meeting;
   if (met.meeting == Kind::miss) return said;
   said.enclosure = {met.lo, met.hi};
-  if (met.meeting == Kind::hit) said.time = met.lo + (met.hi - met.lo) / 2;
+  // At lo rounding alone keeps the two apart; hi is where the overlap was proved, deeper than that.
+  if (met.meeting == Kind::hit) said.time = met.lo;
   if (met.meeting == Kind::undecided) said.gap = met.gap;
   return said;
 }
