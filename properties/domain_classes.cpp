@@ -284,7 +284,7 @@ void constraint_classes(const Scene& scene, Names& names) {
     if (change.kind == Event::Kind::contact && change.rate > 0) names.push_back("slip stops");
   }
   if (impacts > 0) names.push_back("an impact");
-  if (impacts > 2) names.push_back("three impacts or more");
+  if (impacts > 1) names.push_back("two impacts or more");
   const auto sure = oracle::tolerance::rolling(scene, *truth, Precision::binary64).size();
   names.push_back(sure == scene.flight->times.size() ? "sure to the end" : "not sure to the end");
 }
@@ -373,8 +373,8 @@ const std::vector<Class>& classes(const std::string& stem) {
                                                 {"flies", 0.2},
                                                 {"slip stops", 0.1},
                                                 {"a contact ends", 0.1},
-                                                {"an impact", 0.2},
-                                                {"three impacts or more", 0.01},
+                                                {"an impact", 0.1},
+                                                {"two impacts or more", 0.01},
                                                 {"sure to the end", 0.3},
                                                 {"laws alone", 0.1},
                                                 {"binary32", 0.1}};

@@ -23,7 +23,7 @@ Body slab(const Vec3& half, const Pose& X_WB, const Material& material) {
 }
 
 Material some_surface(Random& random) {
-  return {random.pick({0.0, 0.0, 0.0, 0.5}), random.pick({0.0, 0.0625, 0.125, 0.25, 0.5, 1.0})};
+  return {random.pick({0.0, 0.0, 0.5}), random.pick({0.0, 0.0625, 0.125, 0.25, 0.5, 1.0})};
 }
 
 Mass some_mass(Random& random, double r) {

@@ -85,8 +85,11 @@ Enclosed narrowed(const Gap& gap, Float lo, Float hi) {
   return {lo, hi};
 }
 
+constexpr int most_pieces = 4096;  // of time; a clear meeting takes some dozens, a graze all there are
+
 /// f(from) > 0.
-std::optional<Enclosed> searched(const Gap& gap, const Float& from, const Float& to, const Float& least) {
+std::optional<Enclosed> searched(const Gap& gap, const Float& from, const Float& to, const Float& shortest,
+                                 int& pieces) {
   const Enclosed start = point(from), span = point(to - from);
   if (gap.value(start, span).is_positive()) return std::nullopt;
   const Enclosed end = gap.value(point(to));
@@ -94,10 +97,10 @@ std::optional<Enclosed> searched(const Gap& gap, const Float& from, const Float&
     if (end.is_positive()) return std::nullopt;
     return narrowed(gap, from, to);
   }
-  if (to - from < least) throw Undecided("the ball grazes a box");
+  if (--pieces < 0 || to - from < shortest) throw Undecided("whether the ball meets a box that it comes very near to");
   const Float inside = between(from, to);
-  if (const auto early = searched(gap, from, inside, least)) return early;
-  return searched(gap, inside, to, least);
+  if (const auto early = searched(gap, from, inside, shortest, pieces)) return early;
+  return searched(gap, inside, to, shortest, pieces);
 }
 
 /// Up to where a box that is touched at 0 is certainly left.
@@ -129,10 +132,11 @@ EnclosedVec excess(const Slab& slab, const EnclosedVec& centre_W) {
 std::optional<Enclosed> first_meeting(const Parabola& way, const Slab& slab, const Enclosed& radius,
                                       const Enclosed& horizon, const std::optional<Parting>& parting) {
   const Gap gap(way, slab, radius);
-  const Float end = horizon.hi(), least = ldexp(end, -120);
+  const Float end = horizon.hi();
   const Float from = parting ? left_by(gap, *parting, end) : Float(0);
   if (from >= end) return std::nullopt;
-  return searched(gap, from, end, least);
+  int pieces = most_pieces;
+  return searched(gap, from, end, ldexp(end, -120), pieces);
 }
 
 Float least_distance(const Parabola& way, const Slab& slab, const Enclosed& radius, const Enclosed& span) {
