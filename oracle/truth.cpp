@@ -1,6 +1,8 @@
 #include "oracle/truth.h"
 
+#include <cstddef>
 #include <list>
+#include <string>
 #include <utility>
 
 #include "model/input_error.h"
@@ -12,7 +14,7 @@ namespace touchstone::oracle::truth {
 namespace {
 
 /// The answers to the last few questions, the latest first.
-template <class Truth>
+template <class Truth, std::size_t capacity = remembered>
 class Memory {
  public:
   template <class Compute>
@@ -24,7 +26,7 @@ class Memory {
       }
     }
     entries_.emplace_front(scene, compute(scene));
-    if (entries_.size() > remembered) entries_.pop_back();
+    if (entries_.size() > capacity) entries_.pop_back();
     return entries_.front().second;
   }
 
@@ -83,6 +85,24 @@ const ConstraintOrWhy& constraint(const Scene& scene) {
       return outside.what();
     }
   });
+}
+
+const reference::TimeOfImpactTruth& time_of_impact(const Scene& scene) {
+  thread_local Memory<reference::TimeOfImpactTruth, remembered_flights> memory;
+  return memory.of(scene, [](const Scene& s) { return reference::time_of_impact(s); });
+}
+
+// Remembered by the scene as it is asked: that body alone, looked at at that time.
+const reference::FlightTruth& flown(const Scene& scene, std::size_t body, double time) {
+  thread_local Memory<reference::FlightTruth, remembered_flights> memory;
+  Scene question = scene;
+  question.name = std::to_string(body);
+  question.flight->times = {time};
+  return memory.of(question, [&](const Scene&) { return reference::flown(scene, body, time); });
+}
+
+reference::TimeOfImpactTruth time_of_distance(const Scene& scene, double apart) {
+  return reference::time_of_distance(scene, apart);
 }
 
 const Pixels& pixel(const Scene& scene) {

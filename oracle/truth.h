@@ -12,10 +12,12 @@
 #include "reference/broad_phase.h"
 #include "reference/constraint.h"
 #include "reference/distance.h"
+#include "reference/flight.h"
 #include "reference/impulse.h"
 #include "reference/mass.h"
 #include "reference/penetration.h"
 #include "reference/pixel.h"
+#include "reference/time_of_impact.h"
 
 namespace touchstone::oracle::truth {
 
@@ -30,7 +32,16 @@ const std::vector<reference::FrameBoxes>& film_bounds(const Scene& film);
 const PairHistory& pair_history(const Scene& film);
 const reference::DistanceTruth& distance(const Scene& scene);
 const reference::PenetrationTruth& penetration(const Scene& scene);
+/// To some digits: what any subject is judged by, so a scene's truth does not depend on who is asked.
 const reference::ImpulseTruth& impulse(const Scene& scene);
+
+/// A trajectory is many flights, and several properties judge it: more of these are remembered.
+inline constexpr int remembered_flights = 256;
+const reference::TimeOfImpactTruth& time_of_impact(const Scene& scene);
+const reference::FlightTruth& flown(const Scene& scene, std::size_t body, double time);
+
+/// reference/time_of_impact.h; not remembered.
+reference::TimeOfImpactTruth time_of_distance(const Scene& scene, double apart);
 
 /// Or why the scene is outside.
 using ConstraintOrWhy = std::variant<reference::ConstraintTruth, std::string>;

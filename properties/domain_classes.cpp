@@ -231,6 +231,41 @@ void pixel_classes(const Scene& scene, Names& names) {
   if (truth.sampled != truth.conservative) names.emplace_back("squares beyond the samples");
 }
 
+/// What both questions about motion have in common.
+void motion_classes(const Scene& scene, Names& names) {
+  const auto any_body = [&](auto&& is) { return std::ranges::any_of(scene.bodies, is); };
+  const auto when = [&names](bool is, const char* name) {
+    if (is) names.emplace_back(name);
+  };
+  when(!scene.gravity.isZero(0), "gravity");
+  when(!scene.flight->pushes.empty(), "pushes");
+  when(any_body([](const Body& b) { return std::holds_alternative<Fixed>(b.mass); }), "one body fixed");
+  when(any_body([](const Body& b) { return !b.velocity.w_WB.isZero(0); }), "spins");
+  when(any_body([](const Body& b) { return std::holds_alternative<Sphere>(b.shape); }), "a ball");
+  when(any_body([](const Body& b) { return std::holds_alternative<Polytope>(b.shape); }), "a polytope");
+}
+
+void flight_classes(const Scene& scene, Names& names) {
+  motion_classes(scene, names);
+  const reference::TimeOfImpactTruth& truth = oracle::truth::time_of_impact(scene);
+  const bool hit = truth.meeting == TimeOfImpact::Meeting::hit;
+  names.emplace_back(hit ? "hit" : truth.meeting == TimeOfImpact::Meeting::miss ? "miss" : "undecided");
+  if (hit && truth.at_start) names.emplace_back("hit at the start");
+  if (!scene.flight->since.empty()) names.emplace_back("starts of their own");
+}
+
+void run_classes(const Scene& scene, Names& names) {
+  motion_classes(scene, names);
+  names.emplace_back(scene.bodies.size() <= 2 ? "one or two bodies" : "three bodies or more");
+  double least = 1, most = 0;
+  for (const Body& body : scene.bodies) {
+    least = std::min(least, body.material.restitution);
+    most = std::max(most, body.material.friction);
+  }
+  if (least == 1) names.emplace_back("elastic");
+  if (most > 0) names.emplace_back("friction");
+}
+
 std::vector<Class> with_shapes(std::vector<Class> classes) {
   for (const char* pair :
        {"box-box", "box-polytope", "box-sphere", "polytope-polytope", "polytope-sphere", "sphere-sphere"}) {
@@ -300,6 +335,8 @@ std::vector<std::string> classes_of(const Scene& scene, const std::string& stem)
   if (stem == "broad_phase") broad_phase_classes(scene, names);
   if (stem == "pixel" && scene.raster && scene.bodies.size() == 2) pixel_classes(scene, names);
   if (stem == "impulse" && scene.contact) impulse_classes(scene, names);
+  if (stem == "time_of_impact" && scene.flight && scene.bodies.size() == 2) flight_classes(scene, names);
+  if (stem == "simulation" && scene.flight) run_classes(scene, names);
   if (stem == "constraint" && scene.flight) constraint_classes(scene, names);
   if (oracle::exact_in(scene, Precision::binary32)) names.push_back("binary32");
   std::ranges::sort(names);
@@ -400,6 +437,8 @@ const std::vector<Class>& classes(const std::string& stem) {
                                           {"elastic", 0.1},
                                           {"friction", 0.2},
                                           {"binary32", 0.5}};
+  if (stem == "time_of_impact") return flights;
+  if (stem == "simulation") return runs;
   if (stem == "impulse") return impulse;
   if (stem == "constraint") return constraint;
   if (stem == "mass") return mass;

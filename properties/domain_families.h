@@ -21,6 +21,8 @@ std::vector<Family> film_families();
 std::vector<Family> mass_families();
 std::vector<Family> pixel_families();
 std::vector<Family> contact_families();
+std::vector<Family> flight_families();
+std::vector<Family> run_families();
 std::vector<Family> table_families();
 
 /// What a family is for: pairs of convex bodies are asked about everything, compounds have no depth.

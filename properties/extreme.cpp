@@ -146,6 +146,40 @@ Scene far_film(Random& random) {
   return film;
 }
 
+/// Sizes and speeds from 2^-20 to 2^20, needles of 2^20:1, spins to 2^14 rad/s; followed for some turns at most.
+Body wild(Random& random, double size) {
+  const Vec3 needle{size, std::ldexp(size, -random.between(0, 20)), std::ldexp(size, -random.between(0, 20))};
+  Body body = at_rest(random.one_in(3) ? Shape(Sphere{size}) : Shape(Box{needle}));
+  body.X_WB.q_WB = small_quaternion(random);
+  body.material = {random.pick({0.0, 0.5, 1.0}), random.pick({0.0, 1.0, 10.0})};
+  if (random.one_in(8)) body.mass = Fixed{};
+  return body;
+}
+
+/// A row of them, the first at the others.
+Scene wild_run(Random& random, int count) {
+  Scene scene;
+  const double spin = std::ldexp(1, random.between(-4, 14)), end = std::ldexp(1, random.between(1, 3)) / spin;
+  double reach = 0;
+  for (int n = 0; n < count; ++n) {
+    const double size = dyadic(random, 1, 7, -20, 20);
+    Body body = wild(random, size);
+    reach += 2 * size;  // no point is farther than √3 from the centre, in sizes
+    body.X_WB.p_WB = {reach, 0, 0};
+    body.velocity.w_WB = spin / 4 * small_vector(random, 2);
+    scene.bodies.push_back(std::move(body));
+    reach += 2 * size;
+  }
+  scene.bodies.front().velocity.v_WBcm = {reach / end, 0, 0};
+  if (random.one_in(2)) scene.gravity = {0, 0, -reach / (end * end)};
+  scene.flight.emplace();
+  scene.flight->times = {end / 2, end};
+  return scene;
+}
+
+Scene wild_flight(Random& random) { return wild_run(random, 2); }
+Scene wild_crowd(Random& random) { return wild_run(random, random.between(2, 4)); }
+
 }  // namespace
 
 const std::vector<Family>& extremes() {
@@ -172,6 +206,9 @@ const std::vector<Family>& extremes() {
        {"broad_phase"},
        false,
        far_film},
+      {"extreme.wild_flight", "sizes from 2^-20 to 2^20, needles, spins to 2^14 rad/s", {"time_of_impact"}, false,
+       wild_flight},
+      {"extreme.wild_run", "up to four such bodies, one at the others", {"simulation"}, false, wild_crowd},
   };
   return all;
 }

@@ -34,6 +34,13 @@ std::optional<Quaternion> turned(const Quaternion& q) {
   return Quaternion{*w, *x, *y, *z};
 }
 
+std::vector<Push*> pushes(Scene& scene) {
+  std::vector<Push*> all;
+  if (!scene.flight) return all;
+  for (Push& push : scene.flight->pushes) all.push_back(&push);
+  return all;
+}
+
 // Whether there is anything to relabel.
 bool relabel(Sphere&) { return false; }
 bool relabel(Box&) { return false; }
@@ -90,6 +97,8 @@ Scene swapped(Scene scene) {
   }
   if (scene.contact) scene.contact->nhat_BA_W = -scene.contact->nhat_BA_W;
   if (scene.raster) scene.raster = with_opposite_shift(*scene.raster);
+  if (scene.flight) std::ranges::reverse(scene.flight->since);
+  for (Push* push : pushes(scene)) push->body = last - push->body;
   return scene;
 }
 
@@ -134,6 +143,7 @@ std::optional<Scene> turned(const Scene& scene) {
     body.velocity = {turned(body.velocity.v_WBcm), turned(body.velocity.w_WB)};
   }
   moved.gravity = turned(moved.gravity);
+  for (Push* push : pushes(moved)) push->force_W = turned(push->force_W);
   if (moved.contact) {
     moved.contact->p_WC = turned(moved.contact->p_WC);
     moved.contact->nhat_BA_W = turned(moved.contact->nhat_BA_W);
@@ -152,6 +162,7 @@ Scene half_turned(Scene scene) {
     body.velocity = {half(body.velocity.v_WBcm), half(body.velocity.w_WB)};
   }
   scene.gravity = half(scene.gravity);
+  for (Push* push : pushes(scene)) push->force_W = half(push->force_W);
   if (scene.contact) {
     scene.contact->p_WC = half(scene.contact->p_WC);
     scene.contact->nhat_BA_W = half(scene.contact->nhat_BA_W);
@@ -177,6 +188,7 @@ std::optional<Scene> mirrored(Scene scene) {
     for (const auto& [i, j] : {std::pair(0, 1), {1, 0}, {0, 2}, {2, 0}}) given->I_BBcm_B(i, j) = -given->I_BBcm_B(i, j);
   }
   scene.gravity = polar(scene.gravity);
+  for (Push* push : pushes(scene)) push->force_W = polar(push->force_W);
   if (scene.contact) {
     scene.contact->p_WC = polar(scene.contact->p_WC);
     scene.contact->nhat_BA_W = polar(scene.contact->nhat_BA_W);
@@ -219,6 +231,11 @@ std::optional<Scene> scaled(Scene scene, int k) {
   }
   if (scene.contact && !scale(scene.contact->p_WC, k)) return std::nullopt;
   if (!scale(scene.gravity, k)) return std::nullopt;
+  if (scene.flight && scene.flight->envelope && !scale(*scene.flight->envelope, k)) return std::nullopt;
+  if (scene.flight && !scale(scene.flight->force_bound, 4 * k)) return std::nullopt;
+  for (Push* push : pushes(scene)) {
+    if (!scale(push->force_W, 4 * k)) return std::nullopt;
+  }
   if (scene.raster) {
     scene.raster = scaled(*scene.raster, k);
     if (!scene.raster) return std::nullopt;

@@ -41,7 +41,7 @@ std::optional<Scene> boosted(Scene scene);
 /// All velocities times 2^k; none if one overflows or loses bits to underflow.
 std::optional<Scene> sped_up(Scene scene, int k);
 
-/// All lengths times 2^k, at the same density: given masses times 2^3k, inertias times 2^5k; none if one of them
+/// All lengths times 2^k, at the same density: given masses times 2^3k, inertias times 2^5k, forces times 2^4k; none if one of them
 /// overflows or loses bits to underflow.
 std::optional<Scene> scaled(Scene scene, int k);
 

@@ -12,8 +12,8 @@ const std::vector<Canary>& canaries() {
     std::vector<Canary> joined;
     for (const auto& some :
          {canaries_about_mass, canaries_about_boxes, canaries_about_films, canaries_about_pairs_of_bodies,
-          canaries_about_closest_features, canaries_about_impacts, canaries_about_pixels,
-          canaries_about_constraints, canaries_about_anything}) {
+          canaries_about_closest_features, canaries_about_impacts, canaries_about_pixels, canaries_about_flights,
+          canaries_about_simulations, canaries_about_constraints, canaries_about_anything}) {
       for (Canary& canary : some()) joined.push_back(std::move(canary));
     }
     return joined;

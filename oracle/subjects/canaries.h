@@ -16,6 +16,7 @@ struct Canary {
   std::string id;    ///< "canary.signed_distance"
   std::string says;  ///< the lie, in words
   std::function<std::unique_ptr<Subject>(std::unique_ptr<Subject> truthful)> make;
+  std::vector<std::string> lies_about;  ///< queries; to all others it answers the truth
 };
 
 const std::vector<Canary>& canaries();

@@ -92,10 +92,19 @@ Lies not_a_number() {
   lies.distance = [](Subject&, const Scene&, Distance& said) { said.distance = nan; };
   lies.penetration = [](Subject&, const Scene&, Penetration& said) { said.depth = nan; };
   lies.impulse = [](Subject&, const Scene&, Impulse& said) { said.after[0].w_WB.x() = nan; };
+  lies.time_of_impact = [](Subject&, const Scene&, TimeOfImpact& said) { said.time = nan; };
+  lies.simulation = [](Subject&, const Scene&, Trajectory& said) {
+    for (std::vector<State>& bodies : said.states) bodies.front().velocity.w_WB.x() = nan;
+  };
   return lies;
 }
 
-// Every length of a pair's answer times a factor that the scene gives.
+// The same of a time.
+void stretch(TimeOfImpact& said, double factor) {
+  if (said.time) *said.time *= factor;
+}
+
+// Every length and time of a pair's answer times a factor that the scene gives.
 Lies lengths_times(const std::function<double(const Scene&)>& factor) {
   Lies lies;
   lies.distance = [factor](Subject&, const Scene& scene, Distance& said) {
@@ -104,6 +113,7 @@ Lies lengths_times(const std::function<double(const Scene&)>& factor) {
   lies.penetration = [factor](Subject&, const Scene& scene, Penetration& said) {
     if (said.depth) *said.depth *= factor(scene);
   };
+  lies.time_of_impact = [factor](Subject&, const Scene& scene, TimeOfImpact& said) { stretch(said, factor(scene)); };
   return lies;
 }
 
@@ -176,6 +186,9 @@ Lies absolute_epsilon() {
     for (auto& m : said) {
       if (m) m->mass += epsilon;
     }
+  };
+  lies.time_of_impact = [](Subject&, const Scene& scene, TimeOfImpact& said) {
+    stretch(said, 1 - epsilon / corners(scene.bodies.front()).front().norm());
   };
   return lies;
 }

@@ -80,12 +80,34 @@ std::vector<Vec3> corners_of(const Compound& compound) {
   return points;
 }
 
+std::vector<std::string> queries_of(const Lies& lies) {
+  const std::pair<const char*, bool> all[] = {
+      {"mass", lies.mass != nullptr},
+      {"bounds", lies.bounds != nullptr},
+      {"broad_phase", lies.broad_phase != nullptr},
+      {"pair_history", lies.pair_history != nullptr},
+      {"distance", lies.distance != nullptr || lies.two_valued},
+      {"penetration", lies.penetration != nullptr || lies.two_valued},
+      {"impulse", lies.impulse != nullptr},
+      {"pixel", lies.pixel != nullptr},
+      {"time_of_impact", lies.time_of_impact != nullptr},
+      {"simulation", lies.simulation != nullptr},
+      {"constraint", lies.constraint != nullptr},
+  };
+  std::vector<std::string> queries;
+  for (const auto& [query, lied] : all) {
+    if (lied || lies.breaks) queries.emplace_back(query);
+  }
+  return queries;
+}
+
 }  // namespace
 
 Canary lying(const std::string& id, const std::string& says, std::function<Lies()> make_lies) {
   return {id, says, [=](std::unique_ptr<Subject> truthful) -> std::unique_ptr<Subject> {
             return std::make_unique<Liar>(std::move(truthful), id, says, make_lies());
-          }};
+          },
+          queries_of(make_lies())};
 }
 
 double distance_by(Subject& truthful, const Scene& scene) {

@@ -41,6 +41,8 @@ std::vector<Canary> canaries_about_films();
 std::vector<Canary> canaries_about_mass();
 std::vector<Canary> canaries_about_impacts();
 std::vector<Canary> canaries_about_pixels();
+std::vector<Canary> canaries_about_flights();
+std::vector<Canary> canaries_about_simulations();
 std::vector<Canary> canaries_about_constraints();
 std::vector<Canary> canaries_about_anything();
 

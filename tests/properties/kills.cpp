@@ -11,7 +11,16 @@
 namespace touchstone::tests {
 namespace {
 
-// The reference, which is slow where slip turns, asked once an impact.
+// The answers to questions that cost the reference milliseconds, asked once.
+template <class T, class Ask>
+Answer<T> asked_once(const Scene& scene, Ask&& ask) {
+  static std::vector<std::pair<Scene, Answer<T>>> asked;
+  const auto found = std::ranges::find(asked, scene, &std::pair<Scene, Answer<T>>::first);
+  if (found != asked.end()) return found->second;
+  return asked.emplace_back(scene, ask(scene)).second;
+}
+
+// The reference, which is slow where slip turns and where bodies fly.
 class Truthful : public oracle::Subject {
  public:
   const oracle::Card& card() const override { return reference_->card(); }
@@ -23,17 +32,16 @@ class Truthful : public oracle::Subject {
   Answer<Penetration> penetration(const Scene& scene) override { return reference_->penetration(scene); }
   Answer<Pixels> pixel(const Scene& scene) override { return reference_->pixel(scene); }
   Answer<Impulse> impulse(const Scene& scene) override {
-    static std::vector<std::pair<Scene, Answer<Impulse>>> asked;
-    const auto found = std::ranges::find(asked, scene, &std::pair<Scene, Answer<Impulse>>::first);
-    if (found != asked.end()) return found->second;
-    return asked.emplace_back(scene, reference_->impulse(scene)).second;
+    return asked_once<Impulse>(scene, [&](const Scene& s) { return reference_->impulse(s); });
   }
-
+  Answer<TimeOfImpact> time_of_impact(const Scene& scene) override {
+    return asked_once<TimeOfImpact>(scene, [&](const Scene& s) { return reference_->time_of_impact(s); });
+  }
+  Answer<Trajectory> simulation(const Scene& scene) override {
+    return asked_once<Trajectory>(scene, [&](const Scene& s) { return reference_->simulation(s); });
+  }
   Answer<Trajectory> constraint(const Scene& scene) override {
-    static std::vector<std::pair<Scene, Answer<Trajectory>>> asked;
-    const auto found = std::ranges::find(asked, scene, &std::pair<Scene, Answer<Trajectory>>::first);
-    if (found != asked.end()) return found->second;
-    return asked.emplace_back(scene, reference_->constraint(scene)).second;
+    return asked_once<Trajectory>(scene, [&](const Scene& s) { return reference_->constraint(s); });
   }
 
  private:
@@ -41,6 +49,13 @@ class Truthful : public oracle::Subject {
 };
 
 std::unique_ptr<oracle::Subject> make_truthful() { return std::make_unique<Truthful>(); }
+
+// Properties of a stem ask its query; a film's frames are asked for as pair_history.
+bool lies_about(const oracle::subjects::Canary& canary, const std::string& stem) {
+  return std::ranges::any_of(canary.lies_about, [&](const std::string& query) {
+    return query == stem || (query == "pair_history" && stem == "broad_phase");
+  });
+}
 
 // A fresh canary for each scene, as what it remembers is part of its lie.
 bool catches(const properties::Property& property, const oracle::subjects::Canary& canary) {
@@ -65,7 +80,7 @@ const std::map<std::string, std::set<std::string>>& kills() {
     for (const properties::Property& property : properties::all()) {
       std::set<std::string>& caught = found[property.id];
       for (const auto& canary : oracle::subjects::canaries()) {
-        if (catches(property, canary)) caught.insert(canary.id);
+        if (lies_about(canary, property.stem) && catches(property, canary)) caught.insert(canary.id);
       }
     }
     return found;

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "oracle/truth.h"
+#include "tests/properties/motion_scenes.h"
 
 namespace touchstone::tests {
 namespace {
@@ -195,12 +196,14 @@ const std::vector<Scene>& impacts() {
 }
 
 const std::vector<Scene>& scenes_of(const std::string& stem) {
+  if (stem == "impulse") return impacts();
   if (stem == "constraint") return tables();
-  return stem == "impulse" ? impacts() : scenes();
+  if (stem == "time_of_impact") return flights();
+  return stem == "simulation" ? runs() : scenes();
 }
 
 const Scene& scene(const std::string& name) {
-  for (const auto* some : {&scenes(), &impacts(), &tables()}) {
+  for (const auto* some : {&scenes(), &impacts(), &flights(), &runs(), &tables()}) {
     const auto found = std::ranges::find(*some, name, &Scene::name);
     if (found != some->end()) return *found;
   }

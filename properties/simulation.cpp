@@ -1,0 +1,298 @@
+// docs/spec/simulation.md, as sentences that run: what one trajectory must obey, step by step.
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "model/limits.h"
+#include "oracle/flown.h"
+#include "oracle/tolerance.h"
+#include "oracle/tolerance_motion.h"
+#include "oracle/truth.h"
+#include "oracle/words.h"
+#include "oracle/world_points.h"
+#include "properties/flight_case.h"
+#include "properties/impact_case.h"
+#include "properties/stems.h"
+#include "properties/trajectory_case.h"
+
+namespace touchstone::properties {
+namespace {
+
+using oracle::Defect;
+using oracle::Finding;
+using oracle::Outcome;
+using oracle::Subject;
+namespace judge = oracle::judge;
+namespace tolerance = oracle::tolerance;
+namespace truth = oracle::truth;
+using Kind = Event::Kind;
+
+bool is_struck(const Event& event) { return event.kind == Kind::impact || event.kind == Kind::micro_collision; }
+
+Finding ordered(const Scene& scene, Subject& subject) {
+  if (!scene.flight) return judge::outside("no flight");
+  return judge::given(subject.simulation(scene), [&](const Trajectory& said) {
+    const std::string fault = fault_in_form(scene, said);
+    return fault.empty() ? judge::holds() : judge::wrong(Defect::inconsistent, fault, "a trajectory");
+  });
+}
+
+// Where a look falls into a flight. At an event's own time the state before and the one after are both there.
+Finding flights(const Scene& scene, Subject& subject) {
+  return of_course(scene, subject, [&](const TrajectoryCase& asked, const Course& course) {
+    Finding worst;
+    for (const std::vector<Leg>& legs : course) {
+      for (const Leg& leg : legs) {
+        for (std::size_t look = 0; look < asked.looks(); ++look) {
+          const double time = asked.time(look);
+          const bool inside = time > leg.from && (time < leg.until || &leg == &legs.back());
+          if (!leg.flies || !inside) continue;
+          const Scene alone = in_flight(scene, {leg}, time);
+          if (worse(worst, arrives(asked, alone, 0, time, asked.said.states[look][leg.body]))) return worst;
+        }
+      }
+    }
+    return worst;
+  });
+}
+
+// An impact leaves bodies where they are, a push their velocities too, and a fixed body is left alone.
+Finding event_states(const Scene& scene, Subject& subject) {
+  return of_course(scene, subject, [&](const TrajectoryCase& asked, const Course& course) {
+    Finding worst;
+    for (std::size_t e = 0; e < asked.events(); ++e) {
+      const Event& event = (*asked.said.events)[e];
+      if (!is_struck(event) && event.kind != Kind::push) continue;
+      const std::vector<Leg> legs = legs_into(course, asked.said, e);
+      const Scene few = in_flight(scene, legs, event.time);
+      for (std::size_t k = 0; k < legs.size(); ++k) {
+        if (!legs[k].flies) continue;
+        const State& said = k == 0 ? event.after_a : event.after_b;
+        const bool moves_on = event.kind == Kind::push || asked.is_fixed(legs[k].body);
+        const Finding finding =
+            moves_on ? arrives(asked, few, k, event.time, said) : stands(asked, few, k, event.time, said.X_WB);
+        if (worse(worst, finding)) return worst;
+      }
+    }
+    return worst;
+  });
+}
+
+/// All pairs of flights that have time in common: judge_it(pair's scene, from, until) gives a finding.
+template <class JudgeIt>
+Finding of_pairs_in_flight(const TrajectoryCase& asked, const Course& course, JudgeIt&& judge_it) {
+  Finding worst;
+  for (std::size_t i = 0; i < course.size(); ++i) {
+    for (std::size_t j = i + 1; j < course.size(); ++j) {
+      if (asked.is_fixed(i) && asked.is_fixed(j)) continue;
+      for (const Leg& a : course[i]) {
+        for (const Leg& b : course[j]) {
+          const double from = std::max(a.from, b.from), until = std::min(a.until, b.until);
+          if (!a.flies || !b.flies || !(from < until)) continue;
+          if (worse(worst, judge_it(in_flight(asked.scene, {a, b}, until), from, until))) return worst;
+        }
+      }
+    }
+  }
+  return worst;
+}
+
+bool stay_apart(const Scene& pair, double until) {
+  double reach = 0;
+  for (std::size_t k = 0; k < 2; ++k) {
+    const tolerance::FlightBound bound = tolerance::flight(pair, k, until, oracle::Precision::binary64);
+    reach += tolerance::radius(pair.bodies[k]) + bound.fastest * (until - pair.flight->since[k]);
+  }
+  return (pair.bodies[0].X_WB.p_WB - pair.bodies[1].X_WB.p_WB).norm() > 1.01 * reach;
+}
+
+// Two that fly are not in each other when either's next event comes, nor have they been, deeper than rounding explains.
+Finding none_missed(const Scene& scene, Subject& subject) {
+  return of_course(scene, subject, [&](const TrajectoryCase& asked, const Course& course) {
+    return of_pairs_in_flight(asked, course, [&](const Scene& pair, double from, double until) {
+      if (stay_apart(pair, until)) return judge::holds();
+      const double slack = tolerance::meeting(pair, until, asked.precision);
+      const auto overlap = [&](double depth) {
+        return judge::at_most(
+            depth, in_ulps_of_place(asked, slack), Defect::missed,
+            [&] { return "no impact of the pair until " + oracle::words::text(until) + " s"; },
+            [&] { return std::string("an impact before they overlap"); });
+      };
+      const Scene at_first = oracle::pair_at(pair, from);
+      if (truth::distance(at_first).verdict == Verdict::overlapping) return overlap(judge::margin(at_first).lo);
+      const std::optional<FlightCase> flight = flight_case(pair, asked.precision);
+      return overlap(flight ? -flight->deepest(until) : 0);
+    });
+  });
+}
+
+/// An impact, with both bodies as they flew into it: judge_it(event, pair's scene, both at the time).
+template <class JudgeIt>
+Finding of_impacts(const Scene& scene, Subject& subject, JudgeIt&& judge_it) {
+  return of_course(scene, subject, [&](const TrajectoryCase& asked, const Course& course) {
+    Finding worst;
+    bool any = false;
+    for (std::size_t e = 0; e < asked.events(); ++e) {
+      const Event& event = (*asked.said.events)[e];
+      const std::vector<Leg> legs = legs_into(course, asked.said, e);
+      if (event.kind != Kind::impact || !std::ranges::all_of(legs, &Leg::flies)) continue;
+      any = true;
+      const Scene pair = in_flight(scene, legs, event.time);
+      if (worse(worst, judge_it(asked, event, pair, oracle::pair_at(pair, event.time)))) return worst;
+    }
+    return any ? worst : judge::outside("no impact in flight");
+  });
+}
+
+// m: how far convex bodies A and B overlap along n, at most; below 0: how far apart they are.
+Real overlap_along(const Point& n, const Body& A, const Body& B) {
+  const auto farthest = [](const Body& body, const Point& d) {
+    const auto* ball = std::get_if<Sphere>(&body.shape);
+    Real most = -std::numeric_limits<Real>::infinity();
+    for (const Point& p : oracle::world_points(body, 0)) most = std::max(most, d.dot(p));
+    return most + (ball != nullptr ? ball->radius : 0);
+  };
+  return farthest(B, n) + farthest(A, -n);
+}
+
+// The two are within the envelope, C is within it of both, and the normal's plane parts them as far as they are convex.
+Finding contacts(const Scene& scene, Subject& subject) {
+  return of_impacts(
+      scene, subject, [&](const TrajectoryCase& asked, const Event& event, const Scene& pair, const Scene& there) {
+        const double slack = tolerance::meeting(pair, event.time, asked.precision), near = envelope(scene) + slack;
+        const double apart = truth::distance(there).distance.hi;
+        const auto said = [&] { return text(event); };
+        const auto within = [&](double off, double allowed, Defect defect, const char* law) {
+          return judge::at_most(off, in_ulps_of_place(asked, allowed), defect, said,
+                                [law] { return std::string(law); });
+        };
+        Finding worst;
+        if (worse(worst, within(apart, near, Defect::phantom, "an impact within the envelope"))) return worst;
+        for (const Body& body : there.bodies) {
+          if (worse(worst,
+                    within(judge::off_body(body, event.p_WC), near, Defect::wrong_witness, "C within the envelope"))) {
+            return worst;
+          }
+        }
+        const Point n = event.nhat_BA_W.cast<Real>();
+        if (std::abs(n.norm() - 1) > tolerance::unit_length(asked.precision)) {
+          return judge::wrong(Defect::wrong_normal, text(event), "a unit normal");
+        }
+        const auto convex = [](const Body& body) { return !std::holds_alternative<Compound>(body.shape); };
+        if (!std::ranges::all_of(there.bodies, convex)) return worst;
+        const double size = tolerance::size(there.bodies[0]) + tolerance::size(there.bodies[1]);
+        const double allowed = near + 2 * size * tolerance::normal(there, apart, asked.precision);
+        const Real overlap = overlap_along(n, there.bodies[0], there.bodies[1]);
+        worse(worst, within(static_cast<double>(std::max<Real>(0, overlap)), allowed, Defect::wrong_normal,
+                            "a normal whose plane parts the two"));
+        return worst;
+      });
+}
+
+/// The impact that an event tells of, from the velocities that the flights bring: e and mu are the lesser ones.
+Scene impact_of(const Scene& there, const Event& event, Law law) {
+  Scene scene = there;
+  scene.flight.reset();
+  const Material &a = there.bodies[0].material, &b = there.bodies[1].material;
+  scene.contact = Contact{event.p_WC, event.nhat_BA_W, law, std::min(a.restitution, b.restitution),
+                          std::min(a.friction, b.friction)};
+  return scene;
+}
+
+Point exact(const reference::ExactVec3& v) {
+  return {static_cast<Real>(v[0].nearest()), static_cast<Real>(v[1].nearest()), static_cast<Real>(v[2].nearest())};
+}
+
+Finding impulses(const Scene& scene, Subject& subject) {
+  return of_impacts(
+      scene, subject, [&](const TrajectoryCase& asked, const Event& event, const Scene& pair, const Scene& there) {
+        const Scene question = impact_of(there, event, scene.flight->law);
+        const ImpactCase impact(question, asked.precision);
+        const bool in_domain = tolerance::impact_in_range(impact.impact, asked.precision) &&
+                               tolerance::impact_is_sure(impact.impact, asked.precision);
+        if (!in_domain) return judge::holds();
+        const Impulse answer{{event.after_a.velocity, event.after_b.velocity}, event.P_A_W, {}, {}};
+        const SaidImpact said(impact, answer);
+        const std::array<tolerance::FlightBound, 2> before = {tolerance::flight(pair, 0, event.time, asked.precision),
+                                                              tolerance::flight(pair, 1, event.time, asked.precision)};
+        const double flown = tolerance::impact_in_flight(impact.impact, before);
+        const double u_n = static_cast<double>(impact.impact.u_n());
+        const double speed = flown / static_cast<double>(std::sqrt(impact.impact.least_mass()));
+        Finding worst = judge::at_most(
+            std::max(0.0, u_n), {speed, speed, "errors of the flight"}, Defect::phantom, [&] { return text(event); },
+            [] { return std::string("an impact of bodies that approach"); });
+        if (worst.outcome == Outcome::fails) return worst;
+        const reference::ImpulseTruth& law = truth::impulse(question);
+        if (law.ambiguous || impact.law_jumps()) return worst;
+        After expected;
+        for (std::size_t k = 0; k < 2; ++k) expected[k] = {exact(law.after[k].v_WBcm), exact(law.after[k].w_WB)};
+        worse(worst, judge::at_most(
+                         static_cast<double>(difference(impact, said.after, expected)),
+                         of_energy(impact, said.allowed + flown), Defect::wrong_velocity,
+                         [&] { return text(event) + ": " + text(said.after); }, [&] { return text(expected); }));
+        const Point dP = event.P_A_W.cast<Real>() - exact(law.P_A_W);
+        const Real stored =
+            oracle::unit_roundoff(asked.precision) * event.P_A_W.norm() * std::sqrt(impact.impact.K.trace());
+        worse(worst, judge::at_most(
+                         static_cast<double>(std::sqrt(std::max<Real>(0, dP.dot(impact.impact.K * dP)))),
+                         of_energy(impact, said.allowed + flown + static_cast<double>(stored)), Defect::inconsistent,
+                         [&] { return text(event) + ": P = " + text(Point(event.P_A_W.cast<Real>())); },
+                         [&] { return text(exact(law.P_A_W)); }));
+        return worst;
+      });
+}
+
+bool spheres_apart(const Body& a, const State& at, const Body& b, const State& bt) {
+  const double reach = tolerance::radius(a) + tolerance::radius(b);
+  return (at.X_WB.p_WB - bt.X_WB.p_WB).norm() > 1.01 * reach;
+}
+
+// Whoever looks sees no two bodies in each other beyond the envelope.
+Finding solid(const Scene& scene, Subject& subject) {
+  return of_trajectory(scene, subject, [&](const TrajectoryCase& asked) {
+    Finding worst;
+    for (std::size_t look = 0; look < asked.looks(); ++look) {
+      const std::vector<State>& states = asked.said.states[look];
+      for (std::size_t i = 0; i < states.size(); ++i) {
+        for (std::size_t j = i + 1; j < states.size(); ++j) {
+          const bool fixed = asked.is_fixed(i) && asked.is_fixed(j);
+          if (fixed || spheres_apart(scene.bodies[i], states[i], scene.bodies[j], states[j])) continue;
+          Scene pair;
+          pair.bodies = {scene.bodies[i], scene.bodies[j]};
+          pair.bodies[0].X_WB = states[i].X_WB;
+          pair.bodies[1].X_WB = states[j].X_WB;
+          const bool overlap = truth::distance(pair).verdict == Verdict::overlapping;
+          const double deep = overlap ? judge::margin(pair).lo : 0;
+          const double allowed = envelope(scene) + tolerance::distance(pair, asked.precision);
+          const auto seen = [&] {
+            return "bodies " + std::to_string(i) + " and " + std::to_string(j) + " in each other at " +
+                   oracle::words::text(asked.time(look)) + " s";
+          };
+          if (worse(worst, judge::at_most(deep, in_ulps_of_place(asked, allowed), Defect::overdeep, seen,
+                                          [] { return std::string("none deeper than the envelope"); }))) {
+            return worst;
+          }
+        }
+      }
+    }
+    return worst;
+  });
+}
+
+}  // namespace
+
+std::vector<Property> simulation_properties() {
+  const std::string stem = "simulation", clause = "TS-SIMULATION-";
+  return {
+      {"simulation.ordered", stem, {clause + "1"}, "states and events come whole and in order", ordered},
+      {"simulation.flights", stem, {clause + "2"}, "between events bodies fly", flights},
+      {"simulation.event_states", stem, {clause + "3"}, "an event moves no body", event_states},
+      {"simulation.none_missed", stem, {clause + "4"}, "no two bodies pass into each other", none_missed},
+      {"simulation.contacts", stem, {clause + "5"}, "an impact is where the two nearly touch", contacts},
+      {"simulation.impulses", stem, {clause + "6"}, "an impact does what the law says", impulses},
+      {"simulation.solid", stem, {clause + "7"}, "nobody sees one body in another", solid},
+  };
+}
+
+}  // namespace touchstone::properties

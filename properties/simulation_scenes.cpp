@@ -1,0 +1,384 @@
+// docs/spec/simulation.md, as sentences that run: two runs that must be alike, and scenes whose whole way is known.
+#include <algorithm>
+#include <cmath>
+
+#include "model/limits.h"
+#include "oracle/flown.h"
+#include "oracle/tolerance.h"
+#include "oracle/tolerance_motion.h"
+#include "oracle/words.h"
+#include "properties/exact_sum.h"
+#include "properties/flight_case.h"
+#include "properties/flight_motion.h"
+#include "properties/motion.h"
+#include "properties/pair_laws.h"
+#include "properties/stems.h"
+#include "properties/trajectory_case.h"
+
+namespace touchstone::properties {
+namespace {
+
+using oracle::Defect;
+using oracle::Finding;
+using oracle::Real;
+using oracle::Subject;
+using Meeting = TimeOfImpact::Meeting;
+namespace judge = oracle::judge;
+namespace tolerance = oracle::tolerance;
+namespace words = oracle::words;
+
+bool is_fixed(const Body& body) { return std::holds_alternative<Fixed>(body.mass); }
+
+std::vector<Leg> from_the_start(const Scene& scene, std::size_t i, std::size_t j) {
+  const auto leg = [&](std::size_t k) {
+    const Body& body = scene.bodies[k];
+    const double since = scene.flight->since.empty() ? 0 : scene.flight->since[k];
+    return Leg{k, since, end_of(scene), {body.X_WB, body.velocity}, true};
+  };
+  return {leg(i), leg(j)};
+}
+
+/// Every pair that is not fixed, as it would fly on its own until the end: judge_it(const FlightCase&) → go on?
+template <class GoOn>
+bool all_pairs(const Scene& scene, oracle::Precision precision, GoOn&& go_on) {
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    for (std::size_t j = i + 1; j < scene.bodies.size(); ++j) {
+      if (is_fixed(scene.bodies[i]) && is_fixed(scene.bodies[j])) continue;
+      const Scene pair = in_flight(scene, from_the_start(scene, i, j), end_of(scene));
+      const std::optional<FlightCase> flight = flight_case(pair, precision);
+      if (!flight || !go_on(*flight)) return false;
+    }
+  }
+  return true;
+}
+
+// Of bodies that never meet every state is known, whether events are told or not.
+Finding alone(const Scene& scene, Subject& subject) {
+  return of_trajectory(scene, subject, [&](const TrajectoryCase& asked) {
+    if (!scene.flight->pushes.empty()) return judge::outside("pushes");
+    const bool apart = all_pairs(scene, asked.precision, [](const FlightCase& pair) {
+      return pair.truth.meeting == Meeting::miss && !pair.earliest();
+    });
+    if (!apart) return judge::outside("bodies that meet");
+    if (asked.events() > 0) return judge::wrong(Defect::phantom, text(asked.said.events->front()), "no event");
+    Finding worst;
+    for (std::size_t look = 0; look < asked.looks(); ++look) {
+      for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+        const State& said = asked.said.states[look][i];
+        const double time = asked.time(look);
+        if (worse(worst, arrives(asked, scene, i, time, said))) return worst;
+      }
+    }
+    return worst;
+  });
+}
+
+/// The pair of the first impact, from the start to the earliest and the latest time at which it may come.
+struct FirstImpact {
+  double time = 0;    ///< as said, s
+  double window = 0;  ///< s
+};
+
+const Event* first_event(const Trajectory& said) {
+  return said.events && !said.events->empty() ? &said.events->front() : nullptr;
+}
+
+std::optional<FirstImpact> first_impact(const Scene& scene, const Trajectory& said, oracle::Precision precision) {
+  const Event* event = first_event(said);
+  if (event == nullptr || event->kind != Event::Kind::impact) return std::nullopt;
+  const auto legs = from_the_start(scene, static_cast<std::size_t>(event->a), static_cast<std::size_t>(event->b));
+  const Scene flying = in_flight(scene, legs, end_of(scene));
+  const std::optional<FlightCase> pair = flight_case(flying, precision);
+  if (!pair) return std::nullopt;
+  const auto near = oracle::truth::time_of_distance(flying, envelope(scene) + pair->slack);
+  const std::optional<double> latest = pair->latest();
+  if (near.meeting != Meeting::hit || !latest) return std::nullopt;
+  return FirstImpact{event->time, *latest - near.time.lo};
+}
+
+// The first impact comes when it did; later ones may be another way, by the freedom within the envelope.
+Finding first_impact_unchanged(const Scene& scene, const std::optional<Scene>& other, Subject& subject) {
+  return of_course(scene, subject, [&](const TrajectoryCase& asked, const Course&) {
+    const std::optional<FirstImpact> first = first_impact(scene, asked.said, asked.precision);
+    if (!first) return judge::outside("no first impact that is clear");
+    return of_moved(other, subject, [&](const Scene& moved) {
+      return judge::given(subject.simulation(moved), [&](const Trajectory& said) {
+        const Event* event = first_event(said);
+        if (event == nullptr)
+          return judge::wrong(Defect::moved_with_frame, "no impact", text(*first_event(asked.said)));
+        return judge::at_most(
+            std::abs(event->time - first->time), {2 * first->window, first->window, "times of freedom"},
+            Defect::moved_with_frame, [&] { return text(*event); },
+            [&] { return text(*first_event(asked.said)) + ", as before"; });
+      });
+    });
+  });
+}
+
+Finding rotated(const Scene& scene, Subject& subject) {
+  return first_impact_unchanged(scene, some_turn(scene), subject);
+}
+
+Finding shifted(const Scene& scene, Subject& subject) {
+  return first_impact_unchanged(scene, translated(scene), subject);
+}
+
+Finding galilean(const Scene& scene, Subject& subject) {
+  return first_impact_unchanged(scene, scene.flight ? carried(scene) : std::nullopt, subject);
+}
+
+// A ball as large as the largest body that moves, so that the envelope stays, and too far away to be met.
+Body bystander(const Scene& scene) {
+  double largest = 0, far = 0;
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    const tolerance::FlightBound bound = tolerance::flight(scene, i, end_of(scene), oracle::Precision::binary64);
+    largest = std::max(largest, size(scene.bodies[i].shape));
+    far = std::max(far, bound.farthest + bound.fastest * end_of(scene));
+  }
+  Body ball;
+  ball.shape = Sphere{largest};
+  ball.X_WB.p_WB = std::exp2(std::ceil(std::log2(far)) + 6) * Vec3(1, 0, 0);
+  return ball;
+}
+
+Finding bystanders(const Scene& scene, Subject& subject) {
+  return of_trajectory(scene, subject, [&](const TrajectoryCase& asked) {
+    Scene more = scene;
+    const auto others = static_cast<std::ptrdiff_t>(scene.bodies.size());
+    if (others == 0) return judge::outside("no body");
+    more.bodies.push_back(bystander(scene));
+    if (!scene.flight->since.empty()) more.flight->since.push_back(scene.flight->since.front());
+    return of_scene(more, subject, [&] {
+      return judge::given(subject.simulation(more), [&](Trajectory said) {
+        for (std::vector<State>& states : said.states) {
+          if (states.size() == more.bodies.size()) states.resize(static_cast<std::size_t>(others));
+        }
+        if (said == asked.said) return judge::holds();
+        return judge::wrong(Defect::inconsistent, "another way of the others", "the same bits with a ball far away");
+      });
+    });
+  });
+}
+
+/// Two balls, or a ball and a fixed body, elastic and without friction.
+bool may_go_back(const Scene& scene) {
+  const auto ball = [](const Body& b) { return std::holds_alternative<Sphere>(b.shape) && !is_fixed(b); };
+  const auto elastic = [](const Body& b) { return b.material.restitution == 1; };
+  return scene.bodies.size() == 2 && ball(scene.bodies[0]) && (ball(scene.bodies[1]) || is_fixed(scene.bodies[1])) &&
+         std::ranges::all_of(scene.bodies, elastic) &&
+         std::min(scene.bodies[0].material.friction, scene.bodies[1].material.friction) == 0 &&
+         scene.flight->pushes.empty() && scene.flight->since.empty();
+}
+
+// m: both impacts may be anywhere in the envelope, each ε/|u_n| early. Along the normal that shifts the way by 2ε;
+// across it, the normal differs by |u_t|/|u_n|·ε/R, R the distance of the centres, and so does the way after it:
+// 2|u_t|ε/R for each second; against a body that does not fall the speeds differ by g·ε/|u_n|. All that twice, once for
+// each way.
+double back_home(const Scene& scene, const Event& event, double end, double slack) {
+  const Vec3 u_after = event.after_a.velocity.v_WBcm - event.after_b.velocity.v_WBcm;
+  const Vec3 n = event.nhat_BA_W;
+  const double u_n = std::abs(u_after.dot(n)), u_t = (u_after - u_after.dot(n) * n).norm();
+  const double R = size(scene.bodies[0].shape);
+  const double eps = envelope(scene) + slack;
+  if (u_n * u_n < 16 * eps * u_t * u_t / R) return INFINITY;
+  return 4 * (eps * (1 + u_t / R * end) + scene.gravity.norm() * eps / u_n * end) + 4 * slack;
+}
+
+Finding reversible(const Scene& scene, Subject& subject) {
+  return of_course(scene, subject, [&](const TrajectoryCase& asked, const Course&) {
+    const bool once = asked.events() == 1 && asked.said.events->front().kind == Event::Kind::impact;
+    if (!may_go_back(scene) || !once || asked.said.states.empty())
+      return judge::outside("not one elastic impact of balls");
+    Scene back = scene;
+    const std::vector<State>& there = asked.said.states.back();
+    for (std::size_t i = 0; i < 2; ++i) {
+      const bool fixed = is_fixed(scene.bodies[i]);
+      if (fixed && !(scene.bodies[i].velocity == Velocity{})) return judge::outside("a fixed body that moves");
+      back.bodies[i].X_WB = there[i].X_WB;
+      back.bodies[i].velocity = {-there[i].velocity.v_WBcm, -there[i].velocity.w_WB};
+    }
+    const double end = asked.end;
+    back.flight->times = {end};
+    const Scene pair = in_flight(scene, from_the_start(scene, 0, 1), end);
+    const double slack = tolerance::meeting(pair, end, asked.precision);
+    const double allowed = back_home(scene, asked.said.events->front(), end, slack);
+    if (std::isinf(allowed)) return judge::outside("a grazing impact");
+    return judge::given(subject.simulation(back), [&](const Trajectory& said) {
+      if (!fault_in_form(back, said).empty() || said.states.empty()) return judge::silent("the way back");
+      Finding worst;
+      for (std::size_t i = 0; i < 2; ++i) {
+        const Vec3 p = said.states.back()[i].X_WB.p_WB, home = scene.bodies[i].X_WB.p_WB;
+        if (worse(worst, judge::at_most((p - home).norm(), in_ulps_of_place(asked, allowed), Defect::inconsistent,
+                                        [&] { return words::text(p); }, [&] { return words::text(home); }))) {
+          return worst;
+        }
+      }
+      return worst;
+    });
+  });
+}
+
+/// A level table: a fixed box that is not turned and does not move, with gravity straight down, or none.
+const Body* table_of(const Scene& scene) {
+  const Body* table = nullptr;
+  for (const Body& body : scene.bodies) {
+    if (!is_fixed(body)) continue;
+    const Quaternion& q = body.X_WB.q_WB;
+    const bool level = std::holds_alternative<Box>(body.shape) && q.x == 0 && q.y == 0 && q.z == 0 &&
+                       body.velocity == Velocity{} && table == nullptr;
+    if (!level) return nullptr;
+    table = &body;
+  }
+  const Vec3& g = scene.gravity;
+  return g.x() == 0 && g.y() == 0 && g.z() <= 0 ? table : nullptr;
+}
+
+/// m: from its centre to its lowest point; none for what is no ball or level box.
+std::optional<double> half_height(const Body& body) {
+  const auto* given = std::get_if<MassProperties>(&body.mass);
+  if (given != nullptr && !given->p_BBcm.isZero(0)) return std::nullopt;
+  if (const auto* ball = std::get_if<Sphere>(&body.shape)) return ball->radius;
+  const Quaternion& q = body.X_WB.q_WB;
+  const auto* box = std::get_if<Box>(&body.shape);
+  if (box == nullptr || q.x != 0 || q.y != 0 || q.z != 0) return std::nullopt;
+  return box->half_extents.z();
+}
+
+bool is_over(const Body& table, const Body& body) {
+  const Vec3 half = std::get<Box>(table.shape).half_extents, off = body.X_WB.p_WB - table.X_WB.p_WB;
+  return std::abs(off.x()) < half.x() && std::abs(off.y()) < half.y();
+}
+
+/// m: of the lowest point over the table's top; none where it is not known exactly.
+std::optional<double> height(const Body& table, const Body& body) {
+  const std::optional<double> half = half_height(body);
+  if (!half) return std::nullopt;
+  return exact_sum({body.X_WB.p_WB.z(), -*half, -table.X_WB.p_WB.z(), -std::get<Box>(table.shape).half_extents.z()});
+}
+
+bool clear_of_each_other(const Scene& scene) {
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    for (std::size_t j = i + 1; j < scene.bodies.size(); ++j) {
+      const Body &a = scene.bodies[i], &b = scene.bodies[j];
+      if (is_fixed(a) || is_fixed(b)) continue;
+      if (!((a.X_WB.p_WB - b.X_WB.p_WB).norm() > 1.01 * (tolerance::radius(a) + tolerance::radius(b)))) return false;
+    }
+  }
+  return true;
+}
+
+/// On the table, or over it within the envelope.
+bool all_rest(const Scene& scene, const Body& table) {
+  return std::ranges::all_of(scene.bodies, [&](const Body& body) {
+    if (is_fixed(body)) return true;
+    const double over = height(table, body).value_or(-1);
+    return body.velocity == Velocity{} && is_over(table, body) && over >= 0 && over <= envelope(scene);
+  });
+}
+
+// A body at rest stays where it is, within the envelope: it does not sink, and does not creep.
+Finding rests(const Scene& scene, Subject& subject) {
+  return of_trajectory(scene, subject, [&](const TrajectoryCase& asked) {
+    const Body* table = table_of(scene);
+    const bool still = table != nullptr && all_rest(scene, *table) && clear_of_each_other(scene);
+    if (!still || !scene.flight->pushes.empty()) return judge::outside("not bodies at rest on a level table");
+    const double allowed = envelope(scene) + tolerance::distance(scene, asked.precision);
+    Finding worst;
+    for (std::size_t look = 0; look < asked.looks(); ++look) {
+      for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+        const Vec3 p = asked.said.states[look][i].X_WB.p_WB, home = scene.bodies[i].X_WB.p_WB;
+        if (worse(worst, judge::at_most((p - home).norm(), in_ulps_of_place(asked, allowed), Defect::drifts,
+                                        [&] { return words::text(p) + " at " + words::text(asked.time(look)) + " s"; },
+                                        [&] { return words::text(home); }))) {
+          return worst;
+        }
+      }
+    }
+    return asked.looks() > 0 ? worst : judge::silent("where anything is later");
+  });
+}
+
+/// A ball thrown straight up or down over a table, and bouncing for ever less.
+struct Bounces {
+  Real height = 0, v = 0, g = 0, e = 0;
+
+  struct Now {
+    Real height = 0;
+    Real impacts = 0;  ///< so far; infinity: it rests
+  };
+
+  // Impact n is at t₁ + 2v₁/g·(e + … + eⁿ⁻¹), with eⁿ⁻¹v₁ before it; all are over at t₁ + 2v₁/g·e/(1 − e).
+  Now at(Real t) const {
+    const Real v1 = std::sqrt(v * v + 2 * g * height), t1 = (v + v1) / g;
+    if (t <= t1) return {height + v * t - g * t * t / 2, 0};
+    Real up = e * v1, since = t - t1;
+    Now now{0, 1};
+    if (e < 1 && since * g * (1 - e) >= 2 * up) return {0, INFINITY};
+    while (up > 0 && since * g > 2 * up) {
+      since -= 2 * up / g;
+      up *= e;
+      ++now.impacts;
+    }
+    now.height = up * since - g * since * since / 2;
+    return now;
+  }
+};
+
+// An impact at the height h ≤ ε comes h/v early and changes the energy by (1 − e²) mgh: the sum of the delays, each
+// times the speed after it, is at most 2ε Σ eᵏ; as much again for what the energy makes of the flights, and the
+// rounding of the flight as an envelope of its own.
+double freedom_of(const Bounces& ball, Real impacts, double eps) {
+  const Real sum = std::min(impacts + 1, ball.e < 1 ? 1 / (1 - ball.e) : INFINITY);
+  return static_cast<double>((4 * sum + 2) * eps);
+}
+
+Finding bounces(const Scene& scene, Subject& subject) {
+  return of_trajectory(scene, subject, [&](const TrajectoryCase& asked) {
+    const Body* table = table_of(scene);
+    const auto moving = std::ranges::find_if(scene.bodies, [](const Body& b) { return !is_fixed(b); });
+    const bool one =
+        table != nullptr && scene.bodies.size() == 2 && moving != scene.bodies.end() && scene.flight->since.empty();
+    if (!one || !scene.flight->pushes.empty()) return judge::outside("not a ball over a level table");
+    const Velocity& V = moving->velocity;
+    const bool upright = V.v_WBcm.x() == 0 && V.v_WBcm.y() == 0 && V.w_WB.isZero(0) && is_over(*table, *moving) &&
+                         std::holds_alternative<Sphere>(moving->shape) && scene.gravity.z() < 0;
+    const std::optional<double> start = upright ? height(*table, *moving) : std::nullopt;
+    if (!start || *start < 0 || (*start == 0 && V.v_WBcm.z() <= 0)) return judge::outside("not thrown over the table");
+    const Bounces ball{*start, V.v_WBcm.z(), -scene.gravity.z(),
+                       std::min(moving->material.restitution, table->material.restitution)};
+    const Scene pair = in_flight(scene, from_the_start(scene, 0, 1), end_of(scene));
+    const double eps = envelope(scene) + tolerance::meeting(pair, end_of(scene), asked.precision);
+    const auto which = static_cast<std::size_t>(moving - scene.bodies.begin());
+    Finding worst;
+    for (std::size_t look = 0; look < asked.looks(); ++look) {
+      const Bounces::Now now = ball.at(asked.time(look));
+      const double raised = asked.said.states[look][which].X_WB.p_WB.z() - moving->X_WB.p_WB.z() + *start;
+      if (worse(worst, judge::at_most(
+                           static_cast<double>(std::abs(raised - now.height)),
+                           in_ulps_of_place(asked, freedom_of(ball, now.impacts, eps)), Defect::wrong_motion,
+                           [&] { return words::text(raised) + " m high at " + words::text(asked.time(look)) + " s"; },
+                           [&] { return words::text(static_cast<double>(now.height)) + " m"; }))) {
+        return worst;
+      }
+    }
+    return asked.looks() > 0 ? worst : judge::silent("where anything is later");
+  });
+}
+
+}  // namespace
+
+std::vector<Property> simulation_scene_properties() {
+  const std::string stem = "simulation", clause = "TS-SIMULATION-";
+  return {
+      {"simulation.alone", stem, {clause + "13"}, "bodies that never meet fly", alone},
+      {"simulation.rotated", stem, {clause + "14"}, "turning the world changes no first impact", rotated},
+      {"simulation.translated", stem, {clause + "14"}, "moving the world changes no first impact", shifted},
+      {"simulation.galilean", stem, {clause + "15"}, "nor does a velocity of all bodies", galilean},
+      {"simulation.bystanders", stem, {clause + "16"}, "who never touches changes no bit", bystanders},
+      {"simulation.reversible", stem, {clause + "17"}, "an elastic impact of balls runs backwards", reversible},
+      {"simulation.rests", stem, {clause + "18"}, "what rests neither sinks nor creeps", rests},
+      {"simulation.bounces", stem, {clause + "19"}, "a ball bounces as high as it should, and comes to rest", bounces},
+  };
+}
+
+}  // namespace touchstone::properties
