@@ -47,7 +47,8 @@ class Replay(Test):
         for width, dark in ((390, True), (1300, False)):
             with self.subTest(width=width, dark=dark):
                 self.browser.open(self.page, width, 800, dark=dark)
-                self.assertEqual(self.browser.complaints(), [])
+                # The driver complains, late, about this test's own reading of pixels.
+                self.assertEqual([c for c in self.browser.complaints() if "due to ReadPixels" not in c], [])
                 self.assertLessEqual(self.browser.value("document.documentElement.scrollWidth"), width)
                 self.assertGreater(self.browser.value("replay.canvas.clientHeight"), 400)
                 self.assertGreater(self.browser.value(COLOURS), 20)  # paper alone would be one
