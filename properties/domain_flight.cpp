@@ -102,7 +102,8 @@ Scene thin_plates(Random& random) {
 Scene touching(Random& random) {
   const Quaternion q = axes_quaternion(random);
   Scene scene = contact(random, 0, {Vec3::Zero(), q});
-  const double speed = random.sign() * random.whole(1, 8);
+  const int sign = random.sign();
+  const double speed = sign * random.whole(1, 8);
   const Vec3 v = turned_by_axes(q, {random.whole(-2, 2), random.whole(-2, 2), speed});
   scene.bodies[0].velocity.v_WBcm = v;
   if (random.one_in(3)) {  // thrown off one that stays, and back

@@ -2,7 +2,6 @@
 #include <algorithm>
 
 #include "oracle/subjects/canaries.h"
-#include "oracle/subjects/touchstone_reference.h"
 #include "properties/property.h"
 #include "tests/catch.h"
 #include "tests/properties/generated_page.h"
@@ -29,7 +28,7 @@ TEST_CASE("every canary is caught") {
 }
 
 TEST_CASE("the reference keeps every property, and each property asks it something") {
-  const auto reference = oracle::subjects::make_reference();
+  const auto reference = tests::truthful();
   for (const properties::Property& property : properties::all()) {
     int held = 0;
     for (const Scene& scene : tests::scenes_of(property.stem)) {

@@ -48,8 +48,6 @@ class Truthful : public oracle::Subject {
   const std::unique_ptr<oracle::Subject> reference_ = oracle::subjects::make_reference();
 };
 
-std::unique_ptr<oracle::Subject> make_truthful() { return std::make_unique<Truthful>(); }
-
 // Properties of a stem ask its query; a film's frames are asked for as pair_history.
 bool lies_about(const oracle::subjects::Canary& canary, const std::string& stem) {
   return std::ranges::any_of(canary.lies_about, [&](const std::string& query) {
@@ -60,7 +58,7 @@ bool lies_about(const oracle::subjects::Canary& canary, const std::string& stem)
 // A fresh canary for each scene, as what it remembers is part of its lie.
 bool catches(const properties::Property& property, const oracle::subjects::Canary& canary) {
   return std::ranges::any_of(scenes_of(property.stem), [&](const Scene& scene) {
-    const auto subject = canary.make(make_truthful());
+    const auto subject = canary.make(truthful());
     const oracle::Outcome outcome = property.check(scene, *subject).outcome;
     return outcome == oracle::Outcome::fails || outcome == oracle::Outcome::breaks;
   });
@@ -73,6 +71,8 @@ std::string list(const auto& names) {
 }
 
 }  // namespace
+
+std::unique_ptr<oracle::Subject> truthful() { return std::make_unique<Truthful>(); }
 
 const std::map<std::string, std::set<std::string>>& kills() {
   static const std::map<std::string, std::set<std::string>> table = [] {

@@ -88,10 +88,10 @@ TEST_CASE("simulation: each wrong part is found by its own property") {
   event_of(said).after_b.velocity.v_WBcm.x() = 1e-12;
   CHECK(judged("event_states", said).defect == Defect::wrong_motion);
   said = turned_back();
-  event_of(said).after_a.velocity.v_WBcm.z() += 1e-12;
+  event_of(said).after_a.velocity.v_WBcm.z() += 1e-9;
   CHECK(judged("impulses", said).defect == Defect::wrong_velocity);
   said = turned_back();
-  event_of(said).P_A_W.z() *= 1 + 1e-12;
+  event_of(said).P_A_W.z() *= 1 + 1e-9;
   CHECK(judged("impulses", said).defect == Defect::inconsistent);
   said = turned_back();
   event_of(said).p_WC.z() = 1e-6;
