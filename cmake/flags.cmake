@@ -1,6 +1,8 @@
 # One place for every flag. -ffp-contract=off: a fused multiply-add rounds once where the source rounds twice, so the same
 # source would give other bits on other machines. Never -ffast-math: it breaks enclosures and flushes denormals for the process.
+# EIGEN_DONT_VECTORIZE: a vectorised sum of three adds in another order with -march=native (tests/fast/fingerprint).
 add_library(touchstone_flags INTERFACE)
+target_compile_definitions(touchstone_flags INTERFACE EIGEN_DONT_VECTORIZE)
 target_compile_options(touchstone_flags INTERFACE -ffp-contract=off -Wall -Wextra -Wpedantic -Wshadow -Wconversion
   -Wno-sign-conversion $<$<BOOL:${TOUCHSTONE_WERROR}>:-Werror>)
 

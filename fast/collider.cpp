@@ -7,7 +7,6 @@ namespace touchstone::fast {
 namespace {
 
 using lin_canny::Convex;
-using lin_canny::u;
 
 /// Where a part's ball is, and how far it reaches: all of its points are within `radius` of `centre`, in the body's
 /// frame.

@@ -6,12 +6,12 @@
 
 #include "fast/lin_canny/rotation.h"
 #include "fast/mass.h"
+#include "fast/rounding.h"
 #include "model/input_error.h"
 
 namespace touchstone::fast {
 namespace {
 
-constexpr double u = 0x1p-53;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// A body as the impact sees it. Of a fixed one only the velocity counts.

@@ -16,7 +16,7 @@ Json json_of(double number) { return number; }
 Json json_of(const Interval& interval) { return {interval.lo, interval.hi}; }
 Json json_of(const Feature& feature) { return {{"part", feature.part}, {"vertices", feature.vertices}}; }
 
-Json json_of(const MassProperties& mass) {
+Json stated(const MassProperties& mass) {
   Json rows = Json::array();
   for (int i = 0; i < 3; ++i) rows.push_back(json_of(Vec3(mass.I_BBcm_B.row(i))));
   return {{"mass", mass.mass}, {"p_BBcm", json_of(mass.p_BBcm)}, {"I_BBcm_B", std::move(rows)}};
@@ -50,7 +50,7 @@ Feature read_feature(const Node& node) {
   return feature;
 }
 
-Aabb read_box(const Node& node) {
+Aabb read_aabb(const Node& node) {
   node.expect_object({"lo", "hi"});
   return {read_vec3(node.at("lo")), read_vec3(node.at("hi"))};
 }
@@ -119,7 +119,7 @@ Json json_of(const Velocity& velocity) {
 
 Json json_of(const Masses& answer) {
   Json json = Json::array();
-  for (const auto& mass : answer) json.push_back(mass ? json_of(*mass) : Json());
+  for (const auto& mass : answer) json.push_back(mass ? stated(*mass) : Json());
   return json;
 }
 
@@ -208,7 +208,7 @@ template <>
 Bounds read<Bounds>(const Json& json, const std::string& place) {
   const Node node(json, place);
   Bounds bounds;
-  for (int i = 0; i < node.size(); ++i) bounds.push_back(read_box(node[i]));
+  for (int i = 0; i < node.size(); ++i) bounds.push_back(read_aabb(node[i]));
   return bounds;
 }
 

@@ -13,7 +13,6 @@ namespace {
 
 using exact::Dyadic;
 using lin_canny::Hull;
-using lin_canny::u;
 
 /// A computed r·s, r a row of R and s a unit spoke: R is off by 36u, the spoke by 5u, three products and two sums of
 /// numbers whose magnitudes sum to at most 1 by 3.1u: 44.1u, and terms of second order.

@@ -9,7 +9,6 @@
 
 namespace touchstone::fast {
 
-using outward::u;
 using outward::unit;
 
 Aabb forced_box(const Body& body, const Vec3& gravity, double duration, double greatest_force) {

@@ -3,12 +3,11 @@
 
 #include <limits>
 
+#include "fast/rounding.h"
 #include "model/frame.h"
 #include "model/shape.h"
 
 namespace touchstone::fast::outward {
-
-constexpr double u = 0x1p-53;  ///< the rounding unit of doubles
 
 /// Lengths are worked with as multiples of 2^8, so that no sum of a few of them overflows. All that this folder's
 /// inner parts say to each other is in this unit.

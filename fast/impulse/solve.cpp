@@ -6,6 +6,7 @@
 #include "fast/impulse/curve.h"
 #include "fast/impulse/restart.h"
 #include "fast/impulse/straight.h"
+#include "fast/rounding.h"
 
 namespace touchstone::fast::impulse {
 namespace {
@@ -138,9 +139,6 @@ Outcome solve(const Impact& impact) {
   return outcome;
 }
 
-double error_bound(double condition) {
-  constexpr double u = 0x1p-53;
-  return condition <= 10 ? 256 * u : 1024 * u * condition;
-}
+double error_bound(double condition) { return condition <= 10 ? 256 * u : 1024 * u * condition; }
 
 }  // namespace touchstone::fast::impulse

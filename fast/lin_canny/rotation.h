@@ -1,11 +1,10 @@
 // R(q/|q|) in doubles, and how far from the exact rotation it is.
 #pragma once
 
+#include "fast/rounding.h"
 #include "model/frame.h"
 
 namespace touchstone::fast::lin_canny {
-
-constexpr double u = 0x1p-53;  ///< the rounding unit of doubles
 
 /// R with ‖R − R(q/|q|)‖₂ ≤ rotation_error, for any q ≠ 0.
 ///

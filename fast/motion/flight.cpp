@@ -15,7 +15,6 @@ namespace touchstone::fast::motion {
 namespace {
 
 using lin_canny::rotation;
-using lin_canny::u;
 
 /// Ω² = |ω|² + c_j c_k ω_i², i the middle axis: the only one whose c_j c_k is not below 0. (2T(1/I₁ + 1/I₃) − L²/(I₁I₃)
 /// is Σ ω_i² I_i (I₁ + I₃ − I_i)/(I₁I₃), and I₂(I₁ + I₃ − I₂) = I₁I₃ + (I₁ − I₂)(I₂ − I₃).) The exact c are off by

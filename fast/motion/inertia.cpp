@@ -16,7 +16,6 @@ namespace touchstone::fast::motion {
 namespace {
 
 using exact::Dyadic;
-using lin_canny::u;
 
 using Exact = std::array<std::array<Dyadic, 3>, 3>;
 

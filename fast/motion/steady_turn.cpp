@@ -7,7 +7,6 @@
 
 namespace touchstone::fast::motion {
 
-using lin_canny::u;
 
 double length(const Vec3& w) {
   const double greatest = w.lpNorm<Eigen::Infinity>();

@@ -8,7 +8,6 @@
 namespace touchstone::fast::motion {
 namespace {
 
-using lin_canny::u;
 
 constexpr std::size_t most_steps = 1 << 13;
 constexpr double nothing_known = 2;

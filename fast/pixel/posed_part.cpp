@@ -59,7 +59,7 @@ PosedPart posed(const Part& part, const Grid& grid) {
   }
   const double S = outward::unit * (length + X.offsets) + made.radius + grid.x.greatest() + grid.y.greatest();
   if (!(S < 0x1p1000)) throw std::range_error("lengths beyond 2^1000 m");
-  made.error = 128 * outward::u * S + outward::unit * outward::underflow;
+  made.error = 128 * u * S + outward::unit * outward::underflow;
   made.box = {made.vertices.front(), made.vertices.front()};
   for (const Vec3& v : made.vertices) made.box = {made.box.lo.cwiseMin(v), made.box.hi.cwiseMax(v)};
   const Vec3 more = Vec3::Constant(made.radius + made.error);

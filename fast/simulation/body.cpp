@@ -5,12 +5,11 @@
 
 #include "fast/bounds.h"
 #include "fast/mass.h"
+#include "fast/rounding.h"
 #include "fast/simulation/spin.h"
 
 namespace touchstone::fast::world {
 namespace {
-
-constexpr double u = 0x1p-53;
 
 bool is_multiple_of_one(const Mat3& I) { return I == I(0, 0) * Mat3::Identity(); }
 

@@ -6,17 +6,16 @@
 #include <cstdint>
 
 #include "fast/lin_canny/nearest_parts.h"
+#include "fast/rounding.h"
+#include "fast/simulation/length.h"
 #include "fast/time_of_impact.h"
 
 namespace touchstone::fast::world {
 namespace {
 
-constexpr double u = 0x1p-53;
 constexpr int most_steps = 200;  // quadratic convergence takes a handful; then the bound is kept as one
 
 /// Lengths are what plain sqrt serves; the limits of a scene's numbers are far below where squares overflow.
-double length(const Vec3& v) { return std::sqrt(v.x() * v.x() + v.y() * v.y() + v.z() * v.z()); }
-
 struct Nearest {
   double gap;
   Vec3 n;      ///< from B to A

@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fast/simulation/length.h"
+
 namespace touchstone::fast::world {
 namespace {
 
 /// Slip and slopes below this are what rounding leaves of none: some hundred roundings of what they are computed from.
 constexpr double none = 0x1p-45;
-
-double length(const Vec3& v) { return std::sqrt(v.dot(v)); }
 
 /// When the foot, on the face whose normal is the block's axis `face`, passes one of the face's sides.
 double leaves_face(const Mover& block, const Vec3& s, const Vec3& v, const Vec3& a, Eigen::Index face) {

@@ -3,13 +3,15 @@
 #include <cmath>
 
 #include "fast/motion/sine.h"
+#include "fast/simulation/length.h"
 
 namespace touchstone::fast::world {
+
 Quaternion turned(const Quaternion& q, const Vec3& angle) {
-  const double length = std::sqrt(angle.x() * angle.x() + angle.y() * angle.y() + angle.z() * angle.z());
-  if (!(length > 0)) return q;
-  const auto [sine, c] = motion::sine_cosine(length / 2);
-  const Vec3 s = sine / length * angle;
+  const double size = length(angle);
+  if (!(size > 0)) return q;
+  const auto [sine, c] = motion::sine_cosine(size / 2);
+  const Vec3 s = sine / size * angle;
   const double w = c * q.w - (s.x() * q.x + s.y() * q.y + s.z() * q.z);
   const double x = c * q.x + s.x() * q.w + (s.y() * q.z - s.z() * q.y);
   const double y = c * q.y + s.y() * q.w + (s.z() * q.x - s.x() * q.z);

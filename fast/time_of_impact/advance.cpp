@@ -11,12 +11,10 @@
 namespace touchstone::fast::meeting {
 namespace {
 
-using lin_canny::u;
 using motion::Centre;
 using Kind = TimeOfImpact::Meeting;
 
 constexpr int most_looks = 200'000;
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// t + h, or a double before it where rounding would go further.
 double later(double t, double h) {

@@ -14,7 +14,6 @@ namespace touchstone::fast::meeting {
 using lin_canny::FeaturePair;
 using lin_canny::Hull;
 using lin_canny::Placed;
-using lin_canny::u;
 
 namespace {
 

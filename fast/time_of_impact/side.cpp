@@ -5,7 +5,6 @@
 namespace touchstone::fast::meeting {
 
 using lin_canny::Convex;
-using lin_canny::u;
 
 /// To the stand's turn error come 6u of a computed R v, and 28u of R_WB R_BP; the part's own place is turned once more
 /// (24u with its sums). A velocity w × r rounds by 8u |w||r|, r itself by the placement's error; n·v by 4u |v|; p̈ by as

@@ -10,14 +10,6 @@
 
 namespace touchstone::fast::meeting {
 
-using lin_canny::u;
-
-namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-}  // namespace
-
 double first_root(double z, double s, double c) {
   const double square = s * s - 2 * c * z;
   if (square < 0) return infinity;

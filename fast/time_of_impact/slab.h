@@ -1,11 +1,14 @@
 // How long two bodies surely stay on their sides of a plane.
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "fast/time_of_impact/side.h"
 
 namespace touchstone::fast::meeting {
+
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// First h ≥ 0 at which z + s h + c h²/2 = 0, for z ≥ 0; infinity if there is none.
 double first_root(double z, double s, double c);

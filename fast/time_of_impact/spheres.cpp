@@ -9,7 +9,6 @@
 namespace touchstone::fast::meeting {
 namespace {
 
-using lin_canny::u;
 using motion::Centre;
 using motion::Flight;
 using Kind = TimeOfImpact::Meeting;
