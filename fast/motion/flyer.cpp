@@ -9,7 +9,6 @@
 namespace touchstone::fast::motion {
 namespace {
 
-
 /// A vertex is computed with turn_error and sums, all lengths ≤ reach + |c|: 40u covers them and the norm.
 double farthest(const lin_canny::Solid& solid, const Vec3& c) {
   double radius = 0;

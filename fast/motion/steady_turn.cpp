@@ -7,7 +7,6 @@
 
 namespace touchstone::fast::motion {
 
-
 double length(const Vec3& w) {
   const double greatest = w.lpNorm<Eigen::Infinity>();
   if (greatest > 0x1p-400 && greatest < 0x1p400) return std::sqrt((w.x() * w.x() + w.y() * w.y()) + w.z() * w.z());
