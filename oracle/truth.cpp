@@ -101,8 +101,12 @@ const reference::FlightTruth& flown(const Scene& scene, std::size_t body, double
   return memory.of(question, [&](const Scene&) { return reference::flown(scene, body, time); });
 }
 
-reference::TimeOfImpactTruth time_of_distance(const Scene& scene, double apart) {
-  return reference::time_of_distance(scene, apart);
+// Remembered by the scene with that envelope, which plays no part in it.
+const reference::TimeOfImpactTruth& time_of_distance(const Scene& scene, double apart) {
+  thread_local Memory<reference::TimeOfImpactTruth, remembered_flights> memory;
+  Scene question = scene;
+  question.flight->envelope = apart;
+  return memory.of(question, [&](const Scene&) { return reference::time_of_distance(scene, apart); });
 }
 
 const Pixels& pixel(const Scene& scene) {

@@ -38,10 +38,8 @@ const reference::ImpulseTruth& impulse(const Scene& scene);
 /// A trajectory is many flights, and several properties judge it: more of these are remembered.
 inline constexpr int remembered_flights = 256;
 const reference::TimeOfImpactTruth& time_of_impact(const Scene& scene);
+const reference::TimeOfImpactTruth& time_of_distance(const Scene& scene, double apart);
 const reference::FlightTruth& flown(const Scene& scene, std::size_t body, double time);
-
-/// reference/time_of_impact.h; not remembered.
-reference::TimeOfImpactTruth time_of_distance(const Scene& scene, double apart);
 
 /// Or why the scene is outside.
 using ConstraintOrWhy = std::variant<reference::ConstraintTruth, std::string>;

@@ -60,30 +60,6 @@ TEST_CASE("every property cites clauses that name it") {
   }
 }
 
-TEST_CASE("every clause is proved sharp by canaries that its properties catch") {
-  for (const Clause& clause : properties::clauses()) {
-    INFO(clause.id);
-    CHECK_FALSE(clause.sharp_by.empty());
-    for (const std::string& canary : clause.sharp_by) {
-      INFO(canary);
-      CHECK_NOTHROW(oracle::subjects::canary(canary));
-      CHECK(std::ranges::any_of(clause.checked_by, [&](const std::string& property) {
-        return tests::kills().at(property).contains(canary);
-      }));
-    }
-  }
-}
-
-TEST_CASE("every property of a clause catches one of the clause's canaries") {
-  for (const Clause& clause : properties::clauses()) {
-    for (const std::string& property : clause.checked_by) {
-      INFO(clause.id << " " << property);
-      CHECK(std::ranges::any_of(
-          clause.sharp_by, [&](const std::string& canary) { return tests::kills().at(property).contains(canary); }));
-    }
-  }
-}
-
 TEST_CASE("the clauses' page is what the clauses say") {
   CHECK(tests::committed_page("clauses.md", tests::clause_index()) == tests::clause_index());
 }
