@@ -155,7 +155,8 @@ Scene starts(Random& random) {
 
 /// Fixed bodies that move, and turn about their origins.
 Scene turntables(Random& random) {
-  Body table = fixed(at_rest(Box{Vec3(16, random.whole(1, 4), random.whole(1, 2))}));
+  const Vec3 half{16, random.whole(1, 4), random.whole(1, 2)};
+  Body table = fixed(at_rest(Box{half}));
   table.velocity = {small_vector(random, 2), {0, random.whole(-1, 1), random.whole(-3, 3)}};
   Body other = maybe_spun(random, with_mass(random, some_solid(random)));
   other.velocity.v_WBcm = {random.whole(-4, 4), random.whole(-4, 4), -random.whole(4, 16)};
