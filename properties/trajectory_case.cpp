@@ -45,9 +45,20 @@ std::string fault_in_event(const Scene& scene, const Event& event, double end) {
   return {};
 }
 
-bool in_order(const Event& first, const Event& second) {
-  return std::tuple(first.time, first.a, first.b) <= std::tuple(second.time, second.a, second.b) ||
-         (first.time == second.time && (first.kind != Event::Kind::impact || second.kind != Event::Kind::impact));
+bool share_a_body(const Event& a, const Event& b) { return a.a == b.a || a.a == b.b || a.b == b.a || a.b == b.b; }
+
+// At one time impacts come in the order of their pairs, but for one that an impact at that time has brought about.
+bool in_order(const std::vector<Event>& events, std::size_t k) {
+  const Event& event = events[k];
+  if (k == 0) return true;
+  const Event& before = events[k - 1];
+  if (before.time != event.time) return before.time < event.time;
+  if (before.kind != Event::Kind::impact || event.kind != Event::Kind::impact) return true;
+  if (std::tuple(before.a, before.b) <= std::tuple(event.a, event.b)) return true;
+  for (std::size_t i = k; i-- > 0 && events[i].time == event.time;) {
+    if (share_a_body(events[i], event)) return true;
+  }
+  return false;
 }
 
 bool told(const Push& push, const Trajectory& said) {
@@ -126,7 +137,7 @@ std::string fault_in_form(const Scene& scene, const Trajectory& said) {
   for (std::size_t k = 0; k < said.events->size(); ++k) {
     const Event& event = (*said.events)[k];
     if (const std::string fault = fault_in_event(scene, event, end); !fault.empty()) return fault + ": " + text(event);
-    if (k > 0 && !in_order((*said.events)[k - 1], event)) return "not in the order of (time, a, b): " + text(event);
+    if (!in_order(*said.events, k)) return "not in the order of (time, a, b): " + text(event);
   }
   for (const Push& push : scene.flight->pushes) {
     const double since = scene.flight->since.empty() ? 0 : scene.flight->since[static_cast<std::size_t>(push.body)];
