@@ -51,7 +51,7 @@ TEST_CASE("sine and cosine are as near as they say") {
   for (int i = 0; i < 20'000; ++i) {
     const double x = std::ldexp(static_cast<double>(bits.next() >> 11), -53 + bits.below(48));
     const SineCosine found = sine_cosine(x);
-    const double allowed = (4 + 2 * x) * lin_canny::u;  // one u for the library's own
+    const double allowed = (4 + 2 * x) * u;  // one u for the library's own
     REQUIRE(std::abs(found.sine - std::sin(x)) <= allowed);
     REQUIRE(std::abs(found.cosine - std::cos(x)) <= allowed);
   }
