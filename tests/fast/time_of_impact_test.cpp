@@ -20,7 +20,7 @@ Scene balls() {
   Scene scene;
   for (const double side : {-1.0, 1.0}) {
     Body ball;
-    ball.name = side < 0 ? "A" : "B";
+    ball.name = std::string(side < 0 ? "A" : "B");
     ball.shape = Sphere{0.5};
     ball.X_WB.p_WB = Vec3(2 * side, 0, 0);
     ball.velocity.v_WBcm = Vec3(-side, 0, 0);
@@ -36,11 +36,11 @@ Scene cube_over_table(double height, double v) {
   Scene scene;
   scene.gravity = Vec3(0, 0, -9.8);
   Body cube, table;
-  cube.name = "cube";
+  cube.name = std::string("cube");
   cube.shape = Box{Vec3(0.5, 0.5, 0.5)};
   cube.X_WB.p_WB = Vec3(0, 0, 0.5 + height);
   cube.velocity.v_WBcm = Vec3(0, 0, -v);
-  table.name = "table";
+  table.name = std::string("table");
   table.shape = Box{Vec3(8, 8, 1)};
   table.X_WB.p_WB = Vec3(0, 0, -1);
   table.mass = Fixed{};

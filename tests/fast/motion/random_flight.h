@@ -27,7 +27,7 @@ class RandomFlight {
   /// 0: a ball, 1: a box, 2: a box of two like sides, 3: moments as given, 4: a hull, 5: axes that are not the body's.
   Body body(int kind) {
     Body b;
-    b.name = "body";
+    b.name = std::string("body");
     b.shape = Box{Vec3(0.2 + unit(), 0.2 + unit(), 0.2 + unit())};
     if (kind == 0) b.shape = Sphere{0.2 + unit()};
     if (kind == 2) b.shape = Box{Vec3(0.5, 0.5, 0.2 + unit())};
@@ -48,7 +48,7 @@ class RandomFlight {
     Scene scene;
     scene.gravity = Vec3(0, 0, -9.81);
     scene.bodies = {body(kind), body(0)};
-    scene.bodies[1].name = "other";
+    scene.bodies[1].name = std::string("other");
     scene.bodies[1].X_WB.p_WB = Vec3(1000, 0, 0);
     scene.flight.emplace();
     scene.flight->times = {2};
@@ -60,8 +60,8 @@ class RandomFlight {
     Scene scene;
     scene.gravity = Vec3(0, 0, -9.81);
     scene.bodies = {body(kind_A), body(kind_B)};
-    scene.bodies[0].name = "A";
-    scene.bodies[1].name = "B";
+    scene.bodies[0].name = std::string("A");
+    scene.bodies[1].name = std::string("B");
     for (const int i : {0, 1}) {
       Body& b = scene.bodies[static_cast<std::size_t>(i)];
       const Vec3 side(i ? 2.5 : -2.5, 0, 0);
