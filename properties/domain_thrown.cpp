@@ -79,7 +79,7 @@ Flight flight_until(double end, int looks) {
 }
 
 Material some_material(Random& random) {
-  const double restitution = random.pick({0.0, 0.5, 0.75, 1.0});
+  const double restitution = random.pick({0.5, 0.75, 1.0, 1.0});
   return {restitution, random.pick({0.0, 0.0, 0.25, 0.5, 1.0})};
 }
 

@@ -32,7 +32,8 @@ Body moving(Body body, const Vec3& v, const Vec3& w = Vec3::Zero());
 /// two.
 Flight flight_until(double end, int looks = 1);
 
-/// Restitution and friction out of a few of each.
+/// Restitution and friction out of a few of each; never so little restitution that solids stay in contact and impacts
+/// pile up.
 Material some_material(Random& random);
 
 /// One of the six directions of the axes.
