@@ -209,10 +209,11 @@ Finding pace(const Scene& scene, Subject& subject) {
                    [](double time) { return std::ldexp(time, 5); });
 }
 
+// By less than the flight is long: a later time is rounded more coarsely.
 Finding clock(const Scene& scene, Subject& subject) {
-  constexpr double delay = 3.25;
-  return unchanged(scene, changed(scene, [](const Scene& s) { return later(s, delay); }), subject,
-                   Defect::moved_with_frame, [](double time) { return time - delay; });
+  const double delay = scene.flight ? 0.75 * std::exp2(std::floor(std::log2(end_of(scene)))) : 0;
+  return unchanged(scene, changed(scene, [delay](const Scene& s) { return later(s, delay); }), subject,
+                   Defect::moved_with_frame, [delay](double time) { return time - delay; });
 }
 
 Finding mass(const Scene& scene, Subject& subject) {
