@@ -178,7 +178,8 @@ void add_run_options(CLI::App& command, RunOptions& options) {
   command
       .add_option("--effort", options.effort,
                   "How many scenes, how long a failing one is cut down. standard: 4,000 a stem; of one subject by "
-                  "itself 100,000, and 1,356,000 impacts more for the properties that need one answer")
+                  "itself 100,000, and 1,356,000 impacts more for the properties that need one answer; simulations at "
+                  "most 30, 1000 and 10000")
       ->check(CLI::IsMember(effort_names()))
       ->capture_default_str();
   command.add_option("--cases", options.cases, "Drawn scenes a stem, instead of the effort's own number")

@@ -62,6 +62,10 @@ std::vector<Question> about_meshes(const std::string& stem, const Effort& effort
 
 std::size_t counted(int n) { return static_cast<std::size_t>(n); }
 
+int cases_of(const std::string& stem, const Effort& effort) {
+  return stem == "simulation" || stem == "constraint" ? std::min(effort.cases, effort.runs) : effort.cases;
+}
+
 }  // namespace
 
 bool compares_with_truth(const Property& property) {
@@ -87,7 +91,7 @@ Question DrawnQuestions::operator[](std::size_t k) const {
 }
 
 Questions::Questions(const std::string& stem, const Effort& effort, std::uint64_t seed, const MeshSet& set)
-    : drawn_(for_stem(properties::families(), stem), counted(effort.cases),
+    : drawn_(for_stem(properties::families(), stem), counted(cases_of(stem, effort)),
              stem == "impulse" ? counted(effort.more_impacts) : 0, seed, true, for_the_first_cases_all),
       extreme_(for_stem(properties::extremes(), stem), counted(effort.extreme_cases), 0, seed, false,
                asks_only_for_sense),

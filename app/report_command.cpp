@@ -54,7 +54,7 @@ Effort chosen_effort(const RunOptions& options, std::size_t subjects) {
   Effort effort = *std::ranges::find(efforts(), options.effort, &Effort::name);
   if (options.cases > 0) {
     effort.extreme_cases = std::max(1, effort.extreme_cases * options.cases / effort.cases);
-    effort.cases = options.cases;
+    effort.cases = effort.runs = options.cases;
     effort.more_impacts = 0;
   } else if (subjects == 1) {
     effort.cases = effort.cases_alone;
