@@ -171,7 +171,11 @@ void add_run_options(CLI::App& command, RunOptions& options) {
   command.add_option("--subjects", options.subjects,
                      "Who is on trial: names (see `list subjects`), exec:COMMAND LINE, inproc:reference, inproc:fast. "
                      "Default: all that stand beside the program");
-  command.add_option("--stems", options.stems, "mass, bounds, broad_phase, distance, penetration, pixel. Default: all")
+  command
+      .add_option("--stems", options.stems,
+                  "mass, bounds, broad_phase, distance, penetration, pixel, impulse; and time_of_impact, simulation, "
+                  "constraint, "
+                  "which are asked when they are named only")
       ->delimiter(',');
   command.add_option("--properties", options.properties, "Ids (see `list properties`). Default: all of the stems")
       ->delimiter(',');
