@@ -5,22 +5,6 @@
 #include "reference/mass.h"
 
 namespace touchstone::app {
-namespace {
-
-double middle(const Interval& i) { return i.lo + (i.hi - i.lo) / 2; }
-
-MassProperties properties_of(const reference::MassTruth& truth) {
-  MassProperties m;
-  m.mass = middle(truth.mass);
-  for (int i = 0; i < 3; ++i) m.p_BBcm[i] = middle(truth.p_BBcm[static_cast<std::size_t>(i)]);
-  const auto& I = truth.I_BBcm_B;
-  m.I_BBcm_B << middle(I[0]), middle(I[3]), middle(I[4]),  //
-      middle(I[3]), middle(I[1]), middle(I[5]),            //
-      middle(I[4]), middle(I[5]), middle(I[2]);
-  return m;
-}
-
-}  // namespace
 
 Eigen::Matrix<Real, 3, 3> rotation(const Quaternion& q) {
   return Eigen::Quaternion<Real>(q.w, q.x, q.y, q.z).normalized().toRotationMatrix();
@@ -34,7 +18,7 @@ std::vector<State> start_of(const Scene& scene) {
 
 BookKeeper::BookKeeper(const Scene& scene) : start_(start_of(scene)), gravity_(scene.gravity.cast<Real>()) {
   for (const auto& truth : reference::mass(scene)) {
-    masses_.push_back(truth ? std::optional(properties_of(*truth)) : std::nullopt);
+    masses_.push_back(truth ? std::optional(reference::nearest(*truth)) : std::nullopt);
   }
 }
 

@@ -38,4 +38,7 @@ struct MassTruth {
 
 std::vector<std::optional<MassTruth>> mass(const Scene& scene);
 
+/// The enclosures' middles: of two neighbouring doubles, one of them.
+MassProperties nearest(const MassTruth& truth);
+
 }  // namespace touchstone::reference

@@ -1,31 +1,23 @@
 #include "oracle/subjects/ode.h"
 
-#include <ode/ode.h>
-
 #include <algorithm>
 #include <cstdint>
 #include <variant>
 
 #include "oracle/subjects/broad_phase_world.h"
-#include "oracle/subjects/engine.h"
+#include "oracle/subjects/ode_input.h"
 
 namespace touchstone::oracle::subjects {
 namespace {
 
-constexpr bool is_double = sizeof(dReal) == sizeof(double);
-
-dReal real(double x) { return static_cast<dReal>(x); }
+using namespace in_ode;
 
 struct MakeGeom {
   dSpaceID space;
 
-  dGeomID operator()(const Sphere& sphere) const { return dCreateSphere(space, real(sphere.radius)); }
-  dGeomID operator()(const Box& box) const {
-    const Vec3 sides = 2 * box.half_extents;
-    return dCreateBox(space, real(sides.x()), real(sides.y()), real(sides.z()));
-  }
-  dGeomID operator()(const Polytope&) const { throw Declined("ODE's convex wants planes that its user computes"); }
+  dGeomID operator()(const Polytope&) const { throw Declined(no_hulls); }
   dGeomID operator()(const Compound&) const { throw Declined(no_compounds.why); }
+  dGeomID operator()(const auto& round_or_box) const { return geom(space, round_or_box); }
 };
 
 void note_pair(void* pairs, dGeomID a, dGeomID b) {
@@ -48,10 +40,8 @@ class OdeWorld : public World {
   void move(int body, const Pose& X_WB) override {
     const dGeomID geom = geoms_[static_cast<std::size_t>(body)];
     const Vec3& p = X_WB.p_WB;
-    const Eigen::Quaterniond q = unit_quaternion(X_WB.q_WB);
-    const dQuaternion turn = {real(q.w()), real(q.x()), real(q.y()), real(q.z())};
     dGeomSetPosition(geom, real(p.x()), real(p.y()), real(p.z()));
-    dGeomSetQuaternion(geom, turn);
+    dGeomSetQuaternion(geom, turn(unit_quaternion(X_WB.q_WB)).data());
   }
 
   void take(int body) override { dGeomDestroy(geoms_[static_cast<std::size_t>(body)]); }
@@ -69,21 +59,10 @@ class OdeWorld : public World {
   std::vector<dGeomID> geoms_;
 };
 
-struct Library {
-  Library() { dInitODE(); }
-  ~Library() { dCloseODE(); }
-};
-
 std::unique_ptr<Subject> space_subject(const std::string& name, const std::string& about, dSpaceID (*make_space)()) {
-  static const Library library;
-  Card card;
-  card.name = "ode." + name;
-  card.version = dODE_VERSION;
-  card.precision = is_double ? Precision::binary64 : Precision::binary32;
-  card.about = about + ", its settings as they come; boxes and spheres";
-  card.homepage = "https://ode.org";
   return broad_phase_subject(
-      std::move(card), [make_space](const Scene& scene) { return std::make_unique<OdeWorld>(make_space(), scene); });
+      in_ode::card(name, about + ", its settings as they come; boxes and spheres"),
+      [make_space](const Scene& scene) { return std::make_unique<OdeWorld>(make_space(), scene); });
 }
 
 }  // namespace

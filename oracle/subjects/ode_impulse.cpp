@@ -35,15 +35,11 @@ dContact made_of(const Contact& contact) {
 class OdeImpulse : public Subject {
  public:
   explicit OdeImpulse(const std::string& stepper) : step_(stepper == "step" ? &dWorldStep : &dWorldQuickStep) {
-    begin();
-    card_.name = "ode." + stepper;
-    card_.version = dODE_VERSION;
-    card_.precision = is_double ? Precision::binary64 : Precision::binary32;
+    card_ = in_ode::card(stepper,
+                         std::string(stepper == "step" ? "dWorldStep" : "dWorldQuickStep") +
+                             " by 1/64 s over one contact joint: dContactBounce, bounce_vel 0, dContactApprox1, depth "
+                             "0, CFM 0 (its default is 1e-10), no gyroscopic term");
     card_.answers = {"impulse"};
-    card_.about = std::string(stepper == "step" ? "dWorldStep" : "dWorldQuickStep") +
-                  " by 1/64 s over one contact joint: dContactBounce, bounce_vel 0, dContactApprox1, depth 0, CFM 0 "
-                  "(its default is 1e-10), no gyroscopic term";
-    card_.homepage = "https://ode.org";
   }
 
   const Card& card() const override { return card_; }

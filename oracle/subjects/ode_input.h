@@ -4,6 +4,7 @@
 #include <ode/ode.h>
 
 #include <array>
+#include <string>
 
 #include "oracle/subjects/impact_input.h"
 
@@ -54,13 +55,29 @@ inline Velocity velocity_of(dBodyID body) {
   return {{v[0], v[1], v[2]}, {w[0], w[1], w[2]}};
 }
 
-/// ODE is begun once in a process.
-inline void begin() {
+inline dGeomID geom(dSpaceID space, const Sphere& sphere) { return dCreateSphere(space, real(sphere.radius)); }
+
+inline dGeomID geom(dSpaceID space, const Box& box) {
+  const Vec3 sides = 2 * box.half_extents;
+  return dCreateBox(space, real(sides.x()), real(sides.y()), real(sides.z()));
+}
+
+inline const std::string no_hulls = "ODE's convex wants planes that its user computes";
+
+/// Of a subject that needs ODE; it is begun once in a process.
+inline Card card(const std::string& name, const std::string& about) {
   struct Library {
     Library() { dInitODE(); }
     ~Library() { dCloseODE(); }
   };
   static const Library library;
+  Card card;
+  card.name = "ode." + name;
+  card.version = dODE_VERSION;
+  card.precision = is_double ? Precision::binary64 : Precision::binary32;
+  card.about = about;
+  card.homepage = "https://ode.org";
+  return card;
 }
 
 }  // namespace touchstone::oracle::subjects::in_ode

@@ -19,12 +19,8 @@ Vec3 vec3(const dReal* v) { return {v[0], v[1], v[2]}; }
 struct MakeGeom {
   dSpaceID space;
 
-  dGeomID operator()(const Sphere& sphere) const { return dCreateSphere(space, real(sphere.radius)); }
-  dGeomID operator()(const Box& box) const {
-    const Vec3 sides = 2 * box.half_extents;
-    return dCreateBox(space, real(sides.x()), real(sides.y()), real(sides.z()));
-  }
-  dGeomID operator()(const Polytope&) const { return nullptr; }
+  dGeomID operator()(const Polytope&) const { return nullptr; }  // declined before
+  dGeomID operator()(const auto& round_or_box) const { return geom(space, round_or_box); }
 };
 
 std::vector<Part> parts_of(const Shape& shape) {
@@ -138,24 +134,20 @@ class OdeSimulation : public Subject {
  public:
   OdeSimulation(const std::string& settings, double dt)
       : stepper_(settings == "simulation" ? &dWorldStep : &dWorldQuickStep), dt_(dt) {
-    begin();
-    card_.name = "ode." + settings;
-    card_.version = dODE_VERSION;
-    card_.precision = is_double ? Precision::binary64 : Precision::binary32;
+    card_ = in_ode::card(
+        settings,
+        std::string(settings == "simulation" ? "dWorldStep" : "dWorldQuickStep") + ", equal steps of at most 1/" +
+            std::to_string(std::lround(1 / dt)) +
+            " s from look to look; dSweepAndPruneSpace, contacts with dContactBounce, bounce_vel 0, "
+            "dContactApprox1, e and mu of a pair the lesser; ERP, CFM and the rest as shipped, nobody sleeps");
     card_.answers = {"simulation"};
-    card_.about = std::string(settings == "simulation" ? "dWorldStep" : "dWorldQuickStep") +
-                  ", equal steps of at most 1/" + std::to_string(std::lround(1 / dt)) +
-                  " s from look to look; dSweepAndPruneSpace, contacts with dContactBounce, bounce_vel 0, "
-                  "dContactApprox1, e and mu of a pair the lesser; ERP, CFM and the rest as shipped, nobody sleeps";
-    card_.homepage = "https://ode.org";
   }
 
   const Card& card() const override { return card_; }
 
   Answer<Trajectory> simulation(const Scene& scene) override {
     if (const auto declined = no_such_flight(scene)) return *declined;
-    if (std::ranges::any_of(scene.bodies, has_hull))
-      return Abstains{"ODE's convex wants planes that its user computes"};
+    if (std::ranges::any_of(scene.bodies, has_hull)) return Abstains{no_hulls};
     World world(scene, stepper_);
     return follow(scene, dt_, world);
   }

@@ -22,18 +22,6 @@ namespace {
 /// An interval of two neighbouring doubles gives one of them.
 double middle(const Interval& i) { return i.lo + (i.hi - i.lo) / 2; }
 
-MassProperties properties_of(const reference::MassTruth& truth) {
-  MassProperties said;
-  said.mass = middle(truth.mass);
-  for (int i = 0; i < 3; ++i) said.p_BBcm[i] = middle(truth.p_BBcm[static_cast<std::size_t>(i)]);
-  const auto& I = truth.I_BBcm_B;
-  const double xy = middle(I[3]);
-  const double xz = middle(I[4]);
-  const double yz = middle(I[5]);
-  said.I_BBcm_B << middle(I[0]), xy, xz, xy, middle(I[1]), yz, xz, yz, middle(I[2]);
-  return said;
-}
-
 /// What no double can hold is not said: a finite number in its place would be another value.
 const Abstains beyond_doubles{"the exact value is beyond the range of doubles"};
 
@@ -84,8 +72,15 @@ State state_of(const reference::BallTruth& truth, const Body& ball) {
 /// The pair's lower index is A.
 Event event_of(const reference::ConstraintTruth::Change& change, const Scene& scene, int ball) {
   const Body& other = scene.bodies[static_cast<std::size_t>(change.other)];
-  Event event{change.kind, middle(change.time), ball, change.other, change.p_WC, change.nhat_W, change.P_W,
-              state_of(change.after, scene.bodies[static_cast<std::size_t>(ball)]), {other.X_WB, other.velocity}};
+  Event event{change.kind,
+              middle(change.time),
+              ball,
+              change.other,
+              change.p_WC,
+              change.nhat_W,
+              change.P_W,
+              state_of(change.after, scene.bodies[static_cast<std::size_t>(ball)]),
+              {other.X_WB, other.velocity}};
   if (ball < change.other) return event;
   std::swap(event.a, event.b);
   std::swap(event.after_a, event.after_b);
@@ -115,7 +110,7 @@ class Reference : public Subject {
   Answer<Masses> mass(const Scene& scene) override {
     Masses said;
     for (const auto& truth : reference::mass(scene)) {
-      said.push_back(truth ? std::optional(properties_of(*truth)) : std::nullopt);
+      said.push_back(truth ? std::optional(reference::nearest(*truth)) : std::nullopt);
       if (said.back() && !in_range(*said.back())) return beyond_doubles;
     }
     return said;
@@ -200,17 +195,15 @@ class Reference : public Subject {
   Answer<Trajectory> simulation(const Scene& scene) override { return reference::simulation(scene); }
 
  private:
-  const Card card_{
-      .name = "reference",
-      .version = "0.1.0",
-      .precision = Precision::exact,
-      .answers = {"mass", "bounds", "broad_phase", "pair_history", "distance", "penetration", "impulse", "pixel",
-                  "time_of_impact", "simulation",
-                  "constraint"},
-      .knows_touching = true,
-      .about = "Touchstone's exact reference, results rounded to doubles",
-      .homepage = "",
-      .deviations = {}};
+  const Card card_{.name = "reference",
+                   .version = "0.1.0",
+                   .precision = Precision::exact,
+                   .answers = {"mass", "bounds", "broad_phase", "pair_history", "distance", "penetration", "impulse",
+                               "pixel", "time_of_impact", "simulation", "constraint"},
+                   .knows_touching = true,
+                   .about = "Touchstone's exact reference, results rounded to doubles",
+                   .homepage = "",
+                   .deviations = {}};
 };
 
 }  // namespace
