@@ -39,3 +39,12 @@ TEST_CASE("simulation page: who is faster or nearer to the truth is named, and w
   CHECK(has(page, "- `arch`: `fast` gave up at 0 s of 2 s. ode at 64/s: 1.2e-01 in 1 ms."));
   CHECK_FALSE(has(page, "Nowhere."));
 }
+
+TEST_CASE("simulation page: what near pairs save is told where both were run") {
+  const std::string page = simulation_page(head +
+                                           "gas,0,fast,ours,2000000,,0,,12\n"
+                                           "gas,0,fast.one_frame,beside,8000000,,0,,12\n"
+                                           "heap,0,fast,ours,2000000,,0,,12\n");
+  CHECK(has(page, "| `gas` | 2 | 8 | 4x |"));
+  CHECK_FALSE(has(page, "| `heap` | 2 | "));
+}

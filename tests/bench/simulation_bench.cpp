@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "app/motion_scenes.h"
+#include "fast/simulation.h"
 #include "oracle/subjects/bullet_simulation.h"
 #include "oracle/subjects/ode_simulation.h"
 #include "oracle/subjects/simbody_simulation.h"
@@ -31,8 +32,8 @@ std::string field(std::string text) {
   return text;
 }
 
-void print(const std::string& scene, int steps, const std::string& name, bool ours, const Outcome& outcome) {
-  std::printf("%s,%d,%s,%s,", scene.c_str(), steps, name.c_str(), ours ? "ours" : "peer");
+void print(const std::string& scene, int steps, const std::string& name, const char* whose, const Outcome& outcome) {
+  std::printf("%s,%d,%s,%s,", scene.c_str(), steps, name.c_str(), whose);
   if (outcome.left_out.empty()) {
     std::printf("%.0f,,%.3g,,%.0f\n", 1e9 * outcome.seconds, outcome.error, outcome.impacts);
   } else {
@@ -40,6 +41,25 @@ void print(const std::string& scene, int steps, const std::string& name, bool ou
   }
   std::fflush(stdout);
 }
+
+/// Nobody is left out for being far: boxes over a frame as long as the flight.
+class OneFrame : public oracle::Subject {
+ public:
+  const oracle::Card& card() const override { return card_; }
+  Answer<Trajectory> simulation(const Scene& scene) override {
+    return fast::simulate(scene, {.frame = scene.flight->times.back()}).trajectory;
+  }
+
+ private:
+  oracle::Card card_{.name = "fast.one_frame",
+                     .version = "",
+                     .answers = {"simulation"},
+                     .about = "",
+                     .homepage = "",
+                     .deviations = {}};
+};
+
+std::unique_ptr<oracle::Subject> make_one_frame() { return std::make_unique<OneFrame>(); }
 
 struct Stepper {
   std::string name;
@@ -59,12 +79,14 @@ const std::vector<Stepper>& steppers() {
 
 void compare(const app::MotionScene& motion, const Options& options) {
   const std::string& scene = motion.scene.name;
-  print(scene, 0, "fast", true, trial(motion, make_fast, &oracle::Subject::simulation, options.rounds));
-  print(scene, 0, "fast.constraint", true, trial(motion, make_fast, &oracle::Subject::constraint, options.rounds));
+  print(scene, 0, "fast", "ours", trial(motion, make_fast, &oracle::Subject::simulation, options.rounds));
+  print(scene, 0, "fast.one_frame", "beside",
+        trial(motion, make_one_frame, &oracle::Subject::simulation, options.rounds));
+  print(scene, 0, "fast.constraint", "ours", trial(motion, make_fast, &oracle::Subject::constraint, options.rounds));
   for (const Stepper& stepper : steppers()) {
     for (const int steps : options.sizes) {
       const Maker maker = [&stepper, steps] { return stepper.make(1.0 / steps); };
-      print(scene, steps, stepper.name, false, trial(motion, maker, &oracle::Subject::simulation, options.rounds));
+      print(scene, steps, stepper.name, "peer", trial(motion, maker, &oracle::Subject::simulation, options.rounds));
     }
   }
 }
