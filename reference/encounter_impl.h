@@ -78,10 +78,9 @@ class Encounter {
   /// turns with one of the bodies, or with two edges that cross, shows it.
   std::optional<P> leave(const Standing& standing, const P& from, const P& end) const {
     const Pairing<Tier> now = look(from);
-    const P limit = now.until ? std::min(end, *now.until) : end;
     for (const MovingPlane<E>& plane : leaving_planes(now, standing)) {
       const Clearance<Tier> clearance(now, plane, support(now, standing));
-      const std::optional<P> h = clearance.about(limit - from);
+      const std::optional<P> h = clearance.about(end - from);
       const P next = h ? P(from + *h / 2) : from;
       if (next > from && clearance.positive(from, next)) return next;
     }
@@ -96,14 +95,8 @@ class Encounter {
     const typename Tier::Scope scope;
     const E time = thin(t);
     const Coordinates<P> from = middle(flyer_B_.at(time).p);
-    const auto turning_A = flyer_A_.turning(t);
-    const auto turning_B = flyer_B_.turning(t);
-    Pairing<Tier> now = {A_.at(time, from), B_.at(time, from), from, c_, r_, {}, {}};
-    now.K = turning_A.bound * thin(A_.reach()) + turning_B.bound * thin(B_.reach());
-    for (const auto& until : {turning_A.until, turning_B.until}) {
-      if (until) now.until = now.until ? std::min(*now.until, *until) : *until;
-    }
-    return now;
+    const E K = flyer_A_.turning() * thin(A_.reach()) + flyer_B_.turning() * thin(B_.reach());
+    return {A_.at(time, from), B_.at(time, from), from, c_, r_, K};
   }
 
   Support<Tier> support(const Pairing<Tier>& now, const Standing& standing) const {
@@ -139,13 +132,12 @@ class Encounter {
     if (!plane) return std::nullopt;
     found.nhat_BA = plane->n;
     const Clearance<Tier> clearance(now, {thin(plane->n), thin(plane->m)});
-    const P limit = now.until ? std::min(end, *now.until) : end;
-    const P span = limit - found.lo;
+    const P span = end - found.lo;
     const std::optional<P> h = clearance.about(span);
     if (!h) return std::nullopt;
-    if (*h == span && clearance.positive(found.lo, limit)) return limit;
+    if (*h == span && clearance.positive(found.lo, end)) return end;
     for (const double part : {1 - 0x1p-20, 1 - 0x1p-4, 0.5}) {
-      const P next = std::min(limit, P(found.lo + P(part) * *h));
+      const P next = std::min(end, P(found.lo + P(part) * *h));
       if (!(next > found.lo)) return std::nullopt;
       if (clearance.positive(found.lo, next)) return next;
     }

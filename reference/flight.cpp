@@ -45,7 +45,7 @@ void set_turning(Departure& start, const Heavy& heavy, const Motion& X_WB) {
   if (torque[0] == 0 && torque[1] == 0 && torque[2] == 0) return;  // about a principal axis, or I = λ 1
   const std::optional<mpq_class> lambda = repeated_moment(heavy.inertia);
   if (!lambda) {
-    start.tumble = std::make_shared<Tumble>(heavy.inertia, start.q, w_B);
+    start.tumble = std::make_shared<const Tumble>(heavy.inertia, start.q, w_B);
     return;
   }
   const mpq_class shrink = 1 / *lambda;
@@ -111,9 +111,13 @@ Flyer<Tier>::Flyer(const Departure& start)
   if (start.pi) {  // what stands for π is off by 2^-319; an ulp is more
     for (Coordinates<E>* v : {&centre_, &p_, &c_}) *v = {widened(v->x), widened(v->y), widened(v->z)};
   }
+  if (tumble_) {
+    turning_ = converted<E>(tumble_->turning());
+    return;
+  }
   // |ω| and |ω'| = |Ω × (ω − Ω)| are constant.
   const Triple precession = cross(start.Omega, start.w);
-  steady_bound_ = enclosed<E>(dot(start.w, start.w)) + length(enclosed<E>(precession));
+  turning_ = enclosed<E>(dot(start.w, start.w)) + length(enclosed<E>(precession));
 }
 
 template <class Tier>
@@ -137,14 +141,6 @@ Flying<typename Tier::E> Flyer<Tier>::at(const E& time) const {
   if (!inner_.none) now.w = turned(now.R, Coordinates<E>(inner_.rate * inner_.axis));
   if (!outer_.none) now.w = now.w + outer_.rate * outer_.axis;
   return now;
-}
-
-template <class Tier>
-typename Flyer<Tier>::Turning Flyer<Tier>::turning(const P& time) const {
-  if (!tumble_) return {steady_bound_, std::nullopt};
-  const E tau = thin(time) - since_;
-  const Tumble::Bound bound = tumble_->bound(Float(lower(tau)));
-  return {converted<E>(bound.turning), rounded_down<P>(Float(lower(since_)) + bound.until)};
 }
 
 template class Flyer<InDoubles>;

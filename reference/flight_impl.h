@@ -31,7 +31,7 @@ struct Departure {
   mpq_class q_squared;             ///< |q|²
   Triple w;                        ///< in W
   Triple Omega, sigma;             ///< see above
-  std::shared_ptr<Tumble> tumble;  ///< if it does; Omega and sigma then say nothing
+  std::shared_ptr<const Tumble> tumble;  ///< if it does; Omega and sigma then say nothing
   bool pi = false;                 ///< a rational stands for π in centre and c
 };
 
@@ -74,21 +74,17 @@ class Flyer {
   const Coordinates<E>& centre() const { return centre_; }
   const Coordinates<E>& acceleration() const { return c_; }  ///< of the reference point
 
-  /// A point of the body at r from the reference point has an acceleration beyond the reference point's of at most
-  /// (|ω|² + |ω'|) |r| ≤ bound · |r|, from `time` until `until` (s; none: for ever).
-  struct Turning {
-    E bound;
-    std::optional<P> until;
-  };
-  Turning turning(const P& time) const;
+  /// ≥ |ω|² + |ω'| at all times: a point of the body at r from the reference point has an acceleration beyond the
+  /// reference point's of at most this times |r|. Everything where nothing is known.
+  const E& turning() const { return turning_; }
 
  private:
   E since_, q_squared_;
   Coordinates<E> centre_, p_, v_, c_;
   Rotor<E> q_;
   Spin<E> outer_, inner_;
-  E steady_bound_;
-  std::shared_ptr<Tumble> tumble_;
+  E turning_;
+  std::shared_ptr<const Tumble> tumble_;
 };
 
 }  // namespace touchstone::reference

@@ -31,8 +31,7 @@ struct Pairing {
   Coordinates<typename Tier::P> from;
   Coordinates<E> c;
   E r;
-  E K;                                    ///< until then:
-  std::optional<typename Tier::P> until;  ///< s; none: for ever
+  E K;
 };
 
 /// Of two in contact: n·a ≥ n·x and n·y ≥ n·b for all vertices, with equality where it says so, and x − y is r long,

@@ -1,232 +1,299 @@
 #include <algorithm>
-#include <cmath>
 #include <limits>
+#include <utility>
 
-#include "reference/linear_impl.h"
+#include "reference/elliptic_impl.h"
+#include "reference/principal_axes_impl.h"
 #include "reference/tumble_impl.h"
 
 namespace touchstone::reference {
 namespace {
 
-using E = WideEnclosure;
+using Wide = WideEnclosure;
 
 template <class T>
-Coordinates<T> times(const std::array<Coordinates<T>, 3>& M, const Coordinates<T>& v) {
-  return {dot(M[0], v), dot(M[1], v), dot(M[2], v)};
-}
-
-template <class T>
-Coordinates<T> angular(const std::array<T, 7>& y) {
-  return {y[4], y[5], y[6]};
-}
-
-std::array<Enclosure, 7> in_doubles(const std::array<E, 7>& y) {
-  std::array<Enclosure, 7> narrow;
-  for (std::size_t i = 0; i < 7; ++i) narrow[i] = converted<Enclosure>(y[i]);
-  return narrow;
-}
-
-std::array<E, 7> wide(const std::array<Enclosure, 7>& y) {
-  std::array<E, 7> result;
-  for (std::size_t i = 0; i < 7; ++i) result[i] = between(Float(y[i].inf()), Float(y[i].sup()));
-  return result;
-}
-
-constexpr long no_exponent = -100000;
-
-/// Horner's rule.
-template <class T, std::size_t n>
-std::array<T, 7> sum_of(const std::array<std::array<T, 7>, n>& c, const T& s) {
-  std::array<T, 7> y = c[n - 1];
-  for (std::size_t k = n - 1; k-- > 0;) {
-    for (std::size_t i = 0; i < 7; ++i) y[i] = y[i] * s + c[k][i];
-  }
-  return y;
+Coordinates<T> entrywise(const Coordinates<T>& a, const Coordinates<T>& b) {
+  return {T(a.x * b.x), T(a.y * b.y), T(a.z * b.z)};
 }
 
 template <class T>
-std::array<T, 7> anything() {
+Coordinates<T> combined(const std::array<Coordinates<T>, 3>& axes, const Coordinates<T>& v) {
+  return v.x * axes[0] + v.y * axes[1] + v.z * axes[2];
+}
+
+Coordinates<Wide> components(const std::array<Coordinates<Wide>, 3>& axes, const Coordinates<Wide>& v) {
+  return {dot(axes[0], v), dot(axes[1], v), dot(axes[2], v)};
+}
+
+template <class T>
+Rotor<T> conjugate(const Rotor<T>& q) {
+  return {q[0], T(-q[1]), T(-q[2]), T(-q[3])};
+}
+
+template <class T>
+T anything() {
   using P = decltype(lower(T()));
   const P infinite = std::numeric_limits<P>::infinity();
-  std::array<T, 7> y;
-  y.fill(between(P(-infinite), infinite));
-  return y;
+  return between(P(-infinite), infinite);
 }
 
-/// About 2^(quarters/4), in the same bits everywhere.
-Float power_of_two(long quarters) {
-  static constexpr std::array<double, 4> fractions = {1, 1.1892, 1.4142, 1.6817};
-  const long whole = quarters >= 0 ? quarters / 4 : -((3 - quarters) / 4);
-  return ldexp(Float(fractions[static_cast<std::size_t>(quarters - 4 * whole)]), static_cast<int>(whole));
+Wide square(const Wide& x) {
+  const Wide found = x * x;
+  return between(std::max(lower(found), Float(0)), upper(found));
 }
 
-/// About log2 |x| at the end that is farther from 0.
-long exponent(const Enclosure& x) {
-  const double greatest = std::max(-x.inf(), x.sup());
-  return greatest == 0 ? no_exponent : std::isfinite(greatest) ? std::ilogb(greatest) + 1 : -no_exponent;
+/// e^-x for x ≥ 0.
+Wide decayed(const Wide& x) { return exp(Wide(-x)); }
+Enclosure decayed(const Enclosure& x) {
+  mpfr_t power;
+  mpfr_init2(power, 53);
+  const auto at = [&](double end, mpfr_rnd_t round) {
+    mpfr_set_d(power, -end, MPFR_RNDN);
+    mpfr_exp(power, power, round);
+    return mpfr_get_d(power, round);
+  };
+  const Enclosure found(at(x.sup(), MPFR_RNDD), at(x.inf(), MPFR_RNDU));
+  mpfr_clear(power);
+  return found;
 }
+
+/// Both, and all between.
+Wide around(const Wide& x, const Wide& y) { return between(std::min(lower(x), lower(y)), greater(upper(x), upper(y))); }
+
+template <class E>
+E plus_or_minus(double off) {
+  using P = decltype(lower(E()));
+  return between(P(-off), P(off));
+}
+
+Coordinates<Enclosure> in_doubles(const Coordinates<Wide>& v) {
+  return {converted<Enclosure>(v.x), converted<Enclosure>(v.y), converted<Enclosure>(v.z)};
+}
+
+Rotor<Enclosure> in_doubles(const Rotor<Wide>& q) {
+  return {converted<Enclosure>(q[0]), converted<Enclosure>(q[1]), converted<Enclosure>(q[2]),
+          converted<Enclosure>(q[3])};
+}
+
+/// Weights are left out from where one is below 2^-300. By then, among 512, each is less than half the one before
+/// (2 q^(m²/4) < 2^-300 at m has ratios below e^(-416/m)); so all that is left out, even times m, comes to less than
+/// this.
+constexpr double negligible = 0x1p-300, left_out = 0x1p-288;
+constexpr int most_terms = 512;
+
+Wide pi() { return acos(Wide(-1)); }
 
 }  // namespace
 
-Tumble::Tumble(const std::array<std::array<mpq_class, 3>, 3>& I_B, const std::array<mpq_class, 4>& q,
-               const std::array<mpq_class, 3>& w_B) {
-  const std::array<std::array<mpq_class, 3>, 3> inverse = inverted(I_B);
-  for (std::size_t i = 0; i < 3; ++i) {
-    wide_.I[i] = enclosed<E>(I_B[i]);
-    wide_.I_inverse[i] = enclosed<E>(inverse[i]);
-    narrow_.I[i] = enclosed<Enclosure>(I_B[i]);
-    narrow_.I_inverse[i] = enclosed<Enclosure>(inverse[i]);
-    now_[4 + i] = enclosed<E>(w_B[i]);
+/// In P, at first.
+struct Tumble::Invariants {
+  Coordinates<Wide> I, c, w;
+  Wide L, twice_T;
+  Wide a, b, d;       ///< |c|
+  Wide A, D, lambda;  ///< as above
+  Coordinates<Wide> W;
+  Wide sigma;
+};
+
+Tumble::Tumble(const Square<mpq_class>& I_B, const std::array<mpq_class, 4>& q, const Three<mpq_class>& w_B) {
+  turning_ = anything<Wide>();
+  for (std::size_t i = 0; i < 4; ++i) wide_.q[i] = enclosed<Wide>(q[i]);
+  const Three<mpq_class> L_B = times(I_B, w_B);
+  const mpq_class L_squared = inner(L_B, L_B), twice_T = inner(L_B, w_B), ratio = L_squared / twice_T;
+  Square<mpq_class> left = I_B;
+  for (std::size_t i = 0; i < 3; ++i) left[i][i] -= ratio;
+  wide_.returns = determinant(left) != 0;  // else L²/2T is a moment: the middle one, since ω is about no axis
+
+  const PrincipalAxes found = principal_axes(I_B);
+  const Wide beyond = enclosed<Wide>(ratio) - found.moments[1];
+  const bool about_greatest = middle(beyond) > 0;  // where k = 1, either is as good
+  if (wide_.returns && !(lower(beyond) > 0 || upper(beyond) < 0)) return;
+  const std::size_t third = about_greatest ? 2 : 0;
+  const Coordinates<Wide> w = enclosed<Wide>(w_B);
+  const auto forward = [&](const Coordinates<Wide>& e) { return middle(dot(e, w)) < 0 ? -e : e; };
+  std::array<Coordinates<Wide>, 3>& axes = wide_.axes;
+  axes[2] = forward(found.axes[third]);
+  axes[0] = forward(found.axes[2 - third]);
+  axes[1] = cross(axes[2], axes[0]);
+
+  Invariants of;
+  of.I = {found.moments[2 - third], found.moments[1], found.moments[third]};
+  of.w = components(axes, w);
+  of.L = root(enclosed<Wide>(L_squared));
+  of.twice_T = enclosed<Wide>(twice_T);
+  of.c = {Wide((of.I.y - of.I.z) / of.I.x), Wide((of.I.z - of.I.x) / of.I.y), Wide((of.I.x - of.I.y) / of.I.z)};
+  const Wide sign(about_greatest ? 1 : -1);
+  of.sigma = -sign;
+  of.a = -sign * of.c.x;
+  of.b = sign * of.c.y;
+  of.d = -sign * of.c.z;
+  of.A = of.b * square(of.w.x) + of.a * square(of.w.y);
+  of.D = of.d * square(of.w.y) + of.b * square(of.w.z);
+  of.lambda = root(Wide(of.a * of.D));
+  of.W.x = root(Wide(of.A / of.b));
+  of.W.z = root(Wide(of.D / of.b));
+  of.W.y = of.c.y * of.W.x * of.W.z / of.lambda;
+  if (!(lower(of.a) > 0 && lower(of.b) > 0 && lower(of.d) > 0 && lower(of.A) > 0 && lower(of.D) > 0)) return;
+
+  wide_.W = of.W;
+  wide_.share = Wide(Wide(1) / of.L) * of.I;
+  if (wide_.returns) {
+    set_waves(of);
+  } else {
+    set_last_wave(of);
   }
-  for (std::size_t i = 0; i < 4; ++i) now_[i] = enclosed<E>(q[i]);
+  if (!wide_.known) return;
+  wide_.back = conjugate(in_P(wide_, Wide(0)).q);
+  const Wide alpha =
+      length(entrywise(of.c, Coordinates<Wide>{Wide(of.W.y * of.W.z), Wide(of.W.z * of.W.x), Wide(of.W.x * of.W.y)}));
+  // |ω|² is linear in sn² s: greatest at sn = 0, or at sn = 1.
+  const Wide even = square(of.W.x) + square(of.W.z),
+             odd = square(of.W.y) + square(of.W.z) - of.d * of.A / (of.a * of.b);
+  turning_ = around(even, odd) + alpha;
+
+  narrow_ = {true,
+             wide_.returns,
+             converted<Enclosure>(wide_.phase),
+             converted<Enclosure>(wide_.rate),
+             converted<Enclosure>(wide_.spin),
+             in_doubles(wide_.W),
+             in_doubles(wide_.share),
+             {},
+             converted<Enclosure>(wide_.lean),
+             {in_doubles(axes[0]), in_doubles(axes[1]), in_doubles(axes[2])},
+             in_doubles(wide_.q),
+             in_doubles(wide_.back)};
+  for (const Weight<Wide>& x : wide_.series) {
+    narrow_.series.push_back({converted<Enclosure>(x.plain), converted<Enclosure>(x.alternating),
+                              converted<Enclosure>(x.real), converted<Enclosure>(x.imaginary)});
+  }
 }
 
-template <class T>
-std::array<T, 7> Tumble::Equations<T>::derivative(const std::array<T, 7>& y) const {
-  const Coordinates<T> w = angular(y);
-  const Rotor<T> q = Rotor<T>{y[0], y[1], y[2], y[3]} * Rotor<T>{T(0), w.x, w.y, w.z};
-  const Coordinates<T> alpha = times(I_inverse, cross(times(I, w), w));
-  const T two(2);
-  return {T(q[0] / two), T(q[1] / two), T(q[2] / two), T(q[3] / two), alpha.x, alpha.y, alpha.z};
-}
+/// k < 1.
+void Tumble::set_waves(const Invariants& of) {
+  const Wide one(1), two(2);
+  const Wide k_squared = of.d * of.A / (of.a * of.D);
+  const Wide rest = of.b * (of.a * square(of.w.z) - of.d * square(of.w.x)) / (of.a * of.D);  // 1 − k²
+  if (!(lower(rest) > 0)) return;
+  const Wide K = first_kind(Wide(0), rest, one), K_other = first_kind(Wide(0), k_squared, one);
+  const Wide sn = of.w.y / of.W.y, cn = of.w.x / of.W.x, dn = of.w.z / of.W.z;
+  Wide s = sn * first_kind(square(cn), square(dn), one);
+  if (!(lower(cn) > 0)) s = around(s, Wide((lower(sn) > 0 ? two : -two) * K - s));  // cn is about 0, s about K or −K
+  const Wide to_v = pi() / (two * K);
+  wide_.phase = to_v * s;
+  wide_.rate = to_v * of.lambda;
+  wide_.lean = of.sigma;
 
-/// By the products of series: (k + 1) y_(k+1) is the k-th coefficient of the right side.
-template <class T>
-void Tumble::Equations<T>::extend(Series<T>& c, std::size_t from, std::size_t to) const {
-  std::vector<Coordinates<T>> L, w;
-  for (std::size_t k = 0; k < to; ++k) {
-    w.push_back(angular(c[k]));
-    L.push_back(times(I, w[k]));
-    if (k < from) continue;
-    Rotor<T> qw = {T(0), T(0), T(0), T(0)};
-    Coordinates<T> Lw = {T(0), T(0), T(0)};
-    for (std::size_t j = 0; j <= k; ++j) {
-      const std::array<T, 7>& q = c[j];
-      const Coordinates<T>& v = w[k - j];
-      qw[0] -= q[1] * v.x + q[2] * v.y + q[3] * v.z;
-      qw[1] += q[0] * v.x + q[2] * v.z - q[3] * v.y;
-      qw[2] += q[0] * v.y + q[3] * v.x - q[1] * v.z;
-      qw[3] += q[0] * v.z + q[1] * v.y - q[2] * v.x;
-      Lw = Lw + cross(L[j], v);
+  const Wide across = square(of.I.x * of.W.x / (of.I.z * of.W.z));  // (|L|/(I_3 W_3))² − 1
+  const Wide all = across + k_squared;
+  const Wide eta =
+      root(Wide(across / all)) * first_kind(Wide(k_squared / all), Wide((one + across) * k_squared / all), one);
+  const Wide delta = to_v * eta;
+  const Wide decay = pi() * K_other / K;  // −ln q
+  const Wide none = plus_or_minus<Wide>(left_out);
+  Wide theta_2 = none, theta_3 = one + none, theta_4 = theta_3, real = theta_3, slope = none;
+  for (int m = 1;; ++m) {
+    if (m > most_terms) return;
+    const int n = m / 2;
+    const Wide sign(n % 2 == 0 ? 1 : -1);
+    Weight<Wide> weight = {two * decayed(Wide(decay * Wide(m * m) / Wide(4))), Wide(0), Wide(0), Wide(0)};
+    weight.alternating = sign * weight.plain;
+    if (m % 2 == 1) {
+      theta_2 += weight.plain;
+    } else {
+      const Wide up = decayed(Wide(Wide(2 * n * n) * decay - Wide(2 * n) * delta));
+      const Wide down = decayed(Wide(Wide(2 * n * n) * decay + Wide(2 * n) * delta));
+      weight.real = sign * (up + down);
+      weight.imaginary = -sign * (up - down);
+      theta_3 += weight.plain;
+      theta_4 += weight.alternating;
+      real += weight.real;
+      slope += Wide(2 * n) * weight.imaginary;
+      if (upper(weight.plain) < Float(negligible)) break;
     }
-    const T next(static_cast<int>(k + 1));
-    const T twice(static_cast<int>(2 * k + 2));
-    const Coordinates<T> alpha = times(I_inverse, Lw);
-    for (std::size_t i = 0; i < 4; ++i) c[k + 1][i] = qw[i] / twice;
-    c[k + 1][4] = alpha.x / next;
-    c[k + 1][5] = alpha.y / next;
-    c[k + 1][6] = alpha.z / next;
+    wide_.series.push_back(weight);
   }
+  wide_.W = {Wide(of.W.x * theta_4 / theta_2), Wide(of.W.y * theta_3 / theta_2), Wide(of.W.z * theta_4 / theta_3)};
+  const Wide first = (of.twice_T + of.L * of.W.z) / (of.L + of.I.z * of.W.z);
+  wide_.spin = first / two - of.sigma * wide_.rate * slope / real;
+  wide_.known = true;
 }
 
-/// So long a step that the last term is 2^-100 of the first, by the last two of q and of ω.
-Float Tumble::stride(const Series<Enclosure>& c) {
-  constexpr long digits = 100;
-  long quarters = 4000;
-  for (const auto& [first, last] : {std::pair<std::size_t, std::size_t>{0, 4}, {4, 7}}) {
-    const auto size = [&, from = first, to = last](std::size_t k) {
-      long greatest = no_exponent;
-      for (std::size_t i = from; i < to; ++i) greatest = std::max(greatest, exponent(c[k][i]));
-      return greatest;
-    };
-    for (const std::size_t k : {degree - 1, degree}) {
-      quarters = std::min(quarters, 4 * (size(0) - size(k) - digits) / static_cast<long>(k));
+/// k = 1.
+void Tumble::set_last_wave(const Invariants& of) {
+  const Wide one(1), two(2);
+  const Wide sn = of.w.y / of.W.y, cn = of.w.x / of.W.x;
+  wide_.phase = log(Wide((one + sn) / cn));  // tanh s = sn, 1/cosh s = cn
+  wide_.rate = of.lambda;
+  wide_.spin = of.L / of.I.y / two;
+  const Wide cosine = of.I.z * of.W.z / of.L;
+  wide_.lean = of.sigma * root(Wide((one - cosine) / (one + cosine)));
+  wide_.known = true;
+}
+
+template <class E>
+Tumble::Wave<E> Tumble::wave(const Course<E>& course, const E& tau) {
+  const auto [cosine, sine] = cosine_and_sine(E(course.phase + course.rate * tau));
+  const E none = plus_or_minus<E>(left_out);
+  E theta_1 = none, theta_2 = none, theta_3 = E(1) + none, theta_4 = theta_3, real = theta_3, imaginary = none;
+  E c = cosine, s = sine;  // of m v
+  bool odd = true;
+  for (const Weight<E>& weight : course.series) {
+    if (odd) {
+      theta_1 += weight.alternating * s;
+      theta_2 += weight.plain * c;
+    } else {
+      theta_3 += weight.plain * c;
+      theta_4 += weight.alternating * c;
+      real += weight.real * c;
+      imaginary += weight.imaginary * s;
     }
+    const E next = c * cosine - s * sine;
+    s = s * cosine + c * sine;
+    c = next;
+    odd = !odd;
   }
-  return power_of_two(quarters);
+  return {E(theta_2 / theta_4), E(theta_1 / theta_4), E(theta_3 / theta_4), real, E(course.lean * imaginary)};
 }
 
-/// y and all that comes within h of it, if a box around it twice as large as the first derivative wants is large
-/// enough.
-std::optional<Tumble::State> Tumble::tube(const State& y, const Float& h) const {
-  const State slope = wide_.derivative(y);
-  Float fastest_q = 0, fastest_w = 0;
-  for (std::size_t i = 0; i < 7; ++i) {
-    Float& fastest = i < 4 ? fastest_q : fastest_w;
-    fastest = std::max({fastest, Float(abs(lower(slope[i]))), Float(abs(upper(slope[i])))});
-  }
-  State box, reached;
-  for (std::size_t i = 0; i < 7; ++i) {
-    const Float reach = 2 * h * (i < 4 ? fastest_q : fastest_w);
-    box[i] = y[i] + between(Float(-reach), reach);
-  }
-  const State f = wide_.derivative(box);
-  for (std::size_t i = 0; i < 7; ++i) {
-    reached[i] = y[i] + between(Float(0), h) * f[i];
-    if (!(lower(reached[i]) >= lower(box[i]) && upper(reached[i]) <= upper(box[i]))) return std::nullopt;
-  }
-  return reached;
+template <class E>
+Tumble::Wave<E> Tumble::last_wave(const Course<E>& course, const E& tau) {
+  const E s = course.phase + course.rate * tau, one(1);
+  const bool before = middle(s) < 0;
+  const E g = decayed(before ? E(-s) : s);
+  const E sign(before ? -1 : 1), sum = one + g * g;
+  const E sech = E(2) * g / sum;
+  return {sech, E(sign * (one - g * g) / sum), sech, one, E(sign * course.lean * (one - g) / (one + g))};
 }
 
-/// Is the enclosure of q or of ω so wide that it is of no use?
-bool Tumble::is_lost() const {
-  const auto lost = [&](std::size_t first, std::size_t last) {
-    Float size = 0, width = 0;
-    for (std::size_t i = first; i < last; ++i) {
-      size = greater(size, Float(abs(middle(now_[i]))));
-      width = greater(width, Float(upper(now_[i]) - lower(now_[i])));
-    }
-    return !(width <= size * Float(0x1p-30));
-  };
-  return lost(0, 4) || lost(4, 7);
+/// q_NP, and ω in P.
+template <class E>
+Tumble::At<E> Tumble::in_P(const Course<E>& course, const E& tau) {
+  const Wave<E> now = course.returns ? wave(course, tau) : last_wave(course, tau);
+  const Coordinates<E> w = entrywise(course.W, Coordinates<E>{now.cn, now.sn, now.dn});
+  const Coordinates<E> l = entrywise(course.share, w);
+  const E turned = E(1) + l.z;
+  const E long_p = root(E(E(2) * turned));
+  const auto [cosine, sine] = cosine_and_sine(E(course.spin * tau));
+  const E size = root(E(now.real * now.real + now.imaginary * now.imaginary)) * long_p;
+  const E c = (cosine * now.real - sine * now.imaginary) / size;
+  const E s = (sine * now.real + cosine * now.imaginary) / size;
+  return {{E(c * turned), E(c * l.y + s * l.x), E(s * l.y - c * l.x), E(s * turned)}, w};
 }
 
-bool Tumble::extend() {
-  if (is_lost()) return false;
-  const RoundUpward rounding;
-  Step step;
-  step.begin = steps_.empty() ? Float(0) : steps_.back().end();
-  step.wide[0] = now_;
-  wide_.extend(step.wide, 0, wide_orders);
-  for (std::size_t k = 0; k <= wide_orders; ++k) step.narrow[k] = in_doubles(step.wide[k]);
-  narrow_.extend(step.narrow, wide_orders, degree);
-  step.validated = stride(step.narrow);
-  std::optional<State> reached = tube(now_, step.validated);
-  for (int i = 0; !reached && i < 100; ++i) {
-    step.validated /= 2;
-    reached = tube(now_, step.validated);
+template <class E>
+Tumble::At<E> Tumble::at(const Course<E>& course, const E& tau) {
+  if (!course.known) {
+    const E any = anything<E>();
+    return {{any, any, any, any}, {any, any, any}};
   }
-  if (!reached) return false;
-
-  Series<Enclosure> over_tube;
-  over_tube[0] = in_doubles(*reached);
-  narrow_.extend(over_tube, 0, degree);
-  step.narrow[degree] = over_tube[degree];
-  for (std::size_t k = wide_orders + 1; k <= degree; ++k) step.wide[k] = wide(step.narrow[k]);
-  const Coordinates<E> w = angular(*reached);
-  step.turning = dot(w, w) + length(angular(wide_.derivative(*reached)));
-  now_ = sum_of(step.wide, thin(Float(step.end() - step.begin)));
-  steps_.push_back(std::move(step));
-  return true;
+  const At<E> there = in_P(course, tau);
+  const Rotor<E> turn = course.back * there.q;
+  const Coordinates<E> v = combined(course.axes, {turn[1], turn[2], turn[3]});
+  return {course.q * Rotor<E>{turn[0], v.x, v.y, v.z}, combined(course.axes, there.w_B)};
 }
 
-/// Requires τ ≥ 0.
-const Tumble::Step* Tumble::step_at(const Float& tau) {
-  while (steps_.empty() || tau >= steps_.back().end()) {
-    if (steps_.size() == most_steps || !extend()) return nullptr;
-  }
-  const auto after = std::upper_bound(steps_.begin(), steps_.end(), tau,
-                                      [](const Float& t, const Step& step) { return t < step.begin; });
-  return &*std::prev(after);
-}
-
-template <class T>
-Tumble::At<T> Tumble::sum(const T& tau, Series<T> Step::*series) {
-  const Step* step = step_at(Float(lower(tau)));
-  std::array<T, 7> y = anything<T>();
-  if (step != nullptr && Float(upper(tau)) <= step->begin + step->validated) {
-    y = sum_of(step->*series, T(tau - converted<T>(thin(step->begin))));
-  }
-  return {{y[0], y[1], y[2], y[3]}, {y[4], y[5], y[6]}};
-}
-
-Tumble::At<Enclosure> Tumble::at(const Enclosure& tau) { return sum(tau, &Step::narrow); }
-Tumble::At<WideEnclosure> Tumble::at(const WideEnclosure& tau) { return sum(tau, &Step::wide); }
-
-Tumble::Bound Tumble::bound(const Float& tau) {
-  const Step* step = step_at(tau);
-  if (step == nullptr) return {WideEnclosure(0), tau};
-  return {step->turning, step->begin + step->validated};
-}
+Tumble::At<Enclosure> Tumble::at(const Enclosure& tau) const { return at(narrow_, tau); }
+Tumble::At<WideEnclosure> Tumble::at(const WideEnclosure& tau) const { return at(wide_, tau); }
 
 }  // namespace touchstone::reference

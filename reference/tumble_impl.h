@@ -1,19 +1,31 @@
-// Free rotation with three different moments of inertia: Euler's equations, enclosed by Taylor series.
+// Free rotation with three different moments of inertia, in closed form: as exact after 10,000 radians as after one.
 //
-//   ω' = I⁻¹ ((I ω) × ω),   q' = ½ q ∘ (0, ω),   ω and I in the body's axes.
-// A step has a box that holds the solution throughout (if y(τ) + [0, h] f(box) is within the box, Picard's iteration
-// stays there), and from it the remainder of the series of degree N: its coefficient N, taken over the box (Lagrange).
-// Each order adds some 3.5 bits less than the one before, so the first `wide_orders` coefficients have 76 digits and
-// the rest, like the remainder, are doubles. Plain intervals, no wrapping control: the digits outlast the growth
-// (Moore, Kearfott and Cloud, Introduction to Interval Analysis).
+//   I ω' = (I ω) × ω,   q' = ½ q ∘ (0, ω),   ω and I in the body's axes.
+//
+// In principal axes P, the third the one about which the angular momentum L goes round, the second the middle one, both
+// in the direction in which ω_1, ω_3 ≥ 0 at first: with c_1 = (I_2 − I_3)/I_1 and so on in turn (c_1 and c_3 have one
+// sign, c_2 has the other), A = |c_2| ω_1² + |c_1| ω_2² and D = |c_3| ω_2² + |c_2| ω_3² (constants), λ² = |c_1| D,
+// k² = |c_3| A/λ²,
+//   ω_1 = W_1 cn s,  ω_2 = W_2 sn s,  ω_3 = W_3 dn s,   s = s_0 + λ τ,
+//   W_1² = A/|c_2|,  W_3² = D/|c_2|,  W_2 = c_2 W_1 W_3/λ.
+// (Jacobi.) With N an inertial frame whose third axis is along L, and l = L_P/|L|,
+//   q_NP = exp(e_3 ψ/2) ∘ p,   p = (1 + l_3, l × e_3)/√(2 (1 + l_3)),
+// p being the least rotation that takes l to e_3; so ω·(l + e_3) = ψ' (1 + l_3), and with twice the energy 2T = ω·L
+//   ψ' = (2T + |L| ω_3)/(|L| + I_3 ω_3).
+// As a function of s it has simple poles, where dn s = −|L|/(I_3 W_3), of residue ±i for τ: so exp(iψ) is a quotient of
+// theta functions (Jacobi; Klein and Sommerfeld),
+//   ψ = μ τ + 2 σ arg θ_4(v + iδ, q²),   v = π s/(2K),  q = exp(−π K'/K),  δ = π η/(2K),
+// with dn(η, k')/cn(η, k') = |L|/(I_3 W_3), σ = −1 where I_3 is the greatest moment and 1 where it is the least; μ from
+// ψ' at s = 0. If L² = 2T I_2 exactly, k = 1: ω_1 = W_1/cosh s and so on, and
+//   ψ = |L|/I_2 τ + 2 σ arg (1 + i tan(χ/2) tanh(s/2)),   cos χ = I_3 W_3/|L|.
 #pragma once
 
 #include <gmpxx.h>
 
 #include <array>
-#include <optional>
 #include <vector>
 
+#include "reference/linear_impl.h"
 #include "reference/quaternion_impl.h"
 #include "reference/tiers_impl.h"
 
@@ -21,63 +33,66 @@ namespace touchstone::reference {
 
 class Tumble {
  public:
-  /// From attitude q (any length) and angular velocity w_B, at τ = 0.
-  Tumble(const std::array<std::array<mpq_class, 3>, 3>& I_B, const std::array<mpq_class, 4>& q,
-         const std::array<mpq_class, 3>& w_B);
+  /// From attitude q (any length) and angular velocity w_B, not about a principal axis, at τ = 0. Nothing is known
+  /// where 76 digits hardly tell the motion from one about an axis, or from one with k = 1 (some 2^-100).
+  Tumble(const Square<mpq_class>& I_B, const std::array<mpq_class, 4>& q, const Three<mpq_class>& w_B);
 
   template <class E>
   struct At {
     Rotor<E> q;  ///< of the length of the first one
     Coordinates<E> w_B;
   };
-  At<Enclosure> at(const Enclosure& tau);  ///< inside RoundUpward; everything, where nothing is known
-  At<WideEnclosure> at(const WideEnclosure& tau);
+  At<Enclosure> at(const Enclosure& tau) const;  ///< inside RoundUpward; everything, where nothing is known
+  At<WideEnclosure> at(const WideEnclosure& tau) const;
 
-  /// |ω|² + |ω'| from τ until some time in the next step.
-  struct Bound {
-    WideEnclosure turning;
-    Float until;  ///< τ itself where nothing is known
-  };
-  Bound bound(const Float& tau);
+  /// ≥ |ω|² + |ω'|, at all times.
+  const WideEnclosure& turning() const { return turning_; }
 
  private:
-  static constexpr std::size_t degree = 30, wide_orders = 14;
-  static constexpr std::size_t most_steps = 1000;  ///< some seconds
-  using State = std::array<WideEnclosure, 7>;      ///< q, ω
+  /// Of m v: 2 q^(m²/4), odd m of θ_2 and even m of θ_3; with the signs of θ_1 and θ_4; and, for even m, of the real
+  /// and the imaginary part of θ_4(v + iδ, q²).
   template <class E>
-  using Series = std::array<std::array<E, 7>, degree + 1>;
-
-  /// Σ coefficient[k] s^k holds the state at begin + s, 0 ≤ s ≤ validated; the last coefficient holds the remainder.
-  struct Step {
-    Float begin, validated;
-    Series<WideEnclosure> wide;
-    Series<Enclosure> narrow;
-    WideEnclosure turning;
-
-    Float end() const { return begin + validated * Float(1 - 0x1p-20); }  ///< leaves room for a τ that is not thin
+  struct Weight {
+    E plain, alternating, real, imaginary;
   };
 
+  /// The constants of the motion.
   template <class E>
-  struct Equations {
-    std::array<Coordinates<E>, 3> I, I_inverse;
-
-    std::array<E, 7> derivative(const std::array<E, 7>& y) const;
-    void extend(Series<E>& c, std::size_t from,
-                std::size_t to) const;  ///< orders up to `to`; those up to `from` are there
+  struct Course {
+    bool known = false;
+    bool returns = true;                 ///< k < 1
+    E phase, rate;                       ///< of v; of s where k = 1
+    E spin;                              ///< μ/2
+    Coordinates<E> W;                    ///< times what the quotients of theta functions lack
+    Coordinates<E> share;                ///< I/|L|
+    std::vector<Weight<E>> series;       ///< of m = 1, 2, ...
+    E lean;                              ///< σ; where k = 1, σ tan(χ/2)
+    std::array<Coordinates<E>, 3> axes;  ///< of P in B
+    Rotor<E> q;                          ///< q_WB at first
+    Rotor<E> back;                       ///< q_PN at first
   };
 
-  static Float stride(const Series<Enclosure>& c);
-  std::optional<State> tube(const State& y, const Float& h) const;
-  bool is_lost() const;
-  bool extend();                          ///< by a step; false if there is none
-  const Step* step_at(const Float& tau);  ///< none beyond the last
+  /// cn s, sn s, dn s, each up to a constant; and a number whose argument is σ arg θ_4.
   template <class E>
-  At<E> sum(const E& tau, Series<E> Step::*series);
+  struct Wave {
+    E cn, sn, dn, real, imaginary;
+  };
 
-  Equations<WideEnclosure> wide_;
-  Equations<Enclosure> narrow_;  ///< the same for doubles; inside RoundUpward
-  State now_;
-  std::vector<Step> steps_;
+  struct Invariants;
+  void set_waves(const Invariants& of);
+  void set_last_wave(const Invariants& of);
+  template <class E>
+  static Wave<E> wave(const Course<E>& course, const E& tau);
+  template <class E>
+  static Wave<E> last_wave(const Course<E>& course, const E& tau);
+  template <class E>
+  static At<E> in_P(const Course<E>& course, const E& tau);
+  template <class E>
+  static At<E> at(const Course<E>& course, const E& tau);
+
+  Course<WideEnclosure> wide_;
+  Course<Enclosure> narrow_;
+  WideEnclosure turning_;
 };
 
 }  // namespace touchstone::reference
