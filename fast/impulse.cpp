@@ -1,6 +1,7 @@
 #include "fast/impulse.h"
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -112,13 +113,16 @@ Velocity pushed(const Body& body, const Side& side, const Vec3& P) {
 
 /// The solver's error; what rounding u adds, in the norm of K⁻¹; and what rounding M [r]× adds to K: with
 /// |δW| ≤ 16 u (slenderness), |K^(-1/2) δ(WᵀW) K^(-1/2)| ≤ 2 |δW|/sqrt(least eigenvalue), and the impulse moves by a
-/// few times as much (measured: docs/design/impulse.md).
-double error_of(const Stated& stated, const Vec3& velocity) {
+/// few times as much (measured: docs/design/impulse.md). All relative to |u|_{K⁻¹}, or to |P|_K/2 where Newton's law
+/// gains so much energy that this is more.
+double error_of(const Stated& stated, const Vec3& velocity, const Vec3& P) {
   const Eigen::SelfAdjointEigenSolver<Mat3> eigen(stated.K);
   const double least = eigen.eigenvalues()[0], greatest = eigen.eigenvalues()[2];
   if (!(least > 0)) return infinity;
   const Vec3 parts = eigen.eigenvectors().transpose() * velocity;
-  const double norm = std::sqrt((parts.array().square() / eigen.eigenvalues().array()).sum());
+  const Vec3 pushes = eigen.eigenvectors().transpose() * P;
+  const double norm = std::max(std::sqrt((parts.array().square() / eigen.eigenvalues().array()).sum()),
+                               std::sqrt((pushes.array().square() * eigen.eigenvalues().array()).sum()) / 2);
   const double speed = (stated.A.speed_error + stated.B.speed_error) / std::sqrt(least);
   const double shape = 32 * u * (stated.A.slenderness + stated.B.slenderness) / std::sqrt(least);
   return (impulse::error_bound(greatest / least) + 4 * shape) * norm + 4 * speed;
@@ -136,7 +140,7 @@ Impacted impact(const Scene& scene) {
   done.P_A_W = all.R * Vec3(out.P1, out.P2, out.p);
   done.after = {pushed(scene.bodies[0], all.A, done.P_A_W), pushed(scene.bodies[1], all.B, -done.P_A_W)};
   const Vec3 velocity = all.A.velocity - all.B.velocity;
-  done.error = error_of(all, velocity);
+  done.error = error_of(all, velocity, done.P_A_W);
   done.energy_change = done.P_A_W.dot(velocity) + done.P_A_W.dot(all.K * done.P_A_W) / 2;
   if (std::isfinite(all.impact.mu)) {
     done.cone_excess = std::sqrt(out.P1 * out.P1 + out.P2 * out.P2) - all.impact.mu * out.p;

@@ -6,6 +6,7 @@
 
 #include "oracle/precision.h"
 #include "oracle/tolerance.h"
+#include "oracle/truth.h"
 
 namespace touchstone::oracle::tolerance {
 namespace {
@@ -50,7 +51,8 @@ struct Facts {
   Real mass = 0;     // 1: of m
 };
 
-// 4π/3·r³ and 8·a·b·c, times the density; m/3·(b² + c²), a sum of positive terms; of a hull or a union, tolerance::mass.
+// 4π/3·r³ and 8·a·b·c, times the density; m/3·(b² + c²), a sum of positive terms; of a hull or a union,
+// tolerance::mass.
 MassBound of_density(const Body& body, const Struck& struck, Precision precision) {
   const double u = unit_roundoff(precision);
   if (!std::holds_alternative<Density>(body.mass)) return {};
@@ -90,9 +92,19 @@ Real stored(const Scene& scene, const Impact& impact, const std::array<Velocity,
   return sum;
 }
 
+// N: √(uᵀ K⁻¹ u), or half of the impulse's |P|_K where that is more. An impulse that gains no energy at most doubles
+// the first: |P|_K ≤ 2√(uᵀ K⁻¹ u). Newton's law can gain any, so there the true impulse is asked, never the one said.
+Real size(const Scene& scene, const Impact& impact) {
+  const Real before = impact.energy_norm(impact.u);
+  if (scene.contact->law != Law::newton) return before;
+  const reference::ExactVec3& exact = truth::impulse(scene).P_A_W;
+  const Point P(exact[0].nearest(), exact[1].nearest(), exact[2].nearest());
+  return std::max(before, impact.energy_norm(impact.K * P) / 2);
+}
+
 }  // namespace
 
-// To first order, with N = √(uᵀ K⁻¹ u), which an impulse that gains no energy at most doubles: |P|_K ≤ 2N. Per body b,
+// To first order, with N as above, so that |P|_K ≤ 2N. Per body b,
 // with B = I^{-1/2}[r]×, K ≥ BᵀB and K ≥ 1/m* (m*: least_mass):
 //   K       |B K^{-1/2}| ≤ 1 and |K^{-1/2}| ≤ √m*, so an error dr of r changes K relatively by 2|dr|√(m*/λ), λ the
 //           least moment; errors of I and m change it by as much as they are. Times of_K·N.
@@ -103,7 +115,7 @@ Real stored(const Scene& scene, const Impact& impact, const std::array<Velocity,
 //   stored  above.
 // All but the last times crossing.
 double impulse(const Scene& scene, const Impact& impact, const std::array<Velocity, 2>& after, Precision precision) {
-  const Real u = unit_roundoff(precision), N = impact.energy_norm(impact.u), m = impact.least_mass();
+  const Real u = unit_roundoff(precision), N = size(scene, impact), m = impact.least_mass();
   const bool exact = precision == Precision::exact;
   const Real said = stored(scene, impact, after, u, exact);
   if (exact) return static_cast<double>(said + u * N);

@@ -393,7 +393,8 @@ Around<T> around(const Tangent<T>& t, const Converging<T>& to, std::size_t terms
 
 /// F(delta) for the solution of h F' + c g F = −1 that is analytic at 0: sᶜ F is what remains of ∫ sᶜ dτ until slip
 /// stops. (n h1 + c g0) F_n = −[n = 0] − Σ_{j≥2} h_j (n − j + 1) F_{n−j+1} − c Σ_{j≥1} g_j F_{n−j}; h1, g0 < 0: no
-/// resonance. None if the series has not converged.
+/// resonance. None if the series has not converged: small terms alone do not show it, since the first few may be 0 by
+/// chance (g0 = h1/2 and no even part: F_1 = F_2 = F_3 = 0).
 template <class T>
 std::optional<T> remaining(const Around<T>& a, int c, const T& delta) {
   std::vector<T> F;
@@ -410,7 +411,7 @@ std::optional<T> remaining(const Around<T>& a, int c, const T& delta) {
     power *= delta;
     if (n == 16 && abs(term) > ldexp(abs(sum), -45)) return {};  // too slow to come to an end
     small = abs(term) <= ldexp(abs(sum), -Places<T>::bits_kept - 10) ? small + 1 : 0;
-    if (small == 3) return sum;
+    if (small >= 3 && abs(power) <= ldexp(T(1), -Places<T>::bits_kept)) return sum;
   }
   return {};
 }

@@ -175,7 +175,7 @@ ExactVelocity after(const Body& body, const Response& response, const Triple& P)
           vec_of(plus(triple(body.velocity.w_WB), response.angular(P)))};
 }
 
-/// √(u0ᵀ K⁻¹ u0), the scale of all errors.
+/// √(u0ᵀ K⁻¹ u0), the scale of what an impact does.
 Float energy_norm(const Blow<Float>& blow) {
   return sqrt(std::max(Float(0), inner(blow.u0, times(blow.K_inverse, blow.u0))));
 }
@@ -198,13 +198,14 @@ Float condition(const Blow<Float>& blow) {
 
 /// Of many digits: series are cut at 2^-165 and floats have 254 bits; 2^-150 is 45 digits and leaves 2^15 for what
 /// steps add up. Of some: cut at 2^-84, 106 bits, 2^-75. The second term is what the bits leave of an ill-conditioned
-/// K.
-double stated_error(const Blow<Float>& blow, Digits digits) {
+/// K. All relative to the energy norm, or to half of |P|_K where that is more: Newton's law alone can gain energy.
+double stated_error(const Blow<Float>& blow, const Triple& exact_P, Digits digits) {
+  const Three<Float> P = {float_of(exact_P[0]), float_of(exact_P[1]), float_of(exact_P[2])};
+  const Float size = std::max(energy_norm(blow), Float(sqrt(std::max(Float(0), inner(P, times(blow.K, P)))) / 2));
   const Float relative = digits == Digits::many ? ldexp(Float(1), -150) + condition(blow) * ldexp(Float(1), -240)
                                                 : ldexp(Float(1), -75) + condition(blow) * ldexp(Float(1), -95);
-  return std::max(
-      std::nextafter(static_cast<double>(Float(energy_norm(blow) * relative)), std::numeric_limits<double>::infinity()),
-      std::numeric_limits<double>::denorm_min());
+  return std::max(std::nextafter(static_cast<double>(Float(size * relative)), std::numeric_limits<double>::infinity()),
+                  std::numeric_limits<double>::denorm_min());
 }
 
 /// Two doubles are enough for some digits: of a K that is not near singular, and an approach not lost beside the slip.
@@ -291,8 +292,14 @@ Triple strike_exactly(ImpulseTruth& truth, const Blow<mpq_class>& exact, const B
     set_ambiguous(truth, blow, float_of(*outcome.near_jump) / sqrt(float_of(exact.square)));
   }
   truth.certified = !truth.pi;
-  if (!truth.certified) truth.error = stated_error(blow, Digits::many);
+  if (!truth.certified) truth.error = stated_error(blow, outcome.end.P, Digits::many);
   return outcome.end.P;
+}
+
+Triple strike_nearly(ImpulseTruth& truth, const Blow<mpq_class>& exact, const Blow<Float>& blow, Digits digits) {
+  if (digits == Digits::many) return told(truth, exact, blow, nearly(blow));
+  const Scaled scaled = in_double_doubles(blow);
+  return told(truth, exact, blow, nearly(scaled.blow), scaled.shift, scaled.shift_of_u);
 }
 
 Triple strike(ImpulseTruth& truth, const Blow<mpq_class>& exact, Digits digits) {
@@ -304,10 +311,9 @@ Triple strike(ImpulseTruth& truth, const Blow<mpq_class>& exact, Digits digits) 
     if (digits == Digits::many) {
       if (const auto P = strike_enclosed(truth, exact, blow)) return *P;
     }
-    truth.error = stated_error(blow, digits);
-    if (digits == Digits::many) return told(truth, exact, blow, nearly(blow));
-    const Scaled scaled = in_double_doubles(blow);
-    return told(truth, exact, blow, nearly(scaled.blow), scaled.shift, scaled.shift_of_u);
+    const Triple P = strike_nearly(truth, exact, blow, digits);
+    truth.error = stated_error(blow, P, digits);
+    return P;
   }
 }
 

@@ -29,7 +29,8 @@ struct Outcome {
 /// u_n = −e u_n0 (Newton). Slip obeys dP_t/dp = −mu u_t/|u_t|. Where restitution ends still approaching, which takes
 /// mu |k| > K_nn, a new compression follows. mu = infinity sticks from the start: P_t = −A⁻¹ u_t at p = 0.
 ///
-/// Error: |P − P*|_K ≤ error_bound (below), relative to |u|_{K⁻¹}; measured, not proved (docs/design/impulse.md).
+/// Error: |P − P*|_K ≤ error_bound (below), relative to |u|_{K⁻¹}, or to |P|_K/2 where that is more (Newton's law
+/// alone can gain energy); measured, not proved (docs/design/impulse.md).
 /// Source: Routh 1860; Mirtich 1996, 3; docs/design/impulse.md for the form.
 Outcome solve(const Impact& impact);
 

@@ -309,6 +309,21 @@ TEST_CASE("impulse: slip that settles and keeps its speed") {
   CHECK(near(some.p_f, many.p_f, 1e-20));
 }
 
+TEST_CASE("impulse: the series of the last slip, whose first three terms are 0 by chance") {
+  const Scene scene = tests::scene({.mass = 2,
+                                    .I = diagonal(8, 2, 8),
+                                    .r = {2, 0, -2},
+                                    .v = {0, 0, 0},
+                                    .w = {-1, 4, 2},
+                                    .law = Law::stronge,
+                                    .e = 0.875,
+                                    .mu = 1});
+  const ImpulseTruth some = impulse(scene, Digits::some);
+  const ImpulseTruth many = impulse(scene);
+  CHECK(many.certified);
+  CHECK(near(some.p_f, many.p_f, 1e-20));
+}
+
 // The hodograph (impulse_routes_test.cpp) says that what is enclosed is right; this, how often it can be enclosed.
 TEST_CASE("impulse: nearly every impact is proved, most to 45 digits") {
   tests::Dice dice(64);
