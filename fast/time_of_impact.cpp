@@ -79,7 +79,7 @@ Verdict verdict_at(double from, const Start& A, const Start& B, std::vector<lin_
   auto place = memory.begin();
   for (std::size_t i = 0; i < A.flyer.solid.parts().size(); ++i) {
     for (std::size_t j = 0; j < B.flyer.solid.parts().size(); ++j, ++place) {
-      const meeting::Pair pair{A.flight, B.flight, i, j, A.flight.start().p_WB};
+      const meeting::Pair pair{A.flight, B.flight, i, j, {A.flight.start().p_WB}};
       const meeting::Look look(pair, from, *place, Vec3::Zero());
       if (look.overlap(look)) return Verdict::overlapping;
     }
@@ -98,7 +98,7 @@ Meeting time_of_impact(const motion::Flight& a, const motion::Flight& b, double 
   auto place = memory.begin();
   for (std::size_t i = 0; i < a.flyer().solid.parts().size(); ++i) {
     for (std::size_t j = 0; j < b.flyer().solid.parts().size(); ++j, ++place) {
-      const meeting::Pair pair{a, b, i, j, a.start().p_WB};
+      const meeting::Pair pair{a, b, i, j, meeting::origin(a, b)};
       const double end = met.meeting == Kind::hit ? met.hi : until;
       const Meeting found = meeting::advance(pair, from, end, envelope, *place);
       if (found.meeting != Kind::miss) met = met.meeting == Kind::miss ? found : either(met, found);

@@ -1,6 +1,7 @@
 #include "fast/motion/flight.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <variant>
@@ -45,6 +46,16 @@ double greatest_whirl(const Inertia& inertia, double rate) {
   return rate * rate * rate * (1 + (4 * c + 2 * c * c) / std::numbers::sqrt3) * (1 + 8 * u);
 }
 
+/// Of a quaternion whose components are 0 or of one size, unless three are not 0, R takes axes to axes, exactly. A spin
+/// about a principal axis then stays, also about the middle one, from which any rounding would lead away.
+bool is_along_own_axis(const Flyer& flyer, const Quaternion& q_WB, const Vec3& w_WB) {
+  const std::array<double, 4> sizes{std::abs(q_WB.w), std::abs(q_WB.x), std::abs(q_WB.y), std::abs(q_WB.z)};
+  const double size = *std::ranges::max_element(sizes);
+  const auto zeros = std::ranges::count(sizes, 0.0);
+  if (!flyer.inertia.is_aligned || zeros == 1 || std::ranges::count(sizes, size) + zeros != 4) return false;
+  return ((rotation(q_WB).transpose() * w_WB).array() != 0).count() <= 1;
+}
+
 /// α = I⁻¹ (Iω × ω), turned out to W: c_i ω_j ω_k in P.
 Vec3 spin_up(const Inertia& inertia, const Quaternion& q_WB, const Vec3& w_WB) {
   Mat3 R_WP = rotation(q_WB);
@@ -57,10 +68,16 @@ Vec3 spin_up(const Inertia& inertia, const Quaternion& q_WB, const Vec3& w_WB) {
 }  // namespace
 
 Flight::Flight(const Flyer& flyer, double since, const Pose& X_WB, const Velocity& velocity, const Vec3& acceleration)
-    : flyer_(&flyer), since_(since), start_(X_WB), velocity_(velocity), acceleration_(acceleration) {
+    : flyer_(&flyer),
+      turning_(flyer.turning),
+      since_(since),
+      start_(X_WB),
+      velocity_(velocity),
+      acceleration_(acceleration) {
   if (flyer.is_fixed) acceleration_ = Vec3::Zero();
   p_BBcm_W_ = flyer.p_BBcm.isZero(0) ? flyer.p_BBcm : Vec3(rotation(X_WB.q_WB) * flyer.p_BBcm);
-  if (flyer.turning != Turning::tumbling) {
+  if (is_along_own_axis(flyer, X_WB.q_WB, velocity.w_WB)) turning_ = Turning::steady;
+  if (turning_ != Turning::tumbling) {
     rate_ = length(velocity.w_WB) * (1 + 8 * u);
   } else {
     // Turned once into B, and unless its axes are P's, once more: 18u each time.
@@ -75,12 +92,12 @@ Flight::Flight(const Flyer& flyer, double since, const Pose& X_WB, const Velocit
 
 /// τ, v τ and a τ²/2 round by u, 3u and 6u (a itself by 64u more), p_WB − O by u, R p_BBcm by 18u; three sums. Where
 /// the exact centre of mass is δ elsewhere in the body, its point moves along the same parabola, but turns: 2δ.
-Centre Flight::centre(double t, const Vec3& p_WO) const {
+Centre Flight::centre(double t, const Origin& O) const {
   const double tau = t - since_;
-  const Vec3 start = (start_.p_WB - p_WO) + p_BBcm_W_;
-  const Vec3 gained = acceleration_ * tau;
+  const Vec3 start = (start_.p_WB - O.p_WO) + p_BBcm_W_;
+  const Vec3 gained = (acceleration_ - O.a_WO) * tau;
   const Vec3 moved = (velocity_.v_WBcm + gained / 2) * tau;
-  const double lengths = (start_.p_WB - p_WO).lpNorm<1>() + velocity_.v_WBcm.lpNorm<1>() * tau;
+  const double lengths = (start_.p_WB - O.p_WO).lpNorm<1>() + velocity_.v_WBcm.lpNorm<1>() * tau;
   const double fallen = gained.lpNorm<1>();
   return {
       start + moved, velocity_.v_WBcm + gained,
@@ -89,17 +106,17 @@ Centre Flight::centre(double t, const Vec3& p_WO) const {
 }
 
 /// Turns off by: q₀/|q₀| 24u, each product of quaternions 16u, q_BP 24u (twice), R's own rounding 12u.
-Stand Flight::stand(double t, const Vec3& p_WO) const {
+Stand Flight::stand(double t, const Origin& O) const {
   const double tau = t - since_;
-  Stand now{centre(t, p_WO), start_.q_WB, {}, velocity_.w_WB, 12 * u, 0, Vec3::Zero()};
+  Stand now{centre(t, O), start_.q_WB, {}, velocity_.w_WB, 12 * u, 0, Vec3::Zero()};
   const Vec3& w = velocity_.w_WB;
   if (turns() && tau > 0) {
     const Quaternion q_WB0 = unit(start_.q_WB);
-    if (flyer_->turning == Turning::steady) {
+    if (turning_ == Turning::steady) {
       const SteadyTurn turn = steady_turn(w, tau);
       now.q_WB = product(turn.q, q_WB0);
       now.turn_error = turn.error + 56 * u;
-    } else if (flyer_->turning == Turning::precessing) {
+    } else if (turning_ == Turning::precessing) {
       // With moments I along axis a and J across it, ω = L/J + s e_a and s = (1 − I/J) ω_a = c ω_a: about L the body
       // turns at L/J, about its own axis at s. ω_a, s, e_a and L/J are off by 25u, 32u, 42u, 80u of |ω|.
       const int a = flyer_->axis;
@@ -123,7 +140,7 @@ Stand Flight::stand(double t, const Vec3& p_WO) const {
     }
   }
   now.R_WB = rotation(now.q_WB);
-  if (flyer_->turning != Turning::steady && turns()) now.alpha_WB = spin_up(flyer_->inertia, now.q_WB, now.w_WB);
+  if (turning_ != Turning::steady && turns()) now.alpha_WB = spin_up(flyer_->inertia, now.q_WB, now.w_WB);
   return now;
 }
 
@@ -136,7 +153,7 @@ State Flight::state(double t) const {
 
 Aabb Flight::box(double from, double until, double greatest_force) const {
   using outward::unit;
-  const Centre c = centre(from, start_.p_WB);
+  const Centre c = centre(from, {start_.p_WB});
   const double duration = (until - from) * (1 + 2 * u);
   const double slack = (c.error + c.v_error * duration) / unit;
   outward::Grower grower;

@@ -8,10 +8,17 @@
 
 namespace touchstone::fast::motion {
 
-/// A centre of mass, as seen from a point O of W, and how far the exact one may be from it.
+/// From where a pair is seen: O, near it, so that roundings are those of the pair's own lengths. O may fall from the
+/// flight's start on, so that what both fall alike is not seen.
+struct Origin {
+  Vec3 p_WO = Vec3::Zero();  ///< m; at the start
+  Vec3 a_WO = Vec3::Zero();  ///< m/s²
+};
+
+/// A centre of mass, as seen from O, and how far the exact one may be from it.
 struct Centre {
   Vec3 p_WOBcm = Vec3::Zero();  ///< m
-  Vec3 v_WBcm = Vec3::Zero();   ///< m/s
+  Vec3 v_WBcm = Vec3::Zero();   ///< m/s; seen from O, too
   double error = 0;             ///< m
   double v_error = 0;           ///< m/s
 };
@@ -50,9 +57,8 @@ class Flight {
   Pose pose(double t) const { return state(t).X_WB; }
   Velocity velocity(double t) const { return state(t).velocity; }
 
-  /// A point O near the body keeps the errors small far from W's origin.
-  Centre centre(double t, const Vec3& p_WO = Vec3::Zero()) const;
-  Stand stand(double t, const Vec3& p_WO = Vec3::Zero()) const;
+  Centre centre(double t, const Origin& O = {}) const;
+  Stand stand(double t, const Origin& O = {}) const;
 
   /// ≥ |ω(t)| at all times (rad/s), and least so up to rounding: Ω² = 2T(1/I₁ + 1/I₃) − L²/(I₁ I₃).
   double rate() const { return rate_; }
@@ -71,6 +77,7 @@ class Flight {
   bool turns() const { return rate_ > 0; }
 
   const Flyer* flyer_;
+  Turning turning_;
   double since_;
   Pose start_;
   Velocity velocity_;

@@ -4,12 +4,11 @@
 #include <cmath>
 
 #include "fast/lin_canny/rotation.h"
+#include "fast/motion/quaternion.h"
 
 namespace touchstone::fast::motion {
 namespace {
 
-
-constexpr std::size_t most_steps = 1 << 13;
 constexpr double nothing_known = 2;
 
 /// A with δω' = A δω.
@@ -21,24 +20,6 @@ Mat3 linearised(const Vec3& c, const Vec3& w) {
   return A;
 }
 
-/// ≥ ‖M‖₂: the root of the greatest column sum times the greatest row sum.
-double norm(const Mat3& M) {
-  const Mat3 sizes = M.cwiseAbs();
-  return std::sqrt(sizes.colwise().sum().maxCoeff() * sizes.rowwise().sum().maxCoeff());
-}
-
-/// The inverse of a matrix of determinant 1: Ψ' = A Ψ and tr A = 0.
-Mat3 adjugate(const Mat3& M) {
-  Mat3 inverse;
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) {
-      const int r = (j + 1) % 3, s = (j + 2) % 3, p = (i + 1) % 3, q = (i + 2) % 3;
-      inverse(i, j) = M(r, p) * M(s, q) - M(r, q) * M(s, p);
-    }
-  }
-  return inverse;
-}
-
 }  // namespace
 
 Tumble::Tumble(const Vec3& c, double c_error, const Vec3& w_P, double w_error) : c_(c), c_error_(c_error) {
@@ -48,7 +29,8 @@ Tumble::Tumble(const Vec3& c, double c_error, const Vec3& w_P, double w_error) :
   scale_ = std::ldexp(1.0, exponent);
   const Vec3 w = w_P / scale_;
   start_ = {1, 0, 0, 0, w[0], w[1], w[2]};
-  injected_ = w_error * w.norm();
+  spread_ = (w_error * w_error) * w.squaredNorm() * Mat3::Identity();
+  period_ = period(c, c_error, w, w_error);
 }
 
 /// Powers of two for the length: the scaled terms are exact.
@@ -95,9 +77,9 @@ Tumble::Step Tumble::step(double from, const Terms& start) {
   return taken;
 }
 
-/// New in a step: the sums' rounding, 4u, and what the coefficients' error does, c_error |ω|² a unit of time. Within a
-/// step Ψ and Ψ⁻¹ are what they are at its ends, give or take a half. The series of Ψ to order 12 is a bound's, not a
-/// solution's: a percent is nothing.
+/// New in a step: the sums' rounding, 4u, and what the coefficients' error does, c_error |ω|² a unit of time; half as
+/// much again for what happens to it within the step. The series of Φ to order 12 is a bound's, not a solution's: a
+/// percent is nothing.
 void Tumble::grow_errors(Step& taken) {
   constexpr std::size_t enough = 12;
   std::array<Mat3, enough + 1> A, P;
@@ -113,14 +95,14 @@ void Tumble::grow_errors(Step& taken) {
   for (std::size_t k = enough; k-- > 0;) once += P[k];
   const Terms& x = taken.series[0];
   const double rate = Vec3(x[4], x[5], x[6]).norm();
-  const double before = norm(growth_), inverse_before = norm(inverse_growth_);
-  growth_ = once.lazyProduct(growth_).eval();
-  inverse_growth_ = inverse_growth_.lazyProduct(adjugate(once)).eval();
-  injected_ +=
-      1.5 * std::max(inverse_before, norm(inverse_growth_)) * (4 * u * rate + c_error_ * rate * rate * taken.length);
-  taken.w_error = 1.5 * std::max(before, norm(growth_)) * injected_;
+  const double before = std::sqrt(spread_.trace());
+  spread_ = once.lazyProduct(spread_).lazyProduct(once.transpose()).eval();
+  const double added = 1.5 * (4 * u * rate + c_error_ * rate * rate * taken.length);
+  const double k = 16 + static_cast<double>(steps_.size());
+  spread_ = (1 + 1 / k) * spread_ + (1 + k) * (added * added) * Mat3::Identity();
+  taken.w_error = 1.5 * std::max(before, std::sqrt(spread_.trace()));
   error_ += taken.w_error * taken.length + 16 * u;
-  if (!(error_ < 0x1p-10) || steps_.size() >= most_steps) error_ = nothing_known;
+  if (!(error_ < 0x1p-10)) error_ = nothing_known;
   taken.error = error_;
 }
 
@@ -132,24 +114,53 @@ Tumble::Terms Tumble::sum(const Step& step, double x) {
   return total;
 }
 
-Tumble::Now Tumble::at(double tau) {
-  const double time = tau * scale_;
+/// In units of scale_.
+Tumble::Now Tumble::within(double time) {
   const auto end = [](const Step& s) { return s.from + s.length; };
-  while (steps_.empty() || (end(steps_.back()) < time && error_ < nothing_known)) {
+  while (steps_.empty() || end(steps_.back()) < time) {
     Step next = steps_.empty() ? step(0, start_) : step(end(steps_.back()), sum(steps_.back(), 1));
     grow_errors(next);
     steps_.push_back(next);
   }
-  const auto after = [&](double t, const Step& s) { return t < s.from; };
+  const auto after = [](double t, const Step& s) { return t < s.from; };
   const Step& now = *std::prev(std::upper_bound(steps_.begin() + 1, steps_.end(), time, after));
-  if (end(now) < time) return {{}, Vec3::Zero(), nothing_known, nothing_known * scale_};
   const Terms x = sum(now, (time - now.from) / now.length);
-  // τ itself rounds by u: the turn by |ω| τ u.
-  const double late = 2 * u * time;
-  return {{x[0], x[1], x[2], x[3]},
-          scale_ * Vec3(x[4], x[5], x[6]),
-          std::min(nothing_known, now.error + 2 * late),
-          scale_ * (now.w_error + 2 * late)};
+  return {{x[0], x[1], x[2], x[3]}, {x[4], x[5], x[6]}, now.error, now.w_error};
+}
+
+/// By squares: twice the error with each, and 16u; and 16u for each that is taken.
+Quaternion Tumble::turn_in(double periods) {
+  Quaternion turn;
+  for (std::size_t k = 0; periods >= 1; ++k) {
+    if (k == turns_.size()) turns_.push_back(unit(product(turns_[k - 1], turns_[k - 1])));
+    const double half = std::floor(periods / 2);
+    if (periods - 2 * half == 1) turn = product(turns_[k], turn);
+    periods = half;
+  }
+  return turn;
+}
+
+/// τ, the whole periods in it, and what is left round by less than 4u of it: the turn by |ω| as much. Within a flight
+/// |ω|² at most doubles (flight.cpp), and |ω'| is below 2|ω|²/√3. What the period is off by is in what the body turns
+/// by in it, and in when the last one begins.
+Tumble::Now Tumble::at(double tau) {
+  const double time = tau * scale_, late = 4 * u * time;
+  const double periods = std::min(std::floor(time / period_.length), 0x1p53);
+  Now now = within(std::max(0.0, time - periods * period_.length));
+  double error = now.error + 2 * late, w_error = now.w_error + 2 * late;
+  if (periods > 0) {
+    if (turns_.empty()) {
+      const Now whole = within(period_.length);
+      turns_.push_back(std::isfinite(period_.error) ? unit(whole.q_P0P) : Quaternion());
+      turn_error_ = whole.error + 48 * u;
+    }
+    now.q_P0P = product(turn_in(periods), now.q_P0P);
+    const double rate = Vec3(start_[4], start_[5], start_[6]).norm();
+    error += periods * (turn_error_ + 3 * rate * period_.error);
+    w_error += periods * 1.25 * rate * rate * period_.error;
+  }
+  if (!(error < 0x1p-10)) error = w_error = nothing_known;
+  return {now.q_P0P, scale_ * now.w_P, error, scale_ * w_error};
 }
 
 }  // namespace touchstone::fast::motion

@@ -25,7 +25,7 @@ double later(double t, double h) {
 /// How long the balls around the two centres of mass surely keep apart; none if they are near each other or meet. Their
 /// gap along the line of centres is a parabola.
 std::optional<double> balls_apart(const Pair& pair, double t) {
-  const Centre a = pair.a.centre(t, pair.p_WO), b = pair.b.centre(t, pair.p_WO);
+  const Centre a = pair.a.centre(t, pair.O), b = pair.b.centre(t, pair.O);
   const Vec3 d = b.p_WOBcm - a.p_WOBcm;
   const double radii = pair.a.flyer().radius + pair.b.flyer().radius;
   const double distance = motion::length(d);
@@ -34,7 +34,9 @@ std::optional<double> balls_apart(const Pair& pair, double t) {
   const Vec3 n = d / distance;
   const Vec3 v = b.v_WBcm - a.v_WBcm, fall = pair.b.acceleration() - pair.a.acceleration();
   const double s = n.dot(v) - 8 * u * v.lpNorm<1>() - (a.v_error + b.v_error);
-  const double c = n.dot(fall) - 128 * u * (pair.a.acceleration().lpNorm<1>() + pair.b.acceleration().lpNorm<1>());
+  const double seen =
+      (pair.a.acceleration() - pair.O.a_WO).lpNorm<1>() + (pair.b.acceleration() - pair.O.a_WO).lpNorm<1>();
+  const double c = n.dot(fall) - 128 * u * seen;
   return first_root(gap, s, std::min(0.0, c)) * (1 - 0x1p-30);
 }
 
@@ -79,7 +81,7 @@ class Advance {
   /// No more than rounding keeps the two apart at t_.
   std::optional<Meeting> touch(const Look& look) {
     if (envelope_ > 0 && look.at_most() <= envelope_ && !look.slab().parts()) return hit(look, t_);
-    for (double h = first_wait(look.slab());; h *= 2) {
+    for (double h = first_wait(look);; h *= 2) {
       const double t = std::min(t_ + h, until_);
       lin_canny::FeaturePair memory = memory_;
       const Look next(pair_, t, memory, known_);
@@ -93,11 +95,13 @@ class Advance {
     }
   }
 
-  /// In which the approach, or the fall, takes the two through what rounding hides.
-  double first_wait(const Slab& slab) const {
+  /// In which the approach, or the fall, takes the two through what rounding hides. Where they hardly approach along
+  /// this normal they may along another one: no slower than a sixteenth of what any points could, then.
+  double first_wait(const Look& look) const {
+    const Slab& slab = look.slab();
     const double depth = 4 * slab.error();
-    const double approach = -slab.least_speed(8 * slab.error());
-    const double by_speed = approach > 0 ? depth / approach : infinity;
+    const double speed = std::max(-slab.least_speed(8 * slab.error()), look.greatest_speed() / 16);
+    const double by_speed = speed > 0 ? depth / speed : infinity;
     const double by_fall = slab.greatest_bend() > 0 ? std::sqrt(2 * depth / slab.greatest_bend()) : infinity;
     const double grain = 4 * u * std::abs(t_) + 0x1p-1000;
     return std::max(grain, std::min({by_speed, by_fall, left()}));
@@ -113,7 +117,7 @@ class Advance {
 
   Meeting hit(const Look& look, double hi) const {
     const double lo = doubt_ ? doubt_->from : t_;
-    return {Kind::hit, lo, hi, 0, pair_.p_WO + look.middle(), -look.slab().direction()};
+    return {Kind::hit, lo, hi, 0, pair_.in_W(look.middle(), t_), -look.slab().direction()};
   }
   Meeting apart() const {
     if (doubt_) return doubtful(doubt_->from, doubt_->until, doubt_->gap);

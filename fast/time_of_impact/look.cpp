@@ -8,6 +8,7 @@
 
 #include "fast/lin_canny/bracket.h"
 #include "fast/lin_canny/surround.h"
+#include "fast/time_of_impact/common_middle.h"
 
 namespace touchstone::fast::meeting {
 
@@ -57,39 +58,6 @@ class Widest {
   bool has_one_ = false;
 };
 
-/// Of a solid core, not of a point. `error` covers both placements; a point of a feature is on its body up to 10u of
-/// its radius (bracket.h), and is turned there and back: the same bound again.
-bool is_inside(const Placed& P, const Vec3& p, double error) {
-  const Vec3 x = P.in(p);
-  for (int f = 0; f < P.hull->face_count(); ++f) {
-    const Hull::Face& face = P.hull->face(f);
-    if (!(face.normal.dot(x) < face.height - error)) return false;
-  }
-  return P.hull->face_count() > 0;
-}
-
-/// From p into both: back over the face that it is farthest outside of, by no more than needed, again and again
-/// (Agmon 1954; Motzkin & Schoenberg 1954). Slow in a sharp wedge, quick where two flat faces leave a thin slice.
-bool is_shared(const Placed& A, const Placed& B, Vec3 p, double error) {
-  if (A.hull->face_count() == 0 || B.hull->face_count() == 0) return false;
-  for (int tries = 0; tries < 60; ++tries) {
-    double outside = -std::numeric_limits<double>::infinity();
-    Vec3 n = Vec3::Zero();
-    for (const Placed* P : {&A, &B}) {
-      const Vec3 x = P->in(p);
-      for (int f = 0; f < P->hull->face_count(); ++f) {
-        const double height = P->hull->face(f).normal.dot(x) - P->hull->face(f).height;
-        if (!(height > outside)) continue;
-        outside = height;
-        n = P->turned_out(P->hull->face(f).normal);
-      }
-    }
-    if (outside < -error) return true;
-    p -= (outside + 1.5 * error) * n;
-  }
-  return false;
-}
-
 /// A vertex, or the middle of an edge, or of a face's first edge.
 Vec3 point_of(const Placed& P, const lin_canny::FeatureId& feature) {
   if (feature.kind == lin_canny::Kind::vertex) return P.vertex(feature.index);
@@ -112,9 +80,19 @@ lin_canny::Walked walked(const Placed& A, const Placed& B, FeaturePair& memory) 
 
 }  // namespace
 
+motion::Origin origin(const motion::Flight& a, const motion::Flight& b) {
+  const bool alike = a.since() == b.since() && a.acceleration() == b.acceleration();
+  return {a.start().p_WB, alike ? a.acceleration() : Vec3::Zero()};
+}
+
+Vec3 Pair::in_W(const Vec3& p, double t) const {
+  const double tau = t - a.since();
+  return O.p_WO + O.a_WO * (tau * tau / 2) + p;
+}
+
 Look::Look(const Pair& pair, double t, FeaturePair& memory, const Vec3& known)
-    : A_(side(pair.a, pair.part_A, t, pair.p_WO)),
-      B_(side(pair.b, pair.part_B, t, pair.p_WO)),
+    : A_(side(pair.a, pair.part_A, t, pair.O)),
+      B_(side(pair.b, pair.part_B, t, pair.O)),
       walked_(walked(A_.core, B_.core, memory)),
       slab_(best_slab(memory, known)) {}
 
@@ -166,18 +144,38 @@ Slab Look::best_slab(const FeaturePair& before, const Vec3& known) const {
   return {A_, B_, widest.direction(), Vec3::Zero(), p_OC};
 }
 
+/// The planes between two that touch are turned from one to the next between those along a face of either, or along two
+/// edges.
 std::optional<Slab> Look::parting() const {
+  const Placed &A = A_.core, &B = B_.core;
+  const double radii = A_.radius + B_.radius, rounding = lin_canny::rounding(A, B);
   const auto parts = [&](const Vec3& n) -> std::optional<Slab> {
-    Slab slab(A_, B_, n, Vec3::Zero(), A_.core.t);
+    if (!(gap(A, B, n) > radii - 8 * rounding)) return std::nullopt;
+    Slab slab(A_, B_, n, Vec3::Zero(), A.t);
     return slab.parts() ? std::optional(slab) : std::nullopt;
   };
-  for (int f = 0; f < A_.core.hull->face_count(); ++f) {
-    if (const auto found = parts(A_.core.turned_out(A_.core.hull->face(f).normal))) return found;
+  for (int f = 0; f < A.hull->face_count(); ++f) {
+    if (const auto found = parts(A.turned_out(A.hull->face(f).normal))) return found;
   }
-  for (int f = 0; f < B_.core.hull->face_count(); ++f) {
-    if (const auto found = parts(-B_.core.turned_out(B_.core.hull->face(f).normal))) return found;
+  for (int f = 0; f < B.hull->face_count(); ++f) {
+    if (const auto found = parts(-B.turned_out(B.hull->face(f).normal))) return found;
+  }
+  for (int i = 0; i < A.hull->edge_count(); ++i) {
+    const Vec3 e = A.turned_out(A.hull->edge(i).along).normalized();
+    for (int j = 0; j < B.hull->edge_count(); ++j) {
+      const Vec3 n = e.cross(B.turned_out(B.hull->edge(j).along).normalized());
+      if (!(n.norm() > 0x1p-20)) continue;
+      for (const Vec3& m : {Vec3(n.normalized()), Vec3(-n.normalized())}) {
+        if (const auto found = parts(m)) return found;
+      }
+    }
   }
   return std::nullopt;
+}
+
+double Look::greatest_speed() const {
+  const auto turning = [](const Side& side) { return side.w.norm() * (side.arm.norm() + side.core.hull->radius()); };
+  return (B_.v - A_.v).norm() + turning(A_) + turning(B_);
 }
 
 double Look::at_most() const {
@@ -187,7 +185,8 @@ double Look::at_most() const {
 }
 
 /// Two points of the cores are nearer than the radii reach; or what was closest before is inside the other; or four
-/// differences have 0 inside; or a point is found that is inside both: for solids that meet flat.
+/// differences have 0 inside; or a point is found that is inside both: for solids that meet flat. `error`: a point of a
+/// feature is on its body up to 10u of its radius (bracket.h), and is turned there and back: the rounding again.
 bool Look::overlap(const Look& before) const {
   const Placed &A = A_.core, &B = B_.core;
   if (!walked_.inside) {
@@ -201,7 +200,7 @@ bool Look::overlap(const Look& before) const {
     if (is_inside(A, B.out(before.B_.core.in(then.b)), error)) return true;
   }
   if (lin_canny::common_point(A, B)) return true;
-  return is_shared(A, B, middle(), error);
+  return share_a_middle(A, B, error);
 }
 
 /// Of the features' closest points, each moved out by its radius along n. Inside, where nothing was measured, the point

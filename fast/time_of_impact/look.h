@@ -13,8 +13,13 @@ struct Pair {
   const motion::Flight& a;
   const motion::Flight& b;
   std::size_t part_A, part_B;
-  Vec3 p_WO;  ///< the pair frame's origin: near a, so that roundings are small far from W's
+  motion::Origin O;  ///< the pair frame's origin
+
+  Vec3 in_W(const Vec3& p, double t) const;  ///< of a point in the pair's frame
 };
+
+/// Near a, and falling if both fall alike from one time on.
+motion::Origin origin(const motion::Flight& a, const motion::Flight& b);
 
 class Look {
  public:
@@ -24,8 +29,10 @@ class Look {
   Look(const Pair& pair, double t, lin_canny::FeaturePair& memory, const Vec3& known);
 
   const Slab& slab() const { return slab_; }
-  /// At contact, where several planes keep the two apart: one along a face across which they part.
+  /// At contact, where several planes keep the two apart: one across which they part.
   std::optional<Slab> parting() const;
+  /// ≥ the speed of any point of one, seen from any of the other (m/s).
+  double greatest_speed() const;
   /// ≥ the distance (m).
   double at_most() const;
   /// A point that both surely have: proved, not likely. `before`: an earlier look, whose closest points have gone along

@@ -9,10 +9,10 @@ using lin_canny::Convex;
 /// To the stand's turn error come 6u of a computed R v, and 28u of R_WB R_BP; the part's own place is turned once more
 /// (24u with its sums). A velocity w × r rounds by 8u |w||r|, r itself by the placement's error; n·v by 4u |v|; p̈ by as
 /// much again for each w in it, and for α, a product of two of them. A push over mass is known to 64u.
-Side side(const motion::Flight& flight, std::size_t part, double t, const Vec3& p_WO) {
+Side side(const motion::Flight& flight, std::size_t part, double t, const motion::Origin& O) {
   const motion::Flyer& body = flight.flyer();
   const Convex& convex = body.solid.parts()[part];
-  const motion::Stand now = flight.stand(t, p_WO);
+  const motion::Stand now = flight.stand(t, O);
   Side s;
   s.core.hull = &convex.core;
   s.core.R = convex.is_posed ? Mat3(now.R_WB.lazyProduct(convex.R_BP)) : now.R_WB;
@@ -28,7 +28,7 @@ Side side(const motion::Flight& flight, std::size_t part, double t, const Vec3& 
   const double reach = std::min(body.radius, (arm_length + convex.core.radius()) * (1 + 8 * u));
   s.slope_error = now.centre.v_error + 4 * u * s.v.lpNorm<1>() +
                   reach * (now.w_error + (s.core.turn_error + 16 * u) * flight.rate());
-  s.acceleration = flight.acceleration();
+  s.acceleration = flight.acceleration() - O.a_WO;
   s.alpha = now.alpha_WB;
   s.swirl = flight.curl() * reach;
   s.bend_error = s.swirl * (4 * s.core.turn_error + 64 * u) + 4 * flight.rate() * now.w_error * reach +

@@ -5,6 +5,7 @@
 
 #include "fast/lin_canny/rotation.h"
 #include "fast/motion/steady_turn.h"
+#include "fast/time_of_impact/look.h"
 
 namespace touchstone::fast::meeting {
 namespace {
@@ -19,13 +20,14 @@ bool is_ball(const motion::Flyer& flyer) {
 
 double radius(const Flight& flight) { return flight.flyer().solid.parts()[0].radius; }
 
-/// b as seen from a at one time.
+/// b as seen from a.
 struct Apart {
-  Vec3 p_OA, d, v;
+  Vec3 d, v;
+  double d_error = 0, v_error = 0;  ///< m; m/s
   double distance = 0;
   double gap = 0, gap_error = 0;  ///< m
   double closing = 0;             ///< −d/dt of the distance (m/s)
-  double speed_error = 0;         ///< of v, and so of `closing`
+  double speed_error = 0;         ///< of `closing`
 
   bool is_clear() const { return gap > gap_error; }
   bool overlaps() const { return gap < -gap_error; }
@@ -33,28 +35,38 @@ struct Apart {
   bool parts() const { return closing < -speed_error; }
 };
 
-/// d rounds by u of what it is the difference of, the distance by 5u, the gap by u.
-Apart apart(const Flight& a, const Flight& b, double t, const Vec3& p_WO) {
-  const Centre A = a.centre(t, p_WO), B = b.centre(t, p_WO);
-  const double r = radius(a) + radius(b);
-  Apart x;
-  x.p_OA = A.p_WOBcm;
-  x.d = B.p_WOBcm - A.p_WOBcm;
-  x.v = B.v_WBcm - A.v_WBcm;
-  x.distance = motion::length(x.d);
+/// d up to d_error, r the sum of the radii. The distance rounds by 5u of itself, the gap by u.
+Apart apart(const Vec3& d, double d_error, const Vec3& v, double v_error, double r) {
+  Apart x{d, v, d_error, v_error, motion::length(d)};
   x.gap = x.distance - r;
-  x.gap_error = A.error + B.error + 2 * u * (A.p_WOBcm.lpNorm<1>() + B.p_WOBcm.lpNorm<1>()) + 8 * u * (x.distance + r);
-  x.closing = -x.d.dot(x.v) / x.distance;
-  x.speed_error = A.v_error + B.v_error + 2 * u * (A.v_WBcm.lpNorm<1>() + B.v_WBcm.lpNorm<1>()) +
-                  8 * u * x.v.lpNorm<1>() + x.v.lpNorm<1>() * (x.gap_error / x.distance);
+  x.gap_error = d_error + 8 * u * (x.distance + r);
+  x.closing = -d.dot(v) / x.distance;
+  x.speed_error = v_error + 8 * u * v.lpNorm<1>() + v.lpNorm<1>() * (x.gap_error / x.distance);
   return x;
 }
 
-Meeting hit(const Flight& a, const Flight& b, const Apart& at_lo, double lo, double hi, const Vec3& p_WO) {
+/// d rounds by u of what it is the difference of.
+Apart apart(const Pair& pair, double t) {
+  const Flight &a = pair.a, &b = pair.b;
+  const Centre A = a.centre(t, pair.O), B = b.centre(t, pair.O);
+  return apart(B.p_WOBcm - A.p_WOBcm, A.error + B.error + 2 * u * (A.p_WOBcm.lpNorm<1>() + B.p_WOBcm.lpNorm<1>()),
+               B.v_WBcm - A.v_WBcm, A.v_error + B.v_error + 2 * u * (A.v_WBcm.lpNorm<1>() + B.v_WBcm.lpNorm<1>()),
+               radius(a) + radius(b));
+}
+
+/// How far both have fallen plays no part. h, v h and the sum round by 4u of v h, and u of d.
+Apart after(const Apart& start, double h, double r) {
+  const double way = start.v.lpNorm<1>() * h;
+  const double error = start.d_error + start.v_error * h + 4 * u * way + u * start.d.lpNorm<1>();
+  return apart(start.d + start.v * h, error, start.v, start.v_error, r);
+}
+
+Meeting hit(const Pair& pair, const Apart& at_lo, double lo, double hi) {
   const Vec3 n = at_lo.d / at_lo.distance;
-  const Vec3 on_a = at_lo.p_OA + radius(a) * n;
-  const Vec3 on_b = at_lo.p_OA + (at_lo.d - radius(b) * n);
-  return {Kind::hit, lo, hi, 0, p_WO + (on_a + on_b) / 2, -n};
+  const Vec3 p_OA = pair.a.centre(lo, pair.O).p_WOBcm;
+  const Vec3 on_a = p_OA + radius(pair.a) * n;
+  const Vec3 on_b = p_OA + (at_lo.d - radius(pair.b) * n);
+  return {Kind::hit, lo, hi, 0, pair.in_W((on_a + on_b) / 2, lo), -n};
 }
 
 }  // namespace
@@ -64,9 +76,9 @@ bool are_falling_balls(const Flight& a, const Flight& b) {
 }
 
 std::optional<Meeting> spheres(const Flight& a, const Flight& b, double from, double until, double envelope) {
-  const Vec3& p_WO = a.start().p_WB;
+  const Pair pair{a, b, 0, 0, origin(a, b)};
   const Meeting miss{Kind::miss, until, until, 0, Vec3::Zero(), Vec3::Zero()};
-  const Apart start = apart(a, b, from, p_WO);
+  const Apart start = apart(pair, from);
   const double speed = motion::length(start.v);
   if (!(start.distance > 0x1p-400 && start.distance < 0x1p400)) return std::nullopt;
   if (start.parts()) return miss;
@@ -82,17 +94,17 @@ std::optional<Meeting> spheres(const Flight& a, const Flight& b, double from, do
   const double chord = std::sqrt((r - passing) * (r + passing));
   const double h = std::max(0.0, start.gap * (start.distance + r) / (speed * (chord - along)));
   if (h > until - from) {
-    const Apart end = apart(a, b, until, p_WO);
+    const Apart end = after(start, until - from, r);
     return end.is_clear() && end.approaches() ? std::optional(miss) : std::nullopt;
   }
   const double t = from + h;
   double slack = 2 * start.gap_error / (speed * chord / r) + 4 * u * (std::abs(from) + std::abs(t));
   for (int tries = 0; tries < 4; ++tries, slack *= 4) {
     const double lo = std::max(from, t - slack), hi = std::min(t + slack, until);
-    const Apart at_lo = apart(a, b, lo, p_WO);
+    const Apart at_lo = after(start, lo - from, r);
     if (lo > from && !(at_lo.is_clear() && at_lo.approaches())) continue;
-    if (envelope > 0 && at_lo.gap + at_lo.gap_error <= envelope) return hit(a, b, at_lo, lo, lo, p_WO);
-    if (apart(a, b, hi, p_WO).overlaps()) return hit(a, b, at_lo, lo, hi, p_WO);
+    if (envelope > 0 && at_lo.gap + at_lo.gap_error <= envelope) return hit(pair, at_lo, lo, lo);
+    if (after(start, hi - from, r).overlaps()) return hit(pair, at_lo, lo, hi);
   }
   return std::nullopt;
 }

@@ -31,7 +31,7 @@ TEST_CASE("Every case of the corpus is whole: read, complete, under a property o
     CHECK(!a_case.note.empty());
     ++count[find(a_case.property).stem];
   }
-  for (const char* stem : {"mass", "bounds", "broad_phase", "distance", "penetration"}) CHECK(count[stem] >= 3);
+  for (const char* stem : {"mass", "bounds", "broad_phase", "distance", "penetration", "time_of_impact"}) CHECK(count[stem] >= 3);
 }
 
 TEST_CASE("An impact of the corpus goes on through restitution, though slip jams in it") {
@@ -59,6 +59,20 @@ TEST_CASE("Depths of the corpus by hand") {
   CHECK(depth("sliver_2_30") == Interval{0x1p-30, 0x1p-30});
   CHECK(depth("sphere_about_cube") == Interval{4, 4});
   CHECK(depth("faces_touch") == Interval{0, 0});
+}
+
+TEST_CASE("Meetings of the corpus by hand") {
+  const auto met = [](const std::string& name) {
+    return oracle::truth::time_of_impact(scene_of("time_of_impact/" + name));
+  };
+  for (const char* name : {"corner_into_an_edge", "corner_slides_along_a_face_inwards", "hinged_faces_fold"}) {
+    CHECK(met(name).meeting == TimeOfImpact::Meeting::hit);
+    CHECK(met(name).at_start);
+  }
+  const Interval back = met("crossed_edges_part_and_come_back").time;
+  CHECK(back.lo <= 0.5);
+  CHECK(back.hi >= 0.5);
+  CHECK(back.hi - back.lo < 1e-14);
 }
 
 TEST_CASE("Pairs, boxes and masses of the corpus by hand") {
