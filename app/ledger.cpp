@@ -67,6 +67,7 @@ void Row::count(const Example& example) {
     return;
   }
   ++grades[static_cast<std::size_t>(oracle::grade(example.finding))];
+  impacts += example.finding.impacts;
   errors.count(example.finding);
   if (outcome == Outcome::holds) {
     ++holds;
@@ -87,6 +88,7 @@ void Row::merge(Row later) {
   breaks += later.breaks;
   outside += later.outside;
   not_asked += later.not_asked;
+  impacts += later.impacts;
   for (std::size_t g = 0; g < grades.size(); ++g) grades[g] += later.grades[g];
   for (const auto& [defect, count] : later.defects) defects[defect] += count;
   if (why_abstains.empty()) why_abstains = later.why_abstains;

@@ -38,6 +38,7 @@ struct Row {
   long not_asked = 0;                         ///< given up after hangs
   std::array<long, 5> grades{};               ///< of the answered: A, B, C, D, F
   std::map<oracle::Defect, long> defects;     ///< of fails and breaks
+  long impacts = 0;                           ///< of simulations: held against the reference, each by itself
   std::string why_abstains;                   ///< the first reason
   double largest_error = 0;                   ///< of what is wrong and has a size
   std::string unit;                           ///< of it; empty if nothing is

@@ -180,6 +180,14 @@ void print_closest(const Ledger& ledger, const std::string& out) {
   }
 }
 
+void print_impacts(const Ledger& ledger) {
+  for (const Row& row : ledger.rows) {
+    if (row.impacts == 0) continue;
+    fmt::print("{} {}: {} impacts in {} scenes, {} fail\n", row.subject, row.property, row.impacts, row.answered(),
+               row.fails);
+  }
+}
+
 void print_summary(const Ledger& ledger) {
   for (const oracle::Card& card : ledger.subjects) {
     long holds = 0;
@@ -222,6 +230,7 @@ int check(const RunOptions& options) {
   write_extras(options, ledger);
   print_failing(ledger, options.out);
   if (ledger.subjects.size() == 1) print_closest(ledger, options.out);
+  print_impacts(ledger);
   print_summary(ledger);
   if (ledger.interrupted) return interrupted_exit_code;
   return failing_rows(ledger) > 0 ? 1 : 0;

@@ -48,6 +48,7 @@ Json json_of(const Row& row) {
     json["grades"] = grades_of(row);
     if (!row.unit.empty()) json["largest_error"] = {{"error", number(row.largest_error)}, {"unit", row.unit}};
   }
+  if (row.impacts > 0) json["impacts"] = row.impacts;
   if (row.errors.total() > 0) json["errors"] = json_of(row.errors);
   if (!row.why_abstains.empty()) json["why_abstains"] = row.why_abstains;
   if (!row.failing()) return json;

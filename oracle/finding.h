@@ -66,6 +66,7 @@ struct Finding {
   std::optional<Interval> margin;  ///< m: how far the input is from changing the truth
   std::string certificate;         ///< the proof of the truth, in words
   std::string why;                 ///< for abstains, breaks and outside
+  long impacts = 0;                ///< of simulations: so many were held against the reference, each by itself
 
   bool operator==(const Finding&) const = default;
 };

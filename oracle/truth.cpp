@@ -101,12 +101,13 @@ const reference::FlightTruth& flown(const Scene& scene, std::size_t body, double
   return memory.of(question, [&](const Scene&) { return reference::flown(scene, body, time); });
 }
 
-// Remembered by the scene with that envelope, which plays no part in it.
-const reference::TimeOfImpactTruth& time_of_distance(const Scene& scene, double apart) {
+// Remembered by the scene as it is asked, with two numbers that play no part in it.
+const reference::TimeOfImpactTruth& time_of_distance(const Scene& scene, double apart, double from) {
   thread_local Memory<reference::TimeOfImpactTruth, remembered_flights> memory;
   Scene question = scene;
   question.flight->envelope = apart;
-  return memory.of(question, [&](const Scene&) { return reference::time_of_distance(scene, apart); });
+  question.flight->force_bound = from;
+  return memory.of(question, [&](const Scene&) { return reference::time_of_distance(scene, apart, from); });
 }
 
 const Pixels& pixel(const Scene& scene) {

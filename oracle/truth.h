@@ -38,7 +38,7 @@ const reference::ImpulseTruth& impulse(const Scene& scene);
 /// A trajectory is many flights, and several properties judge it: more of these are remembered.
 inline constexpr int remembered_flights = 256;
 const reference::TimeOfImpactTruth& time_of_impact(const Scene& scene);
-const reference::TimeOfImpactTruth& time_of_distance(const Scene& scene, double apart);
+const reference::TimeOfImpactTruth& time_of_distance(const Scene& scene, double apart, double from = 0);
 const reference::FlightTruth& flown(const Scene& scene, std::size_t body, double time);
 
 /// Or why the scene is outside.

@@ -185,7 +185,7 @@ Scene bouncing(Random& random) {
   table.material.restitution = 1;
   ball.X_WB.p_WB = {0, 0, radius + random.whole(0, 4) + 0.5};
   ball.velocity.v_WBcm = {0, 0, random.whole(-2, 2)};
-  return run(random, {std::move(table), std::move(ball)}, flight_until(16, 32), {0, 0, -8});
+  return run(random, {std::move(table), std::move(ball)}, flight_until(8, 16), {0, 0, -8});
 }
 
 }  // namespace

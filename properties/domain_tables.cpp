@@ -163,6 +163,7 @@ Scene barely_stays(Random& random) {
 Scene drops(Random& random) {
   const double r = some_radius(random);
   Scene scene = table_scene(random, r);
+  scene.bodies[1].material.friction = random.pick({0.0625, 0.125, 0.25, 0.5});
   scene.bodies[0].X_WB.p_WB.z() += sixteenths(random, 1, 16);
   const double vx = sixteenths(random, -16, 16), wy = random.whole(-16, 16), wx = random.whole(-4, 4);
   scene.bodies[0].velocity = {Vec3(vx, 0, 0), Vec3(wx, wy, 0)};

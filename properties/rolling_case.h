@@ -12,6 +12,7 @@
 #include "oracle/tolerance_constraint.h"
 #include "oracle/truth.h"
 #include "properties/asking.h"
+#include "properties/course.h"
 
 namespace touchstone::properties {
 
@@ -39,10 +40,11 @@ double off(const Vec3& p, const std::array<Interval, 3>& truth);
 /// Pairs in contact at a time, as events tell.
 std::set<std::pair<int, int>> in_contact(const std::vector<Event>& events, double time);
 
-/// Passes scenes with a flight and answers of the right form to judge_it(const Trajectory&).
+/// Passes scenes with a flight of solids and answers of the right form to judge_it(const Trajectory&).
 template <class JudgeIt>
 oracle::Finding of_steps(const Scene& scene, oracle::Subject& subject, JudgeIt&& judge_it) {
   if (!scene.flight) return oracle::judge::outside("no flight");
+  if (overlap_at_start(scene)) return oracle::judge::outside("bodies that overlap at the start");
   return of_scene(scene, subject, [&] {
     return oracle::judge::given(subject.constraint(scene), [&](const Trajectory& said) {
       const std::string fault = fault_of_steps(scene, said);

@@ -79,20 +79,30 @@ Finding event_states(const Scene& scene, Subject& subject) {
   });
 }
 
-/// All pairs of flights that have time in common: judge_it(pair's scene, from, until) gives a finding.
+/// The flights of two bodies that have time in common: judge_it(pair's scene, from, until) gives a finding. True: a
+/// failure ends the search.
+template <class JudgeIt>
+bool of_flights_together(const Scene& scene, const std::vector<Leg>& of_a, const std::vector<Leg>& of_b, Finding& worst,
+                         JudgeIt&& judge_it) {
+  for (std::size_t i = 0, j = 0; i < of_a.size() && j < of_b.size();) {
+    const Leg &a = of_a[i], &b = of_b[j];
+    const double from = std::max(a.from, b.from), until = std::min(a.until, b.until);
+    if (a.flies && b.flies && from < until && worse(worst, judge_it(in_flight(scene, {a, b}, until), from, until))) {
+      return true;
+    }
+    ++(a.until < b.until ? i : j);
+  }
+  return false;
+}
+
+/// Of all pairs that are not fixed.
 template <class JudgeIt>
 Finding of_pairs_in_flight(const TrajectoryCase& asked, const Course& course, JudgeIt&& judge_it) {
   Finding worst;
   for (std::size_t i = 0; i < course.size(); ++i) {
     for (std::size_t j = i + 1; j < course.size(); ++j) {
       if (asked.is_fixed(i) && asked.is_fixed(j)) continue;
-      for (const Leg& a : course[i]) {
-        for (const Leg& b : course[j]) {
-          const double from = std::max(a.from, b.from), until = std::min(a.until, b.until);
-          if (!a.flies || !b.flies || !(from < until)) continue;
-          if (worse(worst, judge_it(in_flight(asked.scene, {a, b}, until), from, until))) return worst;
-        }
-      }
+      if (of_flights_together(asked.scene, course[i], course[j], worst, judge_it)) return worst;
     }
   }
   return worst;
@@ -127,21 +137,12 @@ Finding none_missed(const Scene& scene, Subject& subject) {
   });
 }
 
-/// An impact, with both bodies as they flew into it: judge_it(event, pair's scene, both at the time).
+/// An impact, with both bodies as they flew into it: judge_it(asked, event, pair's scene, both at the time).
 template <class JudgeIt>
-Finding of_impacts(const Scene& scene, Subject& subject, JudgeIt&& judge_it) {
-  return of_course(scene, subject, [&](const TrajectoryCase& asked, const Course& course) {
-    Finding worst;
-    bool any = false;
-    for (std::size_t e = 0; e < asked.events(); ++e) {
-      const Event& event = (*asked.said.events)[e];
-      const std::vector<Leg> legs = legs_into(course, asked.said, e);
-      if (event.kind != Kind::impact || !std::ranges::all_of(legs, &Leg::flies)) continue;
-      any = true;
-      const Scene pair = in_flight(scene, legs, event.time);
-      if (worse(worst, judge_it(asked, event, pair, oracle::pair_at(pair, event.time)))) return worst;
-    }
-    return any ? worst : judge::outside("no impact in flight");
+Finding of_struck_pairs(const Scene& scene, Subject& subject, JudgeIt&& judge_it) {
+  return of_impacts(scene, subject, [&](const TrajectoryCase& asked, const Event& event, const std::vector<Leg>& legs) {
+    const Scene pair = in_flight(scene, legs, event.time);
+    return judge_it(asked, event, pair, oracle::pair_at(pair, event.time));
   });
 }
 
@@ -158,7 +159,7 @@ Real overlap_along(const Point& n, const Body& A, const Body& B) {
 
 // The two are within the envelope, C is within it of both, and the normal's plane parts them as far as they are convex.
 Finding contacts(const Scene& scene, Subject& subject) {
-  return of_impacts(
+  return of_struck_pairs(
       scene, subject, [&](const TrajectoryCase& asked, const Event& event, const Scene& pair, const Scene& there) {
         const double slack = tolerance::meeting(pair, event.time, asked.precision), near = envelope(scene) + slack;
         const double apart = truth::distance(there).distance.hi;
@@ -205,7 +206,7 @@ Point exact(const reference::ExactVec3& v) {
 }
 
 Finding impulses(const Scene& scene, Subject& subject) {
-  return of_impacts(
+  return of_struck_pairs(
       scene, subject, [&](const TrajectoryCase& asked, const Event& event, const Scene& pair, const Scene& there) {
         const Scene question = impact_of(there, event, scene.flight->law);
         const ImpactCase impact(question, asked.precision);

@@ -1,7 +1,9 @@
 // The doors of the simulation properties: a scene with a flight, and an answer whose form is right.
 #pragma once
 
+#include <algorithm>
 #include <string>
+#include <vector>
 
 #include "model/answers.h"
 #include "oracle/judge.h"
@@ -27,11 +29,12 @@ struct TrajectoryCase {
   std::size_t events() const { return said.events ? said.events->size() : 0; }
 };
 
-/// Passes scenes with a flight that the subject's precision can hold, and answers whose form is right, to
+/// Passes scenes with a flight of solids that the subject's precision can hold, and answers whose form is right, to
 /// judge_it(const TrajectoryCase&). What is wrong in form is for simulation.ordered to say.
 template <class JudgeIt>
 oracle::Finding of_trajectory(const Scene& scene, oracle::Subject& subject, JudgeIt&& judge_it) {
   if (!scene.flight) return oracle::judge::outside("no flight");
+  if (overlap_at_start(scene)) return oracle::judge::outside("bodies that overlap at the start");
   return of_scene(scene, subject, [&] {
     return oracle::judge::given(subject.simulation(scene), [&](const Trajectory& said) {
       if (!fault_in_form(scene, said).empty())
@@ -52,6 +55,24 @@ oracle::Finding of_course(const Scene& scene, oracle::Subject& subject, JudgeIt&
 
 /// Keeps the finding with the greatest error against its bound; a failure at once ends the search: true.
 bool worse(oracle::Finding& worst, oracle::Finding next);
+
+/// Of answers with events, each impact of bodies in flight: judge_it(const TrajectoryCase&, const Event&, the legs that
+/// it ends).
+template <class JudgeIt>
+oracle::Finding of_impacts(const Scene& scene, oracle::Subject& subject, JudgeIt&& judge_it) {
+  return of_course(scene, subject, [&](const TrajectoryCase& asked, const Course& course) {
+    oracle::Finding worst = oracle::judge::outside("no impact in flight");
+    for (std::size_t e = 0; e < asked.events(); ++e) {
+      const Event& event = (*asked.said.events)[e];
+      if (event.kind != Event::Kind::impact) continue;
+      const std::vector<Leg> legs = legs_into(course, asked.said, e);
+      if (!std::ranges::all_of(legs, &Leg::flies)) continue;
+      if (worst.outcome == oracle::Outcome::outside) worst = oracle::judge::holds();
+      if (worse(worst, judge_it(asked, event, legs))) break;
+    }
+    return worst;
+  });
+}
 
 /// A bound in metres, counted in ulps of the scene's scale.
 oracle::judge::Allowance in_ulps_of_place(const TrajectoryCase& asked, double bound);

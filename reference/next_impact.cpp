@@ -28,7 +28,7 @@ double gap(const Scene& pair, double time) { return distance(at(pair, time)).dis
 
 NextImpact next_of(const TimeOfImpactTruth& truth) {
   if (truth.meeting == Meeting::miss) return {};
-  return {truth.meeting == Meeting::hit, truth.time.lo};
+  return {truth.meeting == Meeting::hit, truth.time.lo, false};
 }
 
 /// A time at which they are more than the envelope apart, not long after they are so first.
@@ -66,12 +66,14 @@ NextImpact next_impact(const Scene& pair, double envelope) {
   const double start = start_of(pair);
   const double now = gap(pair, start);
   if (now > envelope / 2) return next_of(time_of_distance(pair, envelope / 2, start));
-  if (now > 0 && now < envelope * 0x1p-20) return {false, start};
+  if (now > 0 && now < envelope * 0x1p-20) return {false, start, true};
   const TimeOfImpactTruth nearer = now > 0 ? time_of_distance(pair, now * 63 / 64, start) : time_of_impact(pair);
   if (const std::optional<double> time = away(pair, envelope, start, nearer.time.lo)) {
     return next_of(time_of_distance(pair, envelope / 2, *time));
   }
-  return next_of(nearer);
+  NextImpact next = next_of(nearer);
+  next.rattles = true;
+  return next;
 }
 
 std::optional<Contact> contact(const Scene& pair) {

@@ -22,6 +22,7 @@ Body moved(const Scene& scene, std::size_t body, double time);
 struct NextImpact {
   bool known = true;                                      ///< false: the pair's future is not known after `time`
   double time = std::numeric_limits<double>::infinity();  ///< s; infinite: none in this flight
+  bool rattles = false;  ///< they start within the envelope, and have not been seen to leave it before `time`
 };
 
 /// Within half the envelope and approaching: proved apart by at least that, or not approaching, at all times before.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <map>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -27,6 +28,7 @@ struct Due {
   double time;
   int a, b;
   bool known;
+  bool rattles = false;
 
   bool operator<(const Due& other) const { return std::tie(time, a, b) < std::tie(other.time, other.a, other.b); }
 };
@@ -94,7 +96,7 @@ class Course {
   void look_ahead(int a, int b) {
     if (is_fixed(body(a)) && is_fixed(body(b))) return;
     const NextImpact impact = next_impact(alone({a, b}), envelope(now_));
-    if (std::isfinite(impact.time)) impacts_.push_back({impact.time, a, b, impact.known});
+    if (std::isfinite(impact.time)) impacts_.push_back({impact.time, a, b, impact.known, impact.rattles});
   }
 
   std::optional<Due> next() const {
@@ -144,7 +146,9 @@ class Course {
 
   /// False if there is no certain answer to what happens, or too much happens.
   bool strike(const Due& due) {
-    if (impacts_so_far_++ == limits_.impacts) return false;
+    int& rattles = rattles_[{due.a, due.b}];
+    rattles = due.rattles ? rattles + 1 : 0;
+    if (impacts_so_far_++ == limits_.impacts || rattles > limits_.rattles) return false;
     Scene pair = alone({due.a, due.b});
     for (std::size_t k = 0; k < 2; ++k) {
       if (pair.flight->since[k] != due.time) pair.bodies[k] = moved(pair, k, due.time);
@@ -190,6 +194,7 @@ class Course {
   Scene now_;
   SimulationLimits limits_;
   int impacts_so_far_ = 0;
+  std::map<std::pair<int, int>, int> rattles_;  ///< so far, one after another
   double whole_until_ = 0;
   std::vector<Due> impacts_, pushes_;
   Trajectory trajectory_;

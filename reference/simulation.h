@@ -13,9 +13,10 @@ namespace touchstone::reference {
 /// Where the reference stops on purpose: events that pile up need a resting contact, which is not its business.
 struct SimulationLimits {
   int impacts = 10000;
+  int rattles = 64;  ///< impacts of a pair, one after another, between which it does not leave the envelope
 };
 
-/// Ends with `complete_until` where a meeting is undecided, events pile up, or the limit is reached: the time until
+/// Ends with `complete_until` where a meeting is undecided, events pile up, or a limit is reached: the time until
 /// which states and events are whole. Requires a completed scene with a flight; throws what time_of_impact throws.
 /// Cost: a time of impact for each pair at the start, and for each pair of the two bodies after each impact.
 Trajectory simulation(const Scene& scene, const SimulationLimits& limits = {});

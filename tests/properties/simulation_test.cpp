@@ -44,7 +44,7 @@ oracle::Finding judged(const std::string& property, const Trajectory& said) {
 }
 
 const auto all_of_one = {"ordered",  "flights", "event_states", "none_missed",    "contacts",
-                         "impulses", "solid",   "energy",       "elastic_energy", "whole"};
+                         "impulses", "solid",   "energy",       "elastic_energy", "whole", "lockstep"};
 
 }  // namespace
 
@@ -106,14 +106,35 @@ TEST_CASE("simulation: impacts too early, too late, and not at all") {
   event_of(said).time -= 1e-6;
   event_of(said).after_a = ball_at({1.375 - 1e-6, 0, 1 + 8e-6}, {1, 0, 8});
   CHECK(judged("contacts", said).defect == Defect::phantom);
+  CHECK(judged("lockstep", said).defect == Defect::too_early);
   CHECK(judged("none_missed", said).outcome == Outcome::holds);
   said = turned_back();
   event_of(said).time += 1e-9;
   CHECK(judged("none_missed", said).defect == Defect::missed);
+  CHECK(judged("lockstep", said).defect == Defect::too_late);
   said.events.value().clear();
+  CHECK(judged("lockstep", said).outcome == Outcome::outside);
   CHECK(judged("none_missed", said).defect == Defect::missed);
   said.states[1][0] = ball_at({2, 0, 0.5}, {1, 0, -8});
   CHECK(judged("solid", said).defect == Defect::overdeep);
+}
+
+TEST_CASE("simulation: impacts in lockstep are counted, and both ends of the envelope are inside") {
+  Trajectory said = turned_back();
+  CHECK(judged("lockstep", said).impacts == 1);
+  event_of(said).time -= 0x1p-34;  // by half the envelope, at 8 m/s
+  CHECK(judged("lockstep", said).error == 0);
+}
+
+TEST_CASE("simulation: of bodies that overlap at the start nothing but form, survival and repetition is asked") {
+  tests::FixedSubject subject;
+  subject.said_simulation = turned_back();
+  Scene inside = wall();
+  inside.bodies[0].X_WB.p_WB.z() = 0.5;
+  for (const char* property : {"flights", "solid", "energy", "lockstep"}) {
+    CHECK(properties::find(std::string("simulation.") + property).check(inside, subject).outcome == Outcome::outside);
+  }
+  CHECK(properties::find("simulation.ordered").check(inside, subject).outcome == Outcome::holds);
 }
 
 TEST_CASE("simulation: what has not the form of a trajectory is not judged further") {

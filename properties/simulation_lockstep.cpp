@@ -1,0 +1,74 @@
+// docs/spec/simulation.md, as a sentence that runs: each impact beside the reference, which starts from the states that
+// the last events reported.
+#include <cmath>
+#include <limits>
+
+#include "model/limits.h"
+#include "oracle/words.h"
+#include "properties/flight_case.h"
+#include "properties/stems.h"
+#include "properties/trajectory_case.h"
+
+namespace touchstone::properties {
+namespace {
+
+using oracle::Defect;
+using oracle::Finding;
+using oracle::Subject;
+using Meeting = TimeOfImpact::Meeting;
+namespace judge = oracle::judge;
+namespace truth = oracle::truth;
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+/// s: when the pair comes within `near` (m) at the earliest. Two that set out so near have had an impact, as a rule:
+/// if they are farther apart half-way to the next, then after that.
+double comes_within(const FlightCase& pair, double near, double impact) {
+  const double half_way = pair.start + (impact - pair.start) / 2;
+  const bool again = pair.gap(pair.start) <= near && pair.gap(half_way) > near;
+  const auto first = truth::time_of_distance(pair.scene, near, again ? half_way : pair.start);
+  return first.meeting == Meeting::miss ? infinite : first.time.lo;
+}
+
+/// s outside the enclosure; and by how much rounding may make that.
+Finding in_enclosure(const FlightCase& pair, double eps, const Event& event) {
+  const double from = comes_within(pair, eps, event.time);
+  const double to = pair.truth.meeting == Meeting::hit ? pair.truth.time.hi : infinite;
+  if (from <= event.time && event.time <= to) return judge::holds();
+  const bool early = event.time < from;
+  const double allowed =
+      early ? from - comes_within(pair, eps + pair.slack, event.time) : pair.latest().value_or(pair.end) - to;
+  return judge::at_most(
+      early ? from - event.time : event.time - to, {std::isnan(allowed) ? 0 : allowed, 1, "s"},
+      early ? Defect::too_early : Defect::too_late, [&] { return text(event); },
+      [&] {
+        return "an impact in " + oracle::words::text(Interval{from, to}) + " s";
+      });
+}
+
+Finding lockstep(const Scene& scene, Subject& subject) {
+  long impacts = 0;
+  Finding worst =
+      of_impacts(scene, subject, [&](const TrajectoryCase& asked, const Event& event, const std::vector<Leg>& legs) {
+        const Scene flying = in_flight(scene, legs, asked.end);
+        const std::optional<FlightCase> pair = flight_case(flying, asked.precision);
+        if (!pair) return judge::holds();
+        ++impacts;
+        return in_enclosure(*pair, envelope(scene), event);
+      });
+  if (impacts == 0 && worst.outcome == oracle::Outcome::holds) return judge::outside("pairs that set out overlapping");
+  worst.impacts = impacts;
+  return worst;
+}
+
+}  // namespace
+
+std::vector<Property> simulation_lockstep_properties() {
+  return {{"simulation.lockstep",
+           "simulation",
+           {"TS-SIMULATION-22"},
+           "each impact comes when the reference, started anew, says that it may",
+           lockstep}};
+}
+
+}  // namespace touchstone::properties
