@@ -4,37 +4,31 @@
 #include <Eigen/QR>
 #include <cmath>
 
+#include "fast/constraint/cross_matrix.h"
+
 namespace touchstone::fast::constraint {
 namespace {
 
 constexpr double on_the_rim = 1 - 0x1p-20;
 
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
-
-Mat3 cross_matrix(const Vec3& r) {
-  Mat3 M;
-  M << 0, -r.z(), r.y(), r.z(), 0, -r.x(), -r.y(), r.x(), 0;
-  return M;
-}
-
 /// Velocity of the body at `at` by an impulse at `by`.
-Mat3 response(const Mover& body, const Vec3& at, const Vec3& by) {
-  return body.inverse_mass() * Mat3::Identity() - cross_matrix(at) * body.inverse_inertia() * cross_matrix(by);
+Mat3 response(const Mobility& body, const Vec3& at, const Vec3& by) {
+  return body.inverse_mass * Mat3::Identity() - cross_matrix(at) * body.inverse_inertia * cross_matrix(by);
 }
 
 /// Velocity u at one touch by an impulse at another.
-Mat3 coupling(const Touch& at, const Touch& by, const std::vector<Mover>& movers) {
+Mat3 coupling(const Touch& at, const Touch& by, const std::vector<Mobility>& bodies) {
   Mat3 K = Mat3::Zero();
-  if (at.a == by.a) K += response(movers[index(at.a)], at.arm_A, by.arm_A);
-  if (at.b == by.b) K += response(movers[index(at.b)], at.arm_B, by.arm_B);
-  if (at.a == by.b) K -= response(movers[index(at.a)], at.arm_A, by.arm_B);
-  if (at.b == by.a) K -= response(movers[index(at.b)], at.arm_B, by.arm_A);
+  if (at.a == by.a) K += response(bodies[static_cast<std::size_t>(at.a)], at.arm_A, by.arm_A);
+  if (at.b == by.b) K += response(bodies[static_cast<std::size_t>(at.b)], at.arm_B, by.arm_B);
+  if (at.a == by.b) K -= response(bodies[static_cast<std::size_t>(at.a)], at.arm_A, by.arm_B);
+  if (at.b == by.a) K -= response(bodies[static_cast<std::size_t>(at.b)], at.arm_B, by.arm_A);
   return K;
 }
 
 }  // namespace
 
-void jump(std::vector<Touch>& touches, const std::vector<Mover>& movers, std::vector<Twist>& twists) {
+void jump(std::vector<Touch>& touches, const std::vector<Mobility>& bodies, std::vector<Twist>& twists) {
   std::vector<std::size_t> closed;
   for (std::size_t i = 0; i < touches.size(); ++i) {
     if (!touches[i].P.isZero(0)) closed.push_back(i);
@@ -54,7 +48,7 @@ void jump(std::vector<Touch>& touches, const std::vector<Mover>& movers, std::ve
     const Mat3 of_velocity = slips ? normal : Mat3::Identity();
     for (std::size_t j = 0; j < closed.size(); ++j) {
       const auto column = static_cast<Eigen::Index>(3 * j);
-      matrix.block<3, 3>(row, column) = of_velocity * coupling(touch, touches[closed[j]], movers);
+      matrix.block<3, 3>(row, column) = of_velocity * coupling(touch, touches[closed[j]], bodies);
     }
     rest.segment<3>(row) = touch.least_u_n * touch.n - of_velocity * u;
     if (!slips) continue;
@@ -65,7 +59,7 @@ void jump(std::vector<Touch>& touches, const std::vector<Mover>& movers, std::ve
   if (closed.empty()) return;
   const Eigen::VectorXd dP = matrix.completeOrthogonalDecomposition().solve(rest);
   for (std::size_t i = 0; i < closed.size(); ++i) {
-    push(touches[closed[i]], dP.segment<3>(static_cast<Eigen::Index>(3 * i)), movers, twists);
+    push(touches[closed[i]], dP.segment<3>(static_cast<Eigen::Index>(3 * i)), bodies, twists);
     touches[closed[i]].P += dP.segment<3>(static_cast<Eigen::Index>(3 * i));
   }
 }

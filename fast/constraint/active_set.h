@@ -11,6 +11,6 @@ namespace touchstone::fast::constraint {
 ///   closed  u_n = least_u_n;   sticks  u_t = 0;   slips  P_t = −μ P_n d.
 /// Of the many solutions of an over-determined stack, the one nearest to the P that are there. `twists` follow. The
 /// caller sees by a sweep whether the states were right.
-void jump(std::vector<Touch>& touches, const std::vector<Mover>& movers, std::vector<Twist>& twists);
+void jump(std::vector<Touch>& touches, const std::vector<Mobility>& bodies, std::vector<Twist>& twists);
 
 }  // namespace touchstone::fast::constraint

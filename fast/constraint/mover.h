@@ -1,17 +1,12 @@
 // One body of the time-stepper: its state, and how it moves on when its velocities are known.
 #pragma once
 
+#include "fast/constraint/solve.h"
 #include "fast/lin_canny/solid.h"
 #include "model/answers.h"
 #include "model/scene.h"
 
 namespace touchstone::fast::constraint {
-
-/// A velocity of the centre (of a fixed body: of its origin) and a spin, in W.
-struct Twist {
-  Vec3 v = Vec3::Zero();
-  Vec3 w = Vec3::Zero();
-};
 
 class Mover {
  public:
@@ -22,7 +17,7 @@ class Mover {
   bool moves() const { return !twist_.v.isZero(0) || !twist_.w.isZero(0); }
   double inverse_mass() const { return inverse_mass_; }
   double mass() const { return 1 / inverse_mass_; }
-  const Mat3& inverse_inertia() const { return inverse_inertia_W_; }  ///< in W; 0 if fixed
+  Mobility mobility() const { return {inverse_mass_, inverse_inertia_W_}; }
   const Vec3& centre() const { return centre_; }
   const Twist& twist() const { return twist_; }
   const lin_canny::Solid& solid() const { return solid_; }

@@ -5,29 +5,23 @@
 #include <cmath>
 
 #include "fast/constraint/active_set.h"
+#include "fast/constraint/cross_matrix.h"
 
 namespace touchstone::fast::constraint {
 namespace {
 
 constexpr double settled = 0x1p-44;
-constexpr int sweeps_to_a_jump = 16;
 constexpr std::size_t most_that_jump = 64;  // contacts: the jump costs their cube
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
-Mat3 cross_matrix(const Vec3& r) {
-  Mat3 M;
-  M << 0, -r.z(), r.y(), r.z(), 0, -r.x(), -r.y(), r.x(), 0;
-  return M;
-}
-
-Mat3 mobility(const Mover& body, const Vec3& arm) {
+Mat3 mobility(const Mobility& body, const Vec3& arm) {
   const Mat3 r = cross_matrix(arm);
-  return body.inverse_mass() * Mat3::Identity() - r * body.inverse_inertia() * r;
+  return body.inverse_mass * Mat3::Identity() - r * body.inverse_inertia * r;
 }
 
 /// One contact, the others as they are. How much a velocity at the contact changed.
-double relax(Touch& touch, const std::vector<Mover>& movers, std::vector<Twist>& twists) {
+double relax(Touch& touch, const std::vector<Mobility>& bodies, std::vector<Twist>& twists) {
   const Vec3 before = touch.P;
   const double P_n = touch.n.dot(touch.P);
   const double u_n = touch.n.dot(relative_velocity(touch, twists));
@@ -36,54 +30,54 @@ double relax(Touch& touch, const std::vector<Mover>& movers, std::vector<Twist>&
   // well.
   Vec3 P_t = touch.P - P_n * touch.n;
   touch.P += (pushed - P_n) * touch.n;
-  push(touch, touch.P - before, movers, twists);
+  push(touch, touch.P - before, bodies, twists);
   const Vec3 with_normal = touch.P;
   const Vec3 u = relative_velocity(touch, twists);
   P_t -= (u - touch.n.dot(u) * touch.n) / touch.K_tt;
   const double size = P_t.norm(), most = touch.friction * pushed;
   if (size > most) P_t *= most / size;
   touch.P = pushed * touch.n + P_t;
-  push(touch, touch.P - with_normal, movers, twists);
+  push(touch, touch.P - with_normal, bodies, twists);
   return (touch.P - before).norm() * std::max(touch.K_nn, touch.K_tt);
 }
 
 /// Of the terms that a velocity at the end of an arm is made of: rounding is relative to these.
 double greatest(const Twist& twist, const Vec3& arm) { return twist.v.norm() + twist.w.norm() * arm.norm(); }
 
-double sweep(std::vector<Touch>& touches, const std::vector<Mover>& movers, std::vector<Twist>& twists) {
+double sweep(std::vector<Touch>& touches, const std::vector<Mobility>& bodies, std::vector<Twist>& twists) {
   double change = 0;
-  for (Touch& touch : touches) change = std::max(change, relax(touch, movers, twists));
+  for (Touch& touch : touches) change = std::max(change, relax(touch, bodies, twists));
   return change;
 }
 
 /// `change`: of the sweep before.
-void try_jump(std::vector<Touch>& touches, const std::vector<Mover>& movers, std::vector<Twist>& twists,
+void try_jump(std::vector<Touch>& touches, const std::vector<Mobility>& bodies, std::vector<Twist>& twists,
               double change) {
   const std::vector<Touch> touches_before = touches;
   const std::vector<Twist> twists_before = twists;
-  jump(touches, movers, twists);
-  if (sweep(touches, movers, twists) < change) return;
+  jump(touches, bodies, twists);
+  if (sweep(touches, bodies, twists) < change) return;
   touches = touches_before;
   twists = twists_before;
 }
 
 }  // namespace
 
-void prepare(Touch& touch, const std::vector<Mover>& movers) {
-  const Mat3 K = mobility(movers[index(touch.a)], touch.arm_A) + mobility(movers[index(touch.b)], touch.arm_B);
+void prepare(Touch& touch, const std::vector<Mobility>& bodies) {
+  const Mat3 K = mobility(bodies[index(touch.a)], touch.arm_A) + mobility(bodies[index(touch.b)], touch.arm_B);
   const Vec3 t = touch.n.unitOrthogonal(), s = touch.n.cross(t);
   touch.K_nn = touch.n.dot(K * touch.n);
   const double tt = t.dot(K * t), ss = s.dot(K * s), ts = t.dot(K * s), half = (tt - ss) / 2;
   touch.K_tt = (tt + ss) / 2 + std::sqrt(half * half + ts * ts);
 }
 
-void push(const Touch& touch, const Vec3& P, const std::vector<Mover>& movers, std::vector<Twist>& twists) {
-  const Mover &A = movers[index(touch.a)], &B = movers[index(touch.b)];
+void push(const Touch& touch, const Vec3& P, const std::vector<Mobility>& bodies, std::vector<Twist>& twists) {
+  const Mobility &A = bodies[index(touch.a)], &B = bodies[index(touch.b)];
   Twist &of_A = twists[index(touch.a)], &of_B = twists[index(touch.b)];
-  of_A.v += A.inverse_mass() * P;
-  of_A.w += A.inverse_inertia() * touch.arm_A.cross(P);
-  of_B.v -= B.inverse_mass() * P;
-  of_B.w -= B.inverse_inertia() * touch.arm_B.cross(P);
+  of_A.v += A.inverse_mass * P;
+  of_A.w += A.inverse_inertia * touch.arm_A.cross(P);
+  of_B.v -= B.inverse_mass * P;
+  of_B.w -= B.inverse_inertia * touch.arm_B.cross(P);
 }
 
 Vec3 relative_velocity(const Touch& touch, const std::vector<Twist>& twists) {
@@ -91,17 +85,20 @@ Vec3 relative_velocity(const Touch& touch, const std::vector<Twist>& twists) {
   return A.v + A.w.cross(touch.arm_A) - B.v - B.w.cross(touch.arm_B);
 }
 
-void solve(std::vector<Touch>& touches, const std::vector<Mover>& movers, std::vector<Twist>& twists, int sweeps) {
+void solve(std::vector<Touch>& touches, const std::vector<Mobility>& bodies, std::vector<Twist>& twists,
+           const Effort& effort) {
   double fastest = 0;
   for (Touch& touch : touches) {
     fastest = std::max({fastest, std::abs(touch.least_u_n), greatest(twists[index(touch.a)], touch.arm_A),
                         greatest(twists[index(touch.b)], touch.arm_B)});
-    push(touch, touch.P, movers, twists);
+    push(touch, touch.P, bodies, twists);
   }
-  for (int i = 1; i <= sweeps; ++i) {
-    const double change = sweep(touches, movers, twists);
-    if (change <= settled * fastest) return;
-    if (i % sweeps_to_a_jump == 0 && touches.size() <= most_that_jump) try_jump(touches, movers, twists, change);
+  for (int i = 1; i <= effort.sweeps; ++i) {
+    const double change = sweep(touches, bodies, twists);
+    if (change <= std::max(settled * fastest, effort.enough)) return;
+    if (i % effort.sweeps_to_a_jump == 0 && touches.size() <= most_that_jump) {
+      try_jump(touches, bodies, twists, change);
+    }
   }
 }
 

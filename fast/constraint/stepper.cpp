@@ -83,7 +83,7 @@ void Stepper::meet(int a, int b, double h) {
     touch.arm_B = point.p_WC - B.centre();
     touch.friction = std::min(of_A.friction, of_B.friction);
     touch.least_u_n = -std::max(point.gap - skin_, 0.0) / h;
-    prepare(touch, movers_);
+    prepare(touch, mobilities_);
     touches_.push_back(touch);
     points_.push_back(point);
   }
@@ -97,6 +97,8 @@ void Stepper::meet(double h) {
   touches_.clear();
   points_.clear();
   met_.clear();
+  mobilities_.clear();
+  for (const Mover& body : movers_) mobilities_.push_back(body.mobility());
   for (auto& [bodies, pair] : pairs_) pair.seen = false;
   boxes_.update();
   near_ = boxes_.pairs();
@@ -122,7 +124,7 @@ std::vector<Twist> Stepper::free_twists(double time, double h) const {
 /// Once without restitution, to learn who is hit; then, if somebody is, with it.
 void Stepper::push(std::vector<Twist>& twists) {
   const std::vector<Twist> free = twists;
-  solve(touches_, movers_, twists, sweeps_);
+  solve(touches_, mobilities_, twists, {.sweeps = sweeps_});
   bool bounces = false;
   for (std::size_t i = 0; i < touches_.size(); ++i) {
     Touch& touch = touches_[i];
@@ -135,7 +137,7 @@ void Stepper::push(std::vector<Twist>& twists) {
   }
   if (!bounces) return;
   twists = free;
-  solve(touches_, movers_, twists, sweeps_);
+  solve(touches_, mobilities_, twists, {.sweeps = sweeps_});
 }
 
 /// Moves apart what is nearer than half the skin, without a velocity: the step's shift.
@@ -149,7 +151,7 @@ std::vector<Twist> Stepper::apart(double h) {
     near.back().P.setZero();
     near.back().least_u_n = (skin_ - points_[i].gap) / h;
   }
-  if (!near.empty()) solve(near, movers_, shift, sweeps_);
+  if (!near.empty()) solve(near, mobilities_, shift, {.sweeps = sweeps_});
   return shift;
 }
 

@@ -55,7 +55,8 @@ class Stepper {
   int sweeps_;
   double skin_;  ///< bodies rest this far apart
   std::vector<Mover> movers_;
-  double margin_;  ///< boxes meet before their bodies can
+  std::vector<Mobility> mobilities_;  ///< of the movers, at the beginning of the step
+  double margin_;                     ///< boxes meet before their bodies can
   SweepAndPrune boxes_;
   bool first_step_ = true;
   std::vector<BodyPair> near_;  ///< sorted

@@ -59,6 +59,16 @@ bool Mover::still() const {
 }
 
 void Mover::fly(double since, const State& state, const Vec3& acceleration, const Vec3& alpha) {
+  glides_ = false;
+  set_out(since, state, acceleration, alpha);
+}
+
+void Mover::glide(double since, const State& state, const Vec3& acceleration, const Vec3& spin) {
+  glides_ = true;
+  set_out(since, {state.X_WB, {state.velocity.v_WBcm, spin}}, acceleration, Vec3::Zero());
+}
+
+void Mover::set_out(double since, const State& state, const Vec3& acceleration, const Vec3& alpha) {
   path_ = {since, state.X_WB.p_WB, state.velocity.v_WBcm, acceleration, state.X_WB.q_WB, state.velocity.w_WB, alpha};
   if (other_) other_->flight.reset();
   if (kind_ == Kind::other) path_.p = flight().centre(since).p_WOBcm;
@@ -72,7 +82,7 @@ State Mover::state(double t) const {
 }
 
 bool Mover::follows(double t) const {
-  return kind_ != Kind::other || fixed_ || flyer().turning != motion::Turning::tumbling ||
+  return kind_ != Kind::other || fixed_ || glides_ || flyer().turning != motion::Turning::tumbling ||
          flight().stand(t).turn_error <= 0x1p-12;
 }
 
@@ -111,7 +121,11 @@ const motion::Flight& Mover::flight() const {
   Other& made = other();
   if (!made.flight) {
     const Velocity velocity{path_.v, kind_ == Kind::ball ? Vec3(Vec3::Zero()) : path_.w};
-    made.flight.emplace(made.flyer, path_.since, Pose{path_.p, path_.q}, velocity, path_.a);
+    if (glides_ && !made.steady) {
+      made.steady = made.flyer;
+      made.steady->turning = motion::Turning::steady;
+    }
+    made.flight.emplace(glides_ ? *made.steady : made.flyer, path_.since, Pose{path_.p, path_.q}, velocity, path_.a);
   }
   return *made.flight;
 }

@@ -57,6 +57,9 @@ class Mover {
   /// Sets out anew: from the state, under the acceleration.
   void fly(double since, const State& state, const Vec3& acceleration, const Vec3& alpha = Vec3::Zero());
 
+  /// Moves on as a step in contact says: as fly, but with a spin that stays, whatever its inertia.
+  void glide(double since, const State& state, const Vec3& acceleration, const Vec3& spin);
+
   /// Whether doubles still know how it is turned at t: a body that tumbles near its unstable axis forgets in the end.
   bool follows(double t) const;
 
@@ -79,14 +82,16 @@ class Mover {
   struct Other {
     explicit Other(const Body& body) : flyer(body) {}
     motion::Flyer flyer;
+    std::optional<motion::Flyer> steady;  ///< the same, but its spin stays
     std::optional<motion::Flight> flight;
   };
   Other& other() const;
+  void set_out(double since, const State& state, const Vec3& acceleration, const Vec3& alpha);
 
   // Many balls are many of these: what only few kinds need stands elsewhere, and what meetings need stands first.
   double radius_ = 0;
   Kind kind_ = Kind::other;
-  bool fixed_ = false;
+  bool fixed_ = false, glides_ = false;
   Path path_;
   double inverse_mass_ = 0, inverse_moment_ = 0;
   Material material_;

@@ -11,7 +11,8 @@ namespace touchstone::fast::world {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-constexpr std::int64_t patience = 1'000'000;  // events at one time, before a heap is said not to advance
+
+constexpr double parts_slowly = 32;  // hops: what is held and parts no faster stays so, until it is apart
 
 Vec3 on_grid(const Vec3& P, double grid) {
   return grid * (P / grid).unaryExpr([](double x) { return std::floor(x + 0.5); });
@@ -30,6 +31,15 @@ std::vector<Mover> movers(const Scene& scene) {
     bodies.emplace_back(scene.bodies[i], flight.since.empty() ? 0 : flight.since[i], scene.gravity);
   }
   return bodies;
+}
+
+/// Of the bodies that move.
+double least_size(const Scene& scene) {
+  double least = infinite;
+  for (const Body& body : scene.bodies) {
+    if (!std::holds_alternative<Fixed>(body.mass)) least = std::min(least, size(body.shape));
+  }
+  return least < infinite ? least : 0;
 }
 
 /// As long as most boxes of a frame: nine of ten that move are no longer.
@@ -52,8 +62,6 @@ double frame_length(const Scene& scene, const SimulationOptions& options) {
   return std::max(options.frame, flight_of(scene).times.back() * 0x1p-20);
 }
 
-std::uint64_t key(BodyId a, BodyId b) { return std::uint64_t{a} << 32 | b; }
-
 std::string name(BodyId id) { return "bodies[" + std::to_string(id) + "]"; }
 
 }  // namespace
@@ -62,10 +70,13 @@ Loop::Loop(const Scene& scene, const SimulationOptions& options)
     : scene_(&scene),
       options_(options),
       envelope_(touchstone::envelope(scene)),
+      reach_(std::max(envelope_, 0x1p-8 * least_size(scene))),
       end_(flight_of(scene).times.back()),
       bodies_(movers(scene)),
       heap_(bodies_.size()),
       rest_(bodies_.size()),
+      group_of_(bodies_.size()),
+      struck_(bodies_.size(), -never),
       pull_(bodies_.size(), scene.gravity),
       tiling_(usual_extent(bodies_, frame_length(scene, options)), bodies_.size()) {
   options_.frame = frame_length(scene, options);
@@ -86,13 +97,23 @@ Simulated Loop::run() {
   return std::move(done_);
 }
 
-/// Whose turn it is next within the frame: a push's, or a pair's; false: nobody's.
+/// Whose turn it is next within the frame: a push's, a group's or a pair's; false: nobody's. Groups take their next
+/// step once all that happens now has happened.
 bool Loop::turn() {
   const std::vector<Push>& pushes = scene_->flight->pushes;
   const double pushed = pushed_ < pushes.size() ? pushes[pushed_].time : never;
   const double due = heap_.empty() ? never : heap_.top().time;
-  if (std::min(pushed, due) > frame_end_) return false;
-  if (pushed <= due) {
+  const std::optional<BodyId> stepping = first_to_arrive();
+  const double arrives = stepping ? groups_.at(*stepping).until : never;
+  const double next = std::min({pushed, due, arrives});
+  if (const std::optional<BodyId> group = waiting(); group && next > now_) {
+    begin(*group);
+    return true;
+  }
+  if (next > frame_end_) return false;
+  if (arrives <= next) {
+    arrive(*stepping);
+  } else if (pushed <= due) {
     push(pushes[pushed_++]);
   } else {
     const Due top = heap_.top();
@@ -108,11 +129,13 @@ void Loop::push(const Push& push) {
   look_until(push.time, false);
   now_ = std::max(now_, push.time);
   const auto id = static_cast<BodyId>(push.body);
+  cut(id);
   const double from = std::max(now_, bodies_[id].path().since);
-  const State state = bodies_[id].state(from);
+  const State state = group_of_[id] ? group_of(id)->state(id) : bodies_[id].state(from);
   if (rest_[id]) release(id, state);
   pull_[id] = scene_->gravity + bodies_[id].inverse_mass() * push.force_W;
   record({Event::Kind::push, now_, push.body, -1, Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), state, {}});
+  if (Group* group = group_of(id)) return group->set_pull(id, pull_[id]);
   bodies_[id].fly(from, state, pull_[id]);
   heap_.drop(id);
   file(id);
@@ -144,11 +167,16 @@ void Loop::attend(const Due& due) {
   if (same_time_ > patience) return stop(due, "time does not go on");
   if (rests_on(due.a, due.b)) return change(due.a);
   if (rests_on(due.b, due.a)) return change(due.b);
+  if (group_of_[due.a] || group_of_[due.b]) return attend_held(due);
   const Mover &a = bodies_[due.a], &b = bodies_[due.b];
   Touch touch = world::touch(a, b, now_, memory(due.a, due.b));
-  if (touch.gap > std::max(envelope_, 2 * clearance(a, b, now_, infinite))) return watch(due.a, due.b, now_);
-  if (!has_closed_form(a, b)) touch = foremost(a, b, touch);
+  if (touch.gap > std::max(envelope_, 2 * clearance(a, b, now_, infinite))) return not_yet(due);
+  if (!has_closed_form(a, b)) touch = foremost(due.a, due.b, touch);
   meet(due, touch);
+  stop_if_endless(due);
+}
+
+void Loop::stop_if_endless(const Due& due) {
   if (events_ > options_.most_events) stop(due, "more events than allowed");
   if (done_.books.of(Event::Kind::micro_collision) > options_.most_hops) {
     stop(due, "a contact that rests on hops alone takes more of them than allowed");
@@ -156,8 +184,9 @@ void Loop::attend(const Due& due) {
 }
 
 /// Of all points at which the two touch, the one that approaches fastest; the first of several.
-Touch Loop::foremost(const Mover& a, const Mover& b, Touch touch) const {
-  const State at_a = a.state(now_), at_b = b.state(now_);
+Touch Loop::foremost(BodyId a_id, BodyId b_id, Touch touch) const {
+  const Mover &a = bodies_[a_id], &b = bodies_[b_id];
+  const State at_a = state(a_id), at_b = state(b_id);
   Touch most = touch;
   double least = never;
   for (const Vec3& corner : patch(a, b, now_, touch.nhat_BA_W, touch.p_WC, envelope_)) {
@@ -170,6 +199,7 @@ Touch Loop::foremost(const Mover& a, const Mover& b, Touch touch) const {
 
 /// Later, by a time in which the two hardly move: they part, though no faster than rounding can tell.
 void Loop::watch_later(const Due& due) {
+  if (group_of_[due.a] || group_of_[due.b]) return part_held(due);
   const auto pace = [](const Mover& m, double t) {
     return m.path().velocity(t).lpNorm<1>() +
            (m.fixed() || m.kind() != Kind::other ? 0 : m.flight().rate() * m.radius());
@@ -184,18 +214,20 @@ void Loop::watch_later(const Due& due) {
 /// end 2v/(press (1 − e)) later.
 void Loop::meet(const Due& due, const Touch& touch) {
   const Mover &a = bodies_[due.a], &b = bodies_[due.b];
-  const State at_a = a.state(now_), at_b = b.state(now_);
+  const State at_a = state(due.a), at_b = state(due.b);
   const Coefficients c = coefficients(a, b, scene_->flight->law);
   const double u_n = approach(a, at_a, b, at_b, touch), presses = press(a, b, touch);
-  const double hop = least_speed(presses, envelope_), rebound = c.restitution * -u_n;
-  if (u_n > hop / 16) return watch_later(due);
-  if (hop > 0 && -u_n <= hop && hold(due, touch, {}, now_)) return;
-  if (hop > 0 && -u_n <= 2 * hop && !can_rest(due, touch)) {
+  const bool held = is_held(due.a) || is_held(due.b) || struck_[due.a] == now_ || struck_[due.b] == now_;
+  const double hop = held ? hop_of(due.a, due.b) : least_speed(presses, envelope_), rebound = c.restitution * -u_n;
+  if (u_n > (held ? parts_slowly * hop : hop / 16)) return watch_later(due);
+  if (!held && hop > 0 && -u_n <= hop && hold(due, touch, {}, now_)) return;
+  if (hop > 0 && -u_n <= 2 * hop && (held || !can_rest(due, touch))) {
+    if (!options_.micro_collisions) return join(due) ? void() : watch_later(due);
     return strike(Event::Kind::micro_collision, due, touch, world::micro_collision(a, at_a, b, at_b, touch, c, hop));
   }
   if (!(u_n < 0)) return watch_later(due);
   strike(Event::Kind::impact, due, touch, impact(a, at_a, b, at_b, touch, c));
-  if (rebound <= hop && c.restitution < 1) {
+  if (!held && rebound <= hop && c.restitution < 1) {
     hold(due, touch, {rebound, (1 + c.restitution) / 2}, now_ + 2 * rebound / (presses * (1 - c.restitution)));
   }
 }
@@ -203,13 +235,14 @@ void Loop::meet(const Due& due, const Touch& touch) {
 /// What an impulse does, and the two bodies on their new ways.
 void Loop::strike(Event::Kind kind, const Due& due, const Touch& touch, Hit hit) {
   if (grid_ > 0) move_exactly(due, hit);
-  const State a{bodies_[due.a].state(now_).X_WB, hit.after_a}, b{bodies_[due.b].state(now_).X_WB, hit.after_b};
+  const State a{state(due.a).X_WB, hit.after_a}, b{state(due.b).X_WB, hit.after_b};
   done_.books.loss += hit.loss;
   if (bodies_[due.a].fixed()) done_.books.to_fixed += hit.P_A_W;
   if (bodies_[due.b].fixed()) done_.books.to_fixed -= hit.P_A_W;
   record({kind, now_, static_cast<int>(due.a), static_cast<int>(due.b), touch.p_WC, touch.nhat_BA_W, hit.P_A_W, a, b});
   for (const BodyId id : {due.a, due.b}) {
     if (rest_[id]) release(id, id == due.a ? a : b);
+    if (!bodies_[id].fixed()) struck_[id] = now_;
   }
   set_out(due.a, a);
   set_out(due.b, b);
@@ -223,6 +256,12 @@ void Loop::look_until(double time, bool over) {
   for (; looked_ < times.size() && (over ? times[looked_] <= time : times[looked_] < time); ++looked_) {
     std::vector<State>& states = done_.trajectory.states.emplace_back();
     for (const Mover& body : bodies_) states.push_back(body.state(times[looked_]));
+    for (const auto& [key, group] : groups_) {
+      const std::vector<State> held = group.states_at(times[looked_]);
+      for (std::size_t i = 0; i < held.size(); ++i) {
+        if (!group.riders()[i].fixed()) states[group.riders()[i].id] = held[i];
+      }
+    }
   }
 }
 
@@ -243,7 +282,9 @@ void Loop::begin_anew(BodyId id) {
 
 void Loop::file(BodyId id) {
   const double from = std::max(now_, bodies_[id].path().since);
-  tiling_.file(id, bodies_[id].box(from, std::max(from, frame_end_), envelope_));
+  const Group* group = group_of(id);
+  const double until = group ? std::min(group->until, frame_end_) : frame_end_;
+  tiling_.file(id, bodies_[id].box(from, std::max(from, until), envelope_ + (group ? group->margin + reach_ / 4 : 0)));
 }
 
 /// Whom the body's box intersects; their paths are asked for at once, so that none is waited for alone.
@@ -265,12 +306,22 @@ void Loop::watch(BodyId id_a, BodyId id_b, double from) {
   if (a.fixed() && b.fixed()) return;
   if (!has_closed_form(a, b)) from = std::max(from, now_);
   from = std::max({from, a.path().since, b.path().since});
-  if (from > frame_end_) return;
+  double until = frame_end_, margin = 0;
+  for (const BodyId id : {id_a, id_b}) {
+    const Group* group = group_of(id);
+    if (!group) continue;
+    if (group->waits || group->holds(id_a, id_b) || memory_[key(id_a, id_b)].parted == now_) return;
+    until = std::min(until, group->until);
+    margin += group->margin;
+  }
+  // Well within reach of each other, they are followed together.
+  if (margin > 0 && follows_steps(id_a) && follows_steps(id_b)) margin += reach_ / 4;
+  if (from > until) return;
   ++done_.books.pairs;
   Memory& walks = memory(id_a, id_b);
   if (from == std::max(start(id_a), start(id_b))) refuse_overlap(id_a, id_b, world::touch(a, b, from, walks));
   const Rest* rest = rests_on(id_a, id_b) ? &*rest_[id_a] : rests_on(id_b, id_a) ? &*rest_[id_b] : nullptr;
-  const double time = rest ? rest->until : meeting(a, b, from, frame_end_, envelope_, walks);
+  const double time = rest ? rest->until : meeting(a, b, from, until, envelope_, margin, walks);
   if (time <= frame_end_) heap_.put({std::max(time, now_), id_a, id_b});
 }
 
@@ -287,6 +338,7 @@ void Loop::refuse_overlap(BodyId a, BodyId b, const Touch& touch) const {
 
 void Loop::set_out(BodyId id, const State& state) {
   if (bodies_[id].fixed()) return;
+  if (Group* group = group_of(id)) return group->strike(id, state.velocity);
   bodies_[id].fly(now_, state, pull_[id]);
   if (!bodies_[id].follows(frame_end_)) begin_anew(id);
   heap_.drop(id);

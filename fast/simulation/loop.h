@@ -1,11 +1,13 @@
 // The loop of the lecture notes: frames, boxes, a heap of pairs, impacts.
 #pragma once
 
+#include <map>
 #include <unordered_map>
 #include <vector>
 
 #include "fast/simulation.h"
 #include "fast/simulation/body.h"
+#include "fast/simulation/group.h"
 #include "fast/simulation/impact.h"
 #include "fast/simulation/meeting.h"
 #include "fast/simulation/pair_heap.h"
@@ -13,6 +15,11 @@
 #include "fast/simulation/tiling.h"
 
 namespace touchstone::fast::world {
+
+inline constexpr std::int64_t patience = 1'000'000;  ///< events at one time, before it is said not to go on
+
+/// Of a pair, a < b.
+inline std::uint64_t key(BodyId a, BodyId b) { return std::uint64_t{a} << 32 | b; }
 
 /// One run of a scene. Each body has a path of its own, from its own last event on; nothing is stepped.
 class Loop {
@@ -34,8 +41,10 @@ class Loop {
   bool turn();
   void push(const Push& push);
   void attend(const Due& due);
+  void stop_if_endless(const Due& due);
   void meet(const Due& due, const Touch& touch);
-  Touch foremost(const Mover& a, const Mover& b, Touch touch) const;
+  Touch foremost(BodyId a, BodyId b, Touch touch) const;
+
   void watch_later(const Due& due);
   void strike(Event::Kind kind, const Due& due, const Touch& touch, Hit hit);
   bool hold(const Due& due, const Touch& touch, const Hops& hops, double until);
@@ -46,6 +55,31 @@ class Loop {
   void change(BodyId id);
   void release(BodyId id, const State& state);
   void look_until(double time, bool over);
+
+  Group* group_of(BodyId id);
+  const Group* group_of(BodyId id) const;
+  bool is_held(BodyId id) const { return group_of_[id] || rest_[id]; }
+  bool follows_steps(BodyId id) const { return bodies_[id].fixed() || group_of_[id]; }
+  State state(BodyId id) const;
+  double hop_of(BodyId a, BodyId b) const;
+  Rider rider(BodyId id);
+  void cut(BodyId id);
+  void attend_held(const Due& due);
+  void not_yet(const Due& due);
+  void part_held(const Due& due);
+  bool join(const Due& due);
+  void enter(Group group);
+  std::optional<BodyId> waiting() const;
+  std::optional<BodyId> first_to_arrive() const;
+  void arrive(BodyId key);
+  void begin(BodyId key);
+  void settle(BodyId key);
+  void strike_in(const Strike& found);
+  void fly_off(const Rider& rider, const std::vector<Joint>& parted);
+  bool rests_alone(Group& group);
+  void take_step(Group& group);
+  void set_on_course(Group& group);
+  void tell(Event::Kind kind, const Joint& joint);
 
   /// Whose box is made anew in each frame, and who asks whom it meets; in the first frame also who only could move.
   bool moves(BodyId id) const { return !bodies_[id].still() || (done_.books.frames == 1 && !bodies_[id].fixed()); }
@@ -68,13 +102,17 @@ class Loop {
   const Scene* scene_;
   SimulationOptions options_;
   double envelope_;
+  double reach_;  ///< m; bodies that are held and as near as this to each other are followed together
   double now_ = 0, frame_end_ = 0, end_ = 0;
   std::int64_t same_time_ = 0;  ///< turns since time moved on
   std::int64_t events_ = 0;
   std::vector<Mover> bodies_;
   PairHeap heap_;
-  std::vector<std::optional<Rest>> rest_;  ///< by body
-  std::vector<Vec3> pull_;                 ///< by body: what gravity and its push accelerate it by (m/s²), if it moves
+  std::vector<std::optional<Rest>> rest_;        ///< by body
+  std::map<BodyId, Group> groups_;               ///< by the first body of each that moves
+  std::vector<std::optional<BodyId>> group_of_;  ///< by body
+  std::vector<double> struck_;                   ///< s, by body that moves: its last impact
+  std::vector<Vec3> pull_;  ///< by body: what gravity and its push accelerate it by (m/s²), if it moves
   std::size_t pushed_ = 0;
   Tiling tiling_;
   std::unordered_map<std::uint64_t, Memory> memory_;  ///< looked up only, never walked

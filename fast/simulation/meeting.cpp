@@ -74,19 +74,19 @@ Relative relative(const Mover& a, const Mover& b, double t) {
 }
 
 /// Twice: how clear is clear enough depends a little on when they meet.
-double alike_falling_balls(const Mover& a, const Mover& b, double from, double envelope) {
+double alike_falling_balls(const Mover& a, const Mover& b, double from, double envelope, double margin) {
   const Vec3 s = a.path().place(from) - b.path().place(from);
   const Vec3 v = relative(a, b, from).v;
   const double far = length(s), b_half = s.dot(v), squared = v.dot(v);
   const auto solve = [&](double reach) { return closes((far - reach) * (far + reach) / 2, b_half, squared); };
-  const double reach = a.radius() + b.radius(), about = solve(reach + clearance(a, b, from, envelope));
+  const double reach = a.radius() + b.radius() + margin, about = solve(reach + clearance(a, b, from, envelope));
   return about < never && about > 0 ? from + solve(reach + clearance(a, b, from + about, envelope)) : from + about;
 }
 
-double by_planes(const Mover& a, const Mover& b, double from, double until, double envelope) {
+double by_planes(const Mover& a, const Mover& b, double from, double until, double envelope, double margin) {
   double t = from;
   for (int step = 0; step < most_steps; ++step) {
-    const double clear = clearance(a, b, t, envelope);
+    const double clear = clearance(a, b, t, envelope) + margin;
     const Nearest at = nearest(a, b, a.path().place(t), b.path().place(t));
     const Relative rate = relative(a, b, t);
     const double dt = closes(at.gap - clear, at.n.dot(rate.v), at.n.dot(rate.a));
@@ -141,14 +141,16 @@ Touch touch(const Mover& a, const Mover& b, double t, Memory& memory) {
           far > 0 ? Vec3(apart / far) : Vec3(Vec3::Zero())};
 }
 
-double meeting(const Mover& a, const Mover& b, double from, double until, double envelope, Memory& memory) {
+double meeting(const Mover& a, const Mover& b, double from, double until, double envelope, double margin,
+               Memory& memory) {
   if (has_closed_form(a, b)) {
     const bool alike = a.kind() == b.kind() && a.path().a == b.path().a;
-    const double t = alike ? alike_falling_balls(a, b, from, envelope) : by_planes(a, b, from, until, envelope);
+    const double t =
+        alike ? alike_falling_balls(a, b, from, envelope, margin) : by_planes(a, b, from, until, envelope, margin);
     return t <= until ? t : never;
   }
   memory.walks.resize(a.flyer().solid.parts().size() * b.flyer().solid.parts().size());
-  return advanced(a, b, from, until, envelope, memory);
+  return advanced(a, b, from, until, envelope + margin, memory);
 }
 
 }  // namespace touchstone::fast::world

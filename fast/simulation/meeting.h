@@ -20,6 +20,7 @@ struct Memory {
   std::vector<lin_canny::FeaturePair> walks;
   double time = -1;  ///< s; of the touch
   Touch touch;
+  double parted = -1;  ///< s; when they last were seen to part, so that a step may begin
 };
 
 /// Two balls, or a ball and a block.
@@ -45,6 +46,8 @@ Touch touch(const Mover& a, const Mover& b, double t, Memory& memory);
 /// Balls that fall alike: relative motion is straight, one quadratic. Else each bound is the time at which the plane
 /// that keeps the two apart at their nearest points is reached: n̂·s is a parabola, and no convex body crosses its own
 /// supporting plane. Steps from one bound to the next converge like Newton's, from below.
-double meeting(const Mover& a, const Mover& b, double from, double until, double envelope, Memory& memory);
+/// `margin`: they are in contact already when they are so much farther apart (m).
+double meeting(const Mover& a, const Mover& b, double from, double until, double envelope, double margin,
+               Memory& memory);
 
 }  // namespace touchstone::fast::world

@@ -1,0 +1,51 @@
+#include "fast/contact/feature.h"
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+namespace touchstone::fast::contact {
+namespace {
+
+using Kind = Feature::Kind;
+
+/// Of two lines p + s d and q + t e: the point of the first that is nearest to the second.
+Vec3 foot_on_line(const Vec3& p, const Vec3& d, const Vec3& q, const Vec3& e) {
+  const double mixed = d.dot(e);
+  const Vec3 between = q - p;
+  return p + (d.dot(between) - mixed * e.dot(between)) / (1 - mixed * mixed) * d;
+}
+
+Nearness point_and_plane(const Vec3& p, double radius, const Vec3& on, const Vec3& n) {
+  return {n.dot(p - on) - radius, n, p - radius * n};
+}
+
+Nearness two_lines(const Vec3& p, const Vec3& d, const Vec3& q, const Vec3& e, const Vec3& about) {
+  Vec3 n = d.cross(e).normalized();
+  if (n.dot(about) < 0) n = -n;
+  return {n.dot(p - q), n, foot_on_line(p, d, q, e)};
+}
+
+/// `p` and `q` are the centres of balls, or the points of lines that are nearest to them.
+Nearness two_points(const Vec3& p, double radius_p, const Vec3& q, double radius_q, const Vec3& about) {
+  const Vec3 apart = p - q;
+  const double far = apart.norm();
+  const Vec3 n = far > 0 ? Vec3(apart / far) : about;
+  return {far - radius_p - radius_q, n, p - radius_p * n};
+}
+
+}  // namespace
+
+Nearness nearness(const Feature& a, const Stance& A, const Feature& b, const Stance& B, const Vec3& about) {
+  const Vec3 p = A.out(a.at), q = B.out(b.at), d = A.R_WB * a.along, e = B.R_WB * b.along;
+  if (b.kind == Kind::plane) return point_and_plane(p, a.radius, q, e);
+  if (a.kind == Kind::plane) {
+    const double gap = d.dot(q - p) - b.radius;
+    return {gap, -d, q - (b.radius + gap) * d};
+  }
+  if (a.kind == Kind::line && b.kind == Kind::line) return two_lines(p, d, q, e, about);
+  const Vec3 on_a = a.kind == Kind::line ? Vec3(p + d.dot(q - p) * d) : p;
+  const Vec3 on_b = b.kind == Kind::line ? Vec3(q + e.dot(p - q) * e) : q;
+  return two_points(on_a, a.radius, on_b, b.radius, about);
+}
+
+}  // namespace touchstone::fast::contact
