@@ -5,15 +5,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fast/mass.h"
+#include "fast/motion/flight.h"
 #include "model/input_error.h"
 
 namespace touchstone::fast::constraint {
 namespace {
 
-lin_canny::Solid solid_of(const Body& body, const std::string& place) {
+motion::Flyer flyer_of(const Body& body, const std::string& place) {
   if (std::holds_alternative<Compound>(body.shape)) throw InputError(place + ".shape", "a compound; not stepped");
-  return lin_canny::Solid(body.shape);
+  return motion::Flyer(body);
 }
 
 Quaternion product(const Quaternion& a, const Quaternion& b) {
@@ -36,20 +36,17 @@ Quaternion about_1(const Quaternion& q) {
 }  // namespace
 
 Mover::Mover(const Body& body, const std::string& place)
-    : solid_(solid_of(body, place)), q_WB_(about_1(body.X_WB.q_WB)), twist_{body.velocity.v_WBcm, body.velocity.w_WB} {
-  if (const auto properties = fast::mass(body)) {
-    inverse_mass_ = 1 / properties->mass;
-    p_BBcm_ = properties->p_BBcm;
-    inertia_B_ = properties->I_BBcm_B;
-    inverse_inertia_B_ = inertia_B_.inverse();
-    round_ = inertia_B_ == Mat3(inertia_B_(0, 0) * Mat3::Identity());
-  }
-  centre_ = lin_canny::rotation(q_WB_) * p_BBcm_ + body.X_WB.p_WB;
-  reach_ = convex().reach + p_BBcm_.norm();
+    : flyer_(flyer_of(body, place)),
+      inverse_mass_(flyer_.is_fixed ? 0 : 1 / flyer_.mass),
+      reach_(convex().reach + flyer_.p_BBcm.norm()),
+      q_WB_(about_1(body.X_WB.q_WB)),
+      twist_{body.velocity.v_WBcm, body.velocity.w_WB} {
+  if (!is_fixed()) inverse_inertia_B_ = flyer_.I_BBcm_B.inverse();
+  centre_ = lin_canny::rotation(q_WB_) * flyer_.p_BBcm + body.X_WB.p_WB;
   refresh();
 }
 
-Pose Mover::pose() const { return {centre_ - R_WB_ * p_BBcm_, q_WB_}; }
+Pose Mover::pose() const { return {centre_ - R_WB_ * flyer_.p_BBcm, q_WB_}; }
 
 /// By the rotation with the quaternion (1, angle/2): its angle is that of `angle` to second order, and no sine is
 /// needed.
@@ -59,26 +56,17 @@ void Mover::turn(const Vec3& angle) {
 
 void Mover::refresh() {
   R_WB_ = lin_canny::rotation(q_WB_);
-  if (is_fixed()) return;
-  inverse_inertia_W_ = round_ ? inverse_inertia_B_ : Mat3(R_WB_ * inverse_inertia_B_ * R_WB_.transpose());
+  if (!is_fixed()) inverse_inertia_W_ = R_WB_ * inverse_inertia_B_ * R_WB_.transpose();
 }
 
 void Mover::advance(double h, const Twist& twist, bool touched, const Twist& shift) {
   centre_ += h * (touched || is_fixed() ? Vec3(twist.v + shift.v) : Vec3((twist_.v + twist.v) / 2));
-  twist_ = twist;
-  if (round_) {
-    if (!twist.w.isZero(0) || !shift.w.isZero(0)) turn(h * (twist.w + shift.w));
-    return refresh();
-  }
-  const Vec3 L = R_WB_ * (inertia_B_ * (R_WB_.transpose() * twist.w));
-  const Quaternion before = q_WB_;
-  turn(h / 2 * twist.w);
+  const motion::Flight free(flyer_, 0, {Vec3::Zero(), q_WB_}, {Vec3::Zero(), twist.w}, Vec3::Zero());
+  const motion::Stand then = free.stand(h);
+  q_WB_ = then.q_WB;
+  twist_ = {twist.v, then.w_WB};
+  if (!shift.w.isZero(0)) turn(h * shift.w);
   refresh();
-  const Vec3 half_way = inverse_inertia_W_ * L;
-  q_WB_ = before;
-  turn(h * (half_way + shift.w));
-  refresh();
-  twist_.w = inverse_inertia_W_ * L;
 }
 
 }  // namespace touchstone::fast::constraint

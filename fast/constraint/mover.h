@@ -3,6 +3,7 @@
 
 #include "fast/constraint/solve.h"
 #include "fast/lin_canny/solid.h"
+#include "fast/motion/flyer.h"
 #include "model/answers.h"
 #include "model/scene.h"
 
@@ -20,28 +21,26 @@ class Mover {
   Mobility mobility() const { return {inverse_mass_, inverse_inertia_W_}; }
   const Vec3& centre() const { return centre_; }
   const Twist& twist() const { return twist_; }
-  const lin_canny::Solid& solid() const { return solid_; }
-  const lin_canny::Convex& convex() const { return solid_.parts().front(); }
+  const lin_canny::Solid& solid() const { return flyer_.solid; }
+  const lin_canny::Convex& convex() const { return flyer_.solid.parts().front(); }
   const Mat3& R_WB() const { return R_WB_; }
   Pose pose() const;
   State state() const { return {pose(), {twist_.v, twist_.w}}; }
   double reach() const { return reach_; }  ///< no point of the body is farther from the centre
 
   /// Takes on the twist for the next h. A body that was touched moves with it, and with `shift` besides; one that was
-  /// not moves with the mean of the old and the new velocity: on its parabola, exactly. A body that is not the same all
-  /// round turns with the spin that its angular momentum gives it half-way: L is kept, the energy to second order.
+  /// not moves with the mean of the old and the new velocity: on its parabola, exactly. It turns as a body does that is
+  /// free from then on (fast/motion/flight.h): a needle's energy is its own, however fast it turns in a step.
   void advance(double h, const Twist& twist, bool touched, const Twist& shift);
 
  private:
   void turn(const Vec3& angle);
   void refresh();
 
-  lin_canny::Solid solid_;
-  bool round_ = true;  ///< the inertia is a multiple of 1
+  motion::Flyer flyer_;
   double inverse_mass_ = 0;
   double reach_ = 0;
-  Vec3 p_BBcm_ = Vec3::Zero();
-  Mat3 inertia_B_ = Mat3::Zero(), inverse_inertia_B_ = Mat3::Zero();
+  Mat3 inverse_inertia_B_ = Mat3::Zero();
   Vec3 centre_;
   Quaternion q_WB_;
   Twist twist_;

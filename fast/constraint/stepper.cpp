@@ -88,9 +88,21 @@ void Stepper::meet(int a, int b, double h) {
     points_.push_back(point);
   }
   met.count = touches_.size() - met.first;
-  // The guess: as in the last step, if the points may be the same.
-  for (std::size_t i = 0; i < met.count && pair.P.size() == met.count; ++i) touches_[met.first + i].P = pair.P[i];
+  if (met.count > 0) guess(met);
   met_.push_back(met);
+}
+
+/// What pushed in the last step pushes at the nearest point of this one: corners of a common face come in any order and
+/// number, and under a heavy body a guess that puts its weight elsewhere is worse than none.
+void Stepper::guess(const Met& met) {
+  for (const Pushed& before : met.pair->pushed) {
+    std::size_t nearest = met.first;
+    const auto apart = [&](std::size_t i) { return (points_[i].p_WC - before.p_WC).squaredNorm(); };
+    for (std::size_t i = met.first; i < met.first + met.count; ++i) {
+      if (apart(i) < apart(nearest)) nearest = i;
+    }
+    touches_[nearest].P += before.P;
+  }
 }
 
 void Stepper::meet(double h) {
@@ -182,15 +194,17 @@ void Stepper::tell(double h, double until) {
                        movers_[index(b)].state()});
   };
   for (const Met& met : met_) {
-    met.pair->P.clear();
-    for (std::size_t i = 0; i < met.count; ++i) met.pair->P.push_back(touches_[met.first + i].P);
+    met.pair->pushed.clear();
+    for (std::size_t i = met.first; i < met.first + met.count; ++i) {
+      met.pair->pushed.push_back({points_[i].p_WC, touches_[i].P});
+    }
     tell(met.a, met.b, met.pair->watch, told(met, slip_counts * weight));
   }
   for (auto& [bodies, pair] : pairs_) {
     if (pair.seen || !pair.nhat_BA_W) continue;
     PairStep parted;
     parted.nhat_BA_W = *pair.nhat_BA_W;
-    pair.P.clear();
+    pair.pushed.clear();
     tell(bodies.first, bodies.second, pair.watch, parted);
   }
   // Who is no longer near is forgotten.

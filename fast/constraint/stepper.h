@@ -26,11 +26,15 @@ class Stepper {
   std::vector<Event>& events() { return events_; }
 
  private:
+  /// A point of the last step, and what pushed there.
+  struct Pushed {
+    Vec3 p_WC, P;
+  };
   /// What is kept of a pair that is near.
   struct Pair {
     std::optional<Vec3> nhat_BA_W;
     std::vector<lin_canny::FeaturePair> walk = {{}};  ///< where the last walk to the closest features ended
-    std::vector<Vec3> P;                              ///< of its points in the last step
+    std::vector<Pushed> pushed;                       ///< in the last step
     PairWatch watch;
     bool seen = false;  ///< in this step: near enough to touch
   };
@@ -44,6 +48,7 @@ class Stepper {
   double span(const Mover& body, double h) const;
   void meet(double h);
   void meet(int a, int b, double h);
+  void guess(const Met& met);
   Aabb around(const Mover& body) const;
   std::vector<Twist> free_twists(double time, double h) const;
   void push(std::vector<Twist>& twists);
