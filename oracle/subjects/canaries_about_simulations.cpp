@@ -92,7 +92,7 @@ void stale_event(Subject&, const Scene& scene, Trajectory& said) {
   said.events->push_back(again);
 }
 
-void late(Subject&, const Scene& scene, Trajectory& said) {
+void overdue(Subject&, const Scene& scene, Trajectory& said) {
   if (said.events && !said.events->empty() && scene.flight->pushes.empty()) said.events->back().time += 1e-6;
 }
 
@@ -217,7 +217,7 @@ std::vector<Canary> canaries_about_simulations() {
       lying("canary.impact_gains", "makes bodies a millionth faster by the first impact",
             [] { return first_impact_with(gains); }),
       lying("canary.impact_moves", "moves a body when it is hit", [] { return first_impact_with(nudged); }),
-      lying("canary.late", "tells the last event a microsecond late", [] { return runs(late); }),
+      lying("canary.overdue", "tells the last event a microsecond late", [] { return runs(overdue); }),
       lying("canary.contact_elsewhere", "tells an impact at the body's centre",
             [] { return first_impact_with([](Event& event, const Scene&) { event.p_WC = event.after_a.X_WB.p_WB; }); }),
       lying("canary.crowded", "moves others once there are three bodies", [] { return runs(crowded); }),

@@ -36,7 +36,7 @@ const std::vector<Caught> caught = {
     {"canary.impulse_at_two_points", "simulation.impulses", "runs.on_a_table", 0},
     {"canary.impact_gains", "simulation.elastic_energy", "runs.cradle", 0},
     {"canary.impact_moves", "simulation.angular_momentum", "runs.balls", 0},
-    {"canary.late", "simulation.lockstep", "runs.one_impact", 0},
+    {"canary.overdue", "simulation.lockstep", "runs.one_impact", 0},
     {"canary.contact_elsewhere", "simulation.contacts", "runs.cradle", 0},
     {"canary.crowded", "simulation.bystanders", "runs.on_a_table", 0},
     {"canary.explicit_steps", "simulation.bounces", "runs.bouncing", 0},
