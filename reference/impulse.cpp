@@ -198,20 +198,26 @@ Float condition(const Blow<Float>& blow) {
 
 /// Of many digits: series are cut at 2^-165 and floats have 254 bits; 2^-150 is 45 digits and leaves 2^15 for what
 /// steps add up. Of some: cut at 2^-84, 106 bits, 2^-75. The second term is what the bits leave of an ill-conditioned
-/// K. All relative to the energy norm, or to half of |P|_K where that is more: Newton's law alone can gain energy.
+/// K, the third what they leave of Stronge's end, where W has risen by e² of itself and p by e. All relative to the
+/// energy norm, or to half of |P|_K where that is more: Newton's law alone can gain energy.
 double stated_error(const Blow<Float>& blow, const Triple& exact_P, Digits digits) {
   const Three<Float> P = {float_of(exact_P[0]), float_of(exact_P[1]), float_of(exact_P[2])};
   const Float size = std::max(energy_norm(blow), Float(sqrt(std::max(Float(0), inner(P, times(blow.K, P)))) / 2));
-  const Float relative = digits == Digits::many ? ldexp(Float(1), -150) + condition(blow) * ldexp(Float(1), -240)
-                                                : ldexp(Float(1), -75) + condition(blow) * ldexp(Float(1), -95);
+  const bool many = digits == Digits::many;
+  const Float bits_left = ldexp(Float(1), many ? -240 : -95);
+  const bool rises_little = blow.law == Law::stronge && blow.e > 0;
+  const Float relative = ldexp(Float(1), many ? -150 : -75) + condition(blow) * bits_left +
+                         (rises_little ? std::min(Float(bits_left / blow.e), Float(sqrt(bits_left))) : Float(0));
   return std::max(std::nextafter(static_cast<double>(Float(size * relative)), std::numeric_limits<double>::infinity()),
                   std::numeric_limits<double>::denorm_min());
 }
 
-/// Two doubles are enough for some digits: of a K that is not near singular, and an approach not lost beside the slip.
+/// Two doubles are enough for some digits: of a K that is not near singular, an approach not lost beside the slip, and
+/// a restitution not lost beside the compression.
 bool two_doubles_do(const Blow<Float>& blow) {
   const Float fast = abs(blow.u0[0]) + abs(blow.u0[1]) + abs(blow.u0[2]);
-  return condition(blow) <= 0x1p44 && -inner(blow.u0, blow.N) >= ldexp(fast, -200);
+  return condition(blow) <= 0x1p44 && -inner(blow.u0, blow.N) >= ldexp(fast, -200) &&
+         (blow.e == 0 || blow.e >= 0x1p-18);
 }
 
 /// Of the normal, not of N: ν is a root in general, so these are within 2^-260 even where P is exact.

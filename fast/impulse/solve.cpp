@@ -59,8 +59,11 @@ class Journey {
     switch (i_.law) {
       case Law::poisson:
         return go({Goal::Of::impulse, at_.p + i_.e * compression});
-      case Law::stronge:
-        return go({Goal::Of::work, (1 - i_.e) * (1 + i_.e) * at_.work});
+      case Law::stronge: {
+        const double regained = -i_.e * i_.e * at_.work;
+        at_.work = 0;  // from here on: beside the whole, a small e² would be lost
+        return go({Goal::Of::work, regained});
+      }
       case Law::newton:
         return go({Goal::Of::speed, -i_.e * i_.un});
     }

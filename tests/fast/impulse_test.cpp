@@ -122,6 +122,20 @@ TEST_CASE("Newton's law on a long lever: what is claimed counts the energy that 
   CHECK(said.error <= 1e-2 * said.P_A_W.norm());
 }
 
+TEST_CASE("Stronge's law with next to no restitution") {
+  properties::Random random(11);
+  for (const double e : {0x1p-8, 0x1p-14, 0x1p-20, 0x1p-30, 0x1p-60}) {
+    for (int k = 0; k < 20; ++k) {
+      Scene scene = some_impact(random, Law::stronge, 1, 1);
+      scene.contact->restitution = e;
+      scene = reference::completed(scene);
+      const Impacted said = impact(scene);
+      CAPTURE(e, k);
+      CHECK(error_of(said.P_A_W, reference::impulse(scene)) <= said.error);
+    }
+  }
+}
+
 TEST_CASE("a scene without a contact has no impulse") { CHECK_THROWS_AS(impact(Scene{}), InputError); }
 
 }  // namespace
