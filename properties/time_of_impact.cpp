@@ -131,7 +131,10 @@ struct Sure {
   double window = 0;  ///< s: within which roundings leave the meeting
 };
 
-std::optional<Sure> surely(const FlightCase& asked) {
+// Who computes poses exactly still encloses meetings, as narrowly as doubles do (TS-TIME-OF-IMPACT-4), and names some
+// time in between.
+std::optional<Sure> surely(const FlightCase& given) {
+  const FlightCase asked(given.scene, std::max(given.precision, oracle::Precision::binary64));
   const std::optional<double> earliest = asked.earliest();
   if (asked.truth.meeting == Meeting::miss && !earliest) return Sure{false, 0};
   if (asked.truth.meeting != Meeting::hit || !earliest) return std::nullopt;

@@ -51,7 +51,7 @@ class Encounter {
   Encounter& operator=(const Encounter&) = delete;
 
   /// From a time at which they are apart. A hit or a miss is proved.
-  Found<P> search(const P& from, const P& end) {
+  Found<P> search(const P& from, const P& end) const {
     Found<P> found;
     found.lo = from;
     std::optional<Closest<P>> contact;
@@ -72,6 +72,18 @@ class Encounter {
     if (contact && found.meeting == TimeOfImpact::Meeting::undecided) met(Tier::last_probing, *contact, found, end);
     if (contact) describe(*contact, found);
     return found;
+  }
+
+  /// Do the two move on within a hit's enclosure by more than 2^-43 of all lengths? So they may if they are slivers, of
+  /// whose planes doubles tell little, and fast.
+  bool is_loose(const Found<P>& hit) const {
+    const typename Tier::Scope scope;
+    const E time = thin(hit.lo);
+    const Flying<E> a = flyer_A_.at(time), b = flyer_B_.at(time);
+    const E reach_A = thin(A_.reach()), reach_B = thin(B_.reach());
+    const E speed = length(a.v - b.v) + length(a.w) * reach_A + length(b.w) * reach_B;
+    const E lengths = length(a.p - b.p) + reach_A + reach_B;
+    return !(upper(E((thin(hit.hi) - time) * speed)) <= upper(E(lengths * E(0x1p-43))));
   }
 
   /// From contact in which they part (reference/start_impl.h): a time until which they are apart, if a plane that

@@ -111,10 +111,11 @@ TimeOfImpactTruth closely(const Parts& parts, const Question& question) {
 }
 
 TimeOfImpactTruth between_parts(const Parts& parts, const Question& question) {
-  const Found<double> quick =
-      Encounter<InDoubles>(parts, question.departures, question.apart).search(question.from, question.end);
+  const Encounter<InDoubles> in_doubles(parts, question.departures, question.apart);
+  const Found<double> quick = in_doubles.search(question.from, question.end);
   if (!(quick.lo > question.from)) return closely(parts, question);
-  if (quick.meeting != Meeting::undecided || quick.exhausted) return truth_of(quick, parts, question.end);
+  const bool loose = quick.meeting == Meeting::hit && in_doubles.is_loose(quick);
+  if (!loose && (quick.meeting != Meeting::undecided || quick.exhausted)) return truth_of(quick, parts, question.end);
   Encounter<InWide> encounter(parts, question.departures, question.apart);
   return truth_of(encounter.search(quick.lo, question.end), parts, question.end);
 }
