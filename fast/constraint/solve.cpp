@@ -11,7 +11,6 @@ namespace touchstone::fast::constraint {
 namespace {
 
 constexpr double settled = 0x1p-44;
-constexpr std::size_t most_that_jump = 64;  // contacts: the jump costs their cube
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
@@ -96,7 +95,7 @@ void solve(std::vector<Touch>& touches, const std::vector<Mobility>& bodies, std
   for (int i = 1; i <= effort.sweeps; ++i) {
     const double change = sweep(touches, bodies, twists);
     if (change <= std::max(settled * fastest, effort.enough)) return;
-    if (i % effort.sweeps_to_a_jump == 0 && touches.size() <= most_that_jump) {
+    if (i % effort.sweeps_to_a_jump == 0 && touches.size() <= effort.most_that_jump) {
       try_jump(touches, bodies, twists, change);
     }
   }

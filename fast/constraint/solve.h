@@ -44,7 +44,8 @@ Vec3 relative_velocity(const Touch& touch, const std::vector<Twist>& twists);
 struct Effort {
   int sweeps = 200;
   int sweeps_to_a_jump = 16;
-  double enough = 0;  ///< m/s; changes that are no greater do not matter
+  std::size_t most_that_jump = 64;  ///< contacts: a jump costs their cube
+  double enough = 0;                ///< m/s; changes that are no greater do not matter
 };
 
 /// Finds P for all touches: P_n ≥ 0, u_n ≥ least_u_n, one of the two equal; P_t in the disc of radius μ P_n, against

@@ -41,7 +41,7 @@ struct Stepped {
 ///   L' = L + Σ r × P,         R' = cay(h ω̄) R,   R⁻¹ω̄ = (R⁻¹ω + R'⁻¹ω')/2,
 ///
 /// r the mean of the foot's arms before and after. By Cayley's map R'x − Rx = h ω̄ × (R'x + Rx)/2, so what a foot's
-/// points move apart is exactly h u, and kinetic energy grows by P·u alone (Simo and Wong 1991), which is not above 0:
+/// points move apart is exactly h u, and kinetic energy grows by P·u alone (Simo & Wong 1991), which is not above 0:
 /// a step makes no energy, however long. Solved by iteration until nothing moves by more than `tolerance` (m). What
 /// overlaps already is moved apart no faster than `recovery` (m/s).
 ///
