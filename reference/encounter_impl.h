@@ -74,7 +74,7 @@ class Encounter {
     return found;
   }
 
-  /// Do the two move on within a hit's enclosure by more than 2^-43 of all lengths? So they may if they are slivers, of
+  /// Do the two move on within a hit's enclosure by more than 2^-41 of all lengths? So they may if they are slivers, of
   /// whose planes doubles tell little, and fast.
   bool is_loose(const Found<P>& hit) const {
     const typename Tier::Scope scope;
@@ -83,7 +83,7 @@ class Encounter {
     const E reach_A = thin(A_.reach()), reach_B = thin(B_.reach());
     const E speed = length(a.v - b.v) + length(a.w) * reach_A + length(b.w) * reach_B;
     const E lengths = length(a.p - b.p) + reach_A + reach_B;
-    return !(upper(E((thin(hit.hi) - time) * speed)) <= upper(E(lengths * E(0x1p-43))));
+    return !(upper(E((thin(hit.hi) - time) * speed)) <= upper(E(lengths * E(0x1p-41))));
   }
 
   /// From contact in which they part (reference/start_impl.h): a time until which they are apart, if a plane that
