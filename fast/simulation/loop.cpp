@@ -218,7 +218,9 @@ void Loop::meet(const Due& due, const Touch& touch) {
   const Coefficients c = coefficients(a, b, scene_->flight->law);
   const double u_n = approach(a, at_a, b, at_b, touch), presses = press(a, b, touch);
   const bool held = is_held(due.a) || is_held(due.b) || struck_[due.a] == now_ || struck_[due.b] == now_;
-  const double hop = held ? hop_of(due.a, due.b) : least_speed(presses, envelope_), rebound = c.restitution * -u_n;
+  const double turns = presses <= 0 && c.restitution < 1 ? swing(due.a, due.b) : 0;
+  const double hop = held ? hop_of(due.a, due.b) : least_speed(std::max(presses, turns), envelope_);
+  const double rebound = c.restitution * -u_n;
   if (u_n > (held ? parts_slowly * hop : hop / 16)) return watch_later(due);
   if (!held && hop > 0 && -u_n <= hop && hold(due, touch, {}, now_)) return;
   if (hop > 0 && -u_n <= 2 * hop && (held || !can_rest(due, touch))) {

@@ -62,6 +62,7 @@ class Loop {
   bool follows_steps(BodyId id) const { return bodies_[id].fixed() || group_of_[id]; }
   State state(BodyId id) const;
   double hop_of(BodyId a, BodyId b) const;
+  double swing(BodyId a, BodyId b) const;
   Rider rider(BodyId id);
   void cut(BodyId id);
   void attend_held(const Due& due);

@@ -24,9 +24,18 @@ State Loop::state(BodyId id) const {
   return group ? group->state(id) : bodies_[id].state(now_);
 }
 
+/// How hard two bodies may come to press though nothing pulls them: as a point does that goes round (m/s²).
+double Loop::swing(BodyId a, BodyId b) const {
+  const auto of = [&](BodyId id) {
+    return bodies_[id].kind() == Kind::other ? bodies_[id].radius() * state(id).velocity.w_WB.squaredNorm() : 0;
+  };
+  return of(a) + of(b);
+}
+
 /// How fast a pair that is held may approach without striking: as fast as a hop within the envelope would.
 double Loop::hop_of(BodyId a, BodyId b) const {
-  return least_speed(std::max(pull_[a].norm(), pull_[b].norm()), envelope_);
+  const double pull = std::max(pull_[a].norm(), pull_[b].norm());
+  return least_speed(pull > 0 ? pull : swing(a, b), envelope_);
 }
 
 /// Ends the step that the body's group is taking here and now.
