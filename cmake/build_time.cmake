@@ -1,0 +1,58 @@
+# What keeps a build from nothing short: the compiler's effort goes where time is spent at run time, and headers that nearly every
+# source reads are compiled once a flavour of flags. Sources still include what they use (-D CMAKE_DISABLE_PRECOMPILE_HEADERS=ON shows
+# it). Bits do not depend on the level (tests/fast/fingerprint).
+
+# Of a Release build: the answers as the build type says, what judges them less, what only talks about them least.
+function(touchstone_optimise target layer)
+  set(level)
+  get_target_property(links ${target} LINK_LIBRARIES)
+  if(layer STREQUAL "app" OR links MATCHES "Catch2")
+    set(level -O1)
+  elseif(layer MATCHES "^(oracle|properties|subject)$")
+    set(level -O2)
+  endif()
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:${level}>)
+  touchstone_precompile(${target} "${level}")
+endfunction()
+
+function(touchstone_precompile target level)
+  set(headers <algorithm> <array> <cmath> <cstdint> <functional> <limits> <map> <memory> <optional> <span> <string> <utility> <variant>
+    <vector> <Eigen/Geometry>)
+  get_target_property(links ${target} LINK_LIBRARIES)
+  get_target_property(type ${target} TYPE)
+  if(links MATCHES "CGAL|simbody")  # they bring flags of their own
+    if(target STREQUAL "touchstone_reference")
+      target_precompile_headers(${target} PRIVATE ${headers})
+    endif()
+    return()
+  endif()
+  set(kind ${type})
+  if(links MATCHES "Catch2")
+    set(kind tests)
+    list(APPEND headers ${PROJECT_SOURCE_DIR}/tests/catch.h)
+  endif()
+  set(owner touchstone_headers_${kind}${level})
+  if(NOT TARGET ${owner})
+    touchstone_headers(${owner} ${type} "${level}" ${headers})
+  endif()
+  target_precompile_headers(${target} REUSE_FROM ${owner})
+endfunction()
+
+# A target that only compiles headers: it has none of the macros that one of its users may lack.
+function(touchstone_headers owner type level)
+  set(source ${PROJECT_BINARY_DIR}/headers/${type}.cpp)
+  if(type STREQUAL "EXECUTABLE")
+    file(CONFIGURE OUTPUT ${source} CONTENT "int main() {}\n")
+    add_executable(${owner} EXCLUDE_FROM_ALL ${source})
+  else()
+    file(CONFIGURE OUTPUT ${source} CONTENT "\n")
+    add_library(${owner} STATIC EXCLUDE_FROM_ALL ${source})
+  endif()
+  target_compile_features(${owner} PRIVATE cxx_std_20)
+  target_compile_options(${owner} PRIVATE $<$<CONFIG:Release>:${level}>)
+  target_link_libraries(${owner} PRIVATE touchstone_flags Eigen3::Eigen)
+  if(owner MATCHES "tests")
+    target_link_libraries(${owner} PRIVATE Catch2::Catch2)
+  endif()
+  target_precompile_headers(${owner} PRIVATE ${ARGN})
+endfunction()
