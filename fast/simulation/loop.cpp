@@ -12,7 +12,9 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-constexpr double parts_slowly = 32;  // hops: what is held and parts no faster stays so, until it is apart
+constexpr double sliver = 0x1p-10;         // of a frame, or of the flight if that is shorter
+constexpr std::int64_t patience = 20'000;  // turns in a sliver
+constexpr double parts_slowly = 32;        // hops: what is held and parts no faster stays so, until it is apart
 
 Vec3 on_grid(const Vec3& P, double grid) {
   return grid * (P / grid).unaryExpr([](double x) { return std::floor(x + 0.5); });
@@ -162,9 +164,8 @@ void Loop::begin_frame() {
 /// of them; if it was a bound only, a new bound.
 void Loop::attend(const Due& due) {
   look_until(due.time, false);
-  same_time_ = due.time > now_ ? 0 : same_time_ + 1;
   now_ = std::max(now_, due.time);
-  if (same_time_ > patience) return stop(due, "time does not go on");
+  if (!goes_on(due)) return;
   if (rests_on(due.a, due.b)) return change(due.a);
   if (rests_on(due.b, due.a)) return change(due.b);
   if (group_of_[due.a] || group_of_[due.b]) return attend_held(due);
@@ -174,6 +175,17 @@ void Loop::attend(const Due& due) {
   if (!has_closed_form(a, b)) touch = foremost(due.a, due.b, touch);
   meet(due, touch);
   stop_if_endless(due);
+}
+
+/// Counts a turn. False: so many have come within a sliver of a frame that its end is not in sight.
+bool Loop::goes_on(const Due& due) {
+  if (now_ > sliver_end_) {
+    sliver_end_ = now_ + sliver * std::min(options_.frame, end_);
+    turns_ = 0;
+  }
+  if (++turns_ <= patience + 16 * static_cast<std::int64_t>(bodies_.size())) return true;
+  stop(due, "time hardly goes on");
+  return false;
 }
 
 void Loop::stop_if_endless(const Due& due) {

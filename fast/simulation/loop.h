@@ -16,8 +16,6 @@
 
 namespace touchstone::fast::world {
 
-inline constexpr std::int64_t patience = 1'000'000;  ///< events at one time, before it is said not to go on
-
 /// Of a pair, a < b.
 inline std::uint64_t key(BodyId a, BodyId b) { return std::uint64_t{a} << 32 | b; }
 
@@ -42,6 +40,7 @@ class Loop {
   void push(const Push& push);
   void attend(const Due& due);
   void stop_if_endless(const Due& due);
+  bool goes_on(const Due& due);
   void meet(const Due& due, const Touch& touch);
   Touch foremost(BodyId a, BodyId b, Touch touch) const;
 
@@ -105,7 +104,8 @@ class Loop {
   double envelope_;
   double reach_;  ///< m; bodies that are held and as near as this to each other are followed together
   double now_ = 0, frame_end_ = 0, end_ = 0;
-  std::int64_t same_time_ = 0;  ///< turns since time moved on
+  double sliver_end_ = 0;   ///< s
+  std::int64_t turns_ = 0;  ///< since time came into this sliver of a frame
   std::int64_t events_ = 0;
   std::vector<Mover> bodies_;
   PairHeap heap_;

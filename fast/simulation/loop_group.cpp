@@ -146,8 +146,11 @@ std::optional<BodyId> Loop::first_to_arrive() const {
 void Loop::arrive(BodyId key) {
   Group& group = groups_.at(key);
   look_until(group.until, false);
-  same_time_ = group.until > now_ ? 0 : same_time_ + 1;
   now_ = std::max(now_, group.until);
+  if (!goes_on(group.joints().empty() ? Due{now_, key, key}
+                                      : Due{now_, group.joints().front().a, group.joints().front().b})) {
+    return;
+  }
   cut(key);
   group.longest *= 2;
 }
@@ -177,7 +180,7 @@ void Loop::begin(BodyId key) {
 
 /// At one foot, as an impact of its pair.
 void Loop::strike_in(const Strike& found) {
-  if (++same_time_ > patience) return stop({now_, found.a, found.b}, "time does not go on");
+  if (!goes_on({now_, found.a, found.b})) return;
   const Mover &a = bodies_[found.a], &b = bodies_[found.b];
   const Coefficients c = coefficients(a, b, scene_->flight->law);
   const Due pair{now_, found.a, found.b};
