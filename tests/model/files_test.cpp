@@ -44,7 +44,8 @@ class SmallDisk {
 
 TEST_CASE("text comes back as it was written") {
   const Folder folder;
-  const std::string text = "a\0b\r\n"s + std::string(200'000, 'x');
+  std::string text = "a\0b\r\n"s;
+  text.append(200'000, 'x');
   write_text(folder / "new", text);
   CHECK(read_text(folder / "new") == text);
   write_text(folder / "new", "");

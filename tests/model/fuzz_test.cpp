@@ -34,7 +34,7 @@ std::string spoiled(std::string text, Bits& bits) {
 }
 
 TEST_CASE("spoiled scenes are refused or read, and what is read survives") {
-  const std::string good = read_text(std::string(HERE) + "/good_scene.json");
+  const std::string good = read_text(HERE "/good_scene.json");
   Bits bits(3);
   int read = 0;
   for (int i = 0; i < 20'000; ++i) {
