@@ -12,9 +12,9 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-constexpr double sliver = 0x1p-10;         // of a frame, or of the flight if that is shorter
-constexpr std::int64_t patience = 20'000;  // turns in a sliver
-constexpr double parts_slowly = 32;        // hops: what is held and parts no faster stays so, until it is apart
+constexpr double sliver = 0x1p-10;        // of a frame, or of the flight if that is shorter
+constexpr std::int64_t patience = 4'000;  // turns in a sliver
+constexpr double parts_slowly = 32;       // hops: what is held and parts no faster stays so, until it is apart
 
 Vec3 on_grid(const Vec3& P, double grid) {
   return grid * (P / grid).unaryExpr([](double x) { return std::floor(x + 0.5); });
@@ -59,9 +59,9 @@ double usual_extent(const std::vector<Mover>& bodies, double frame) {
   return *most;
 }
 
-/// Frames are as long as asked, but never more than 2^20 of them.
+/// Frames are as long as asked, but never more than 2^13 of them.
 double frame_length(const Scene& scene, const SimulationOptions& options) {
-  return std::max(options.frame, flight_of(scene).times.back() * 0x1p-20);
+  return std::max(options.frame, flight_of(scene).times.back() * 0x1p-13);
 }
 
 std::string name(BodyId id) { return "bodies[" + std::to_string(id) + "]"; }
