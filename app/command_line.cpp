@@ -174,8 +174,7 @@ void add_run_options(CLI::App& command, RunOptions& options) {
   command
       .add_option("--stems", options.stems,
                   "mass, bounds, broad_phase, distance, penetration, pixel, impulse; and time_of_impact, simulation, "
-                  "constraint, "
-                  "which are asked when they are named only")
+                  "constraint, which are asked when they are named only")
       ->delimiter(',');
   command.add_option("--properties", options.properties, "Ids (see `list properties`). Default: all of the stems")
       ->delimiter(',');

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "fast/lin_canny/parting_normals.h"
+
 namespace touchstone::fast::constraint {
 namespace {
 
@@ -89,25 +91,14 @@ double apart_along(const Mover& A, const Mover& B, const Vec3& n) { return least
 Vec3 separating(const Mover& A, const Mover& B) {
   Vec3 best = Vec3::UnitZ();
   double widest = -std::numeric_limits<double>::infinity();
-  const auto look = [&](const Vec3& n) {
-    const double width = apart_along(A, B, n);
-    if (width > widest) {
-      widest = width;
-      best = n;
-    }
+  const auto core = [](const Mover& body) {
+    return lin_canny::placed(body.convex(), lin_canny::Station(body.pose()), Vec3::Zero());
   };
-  const lin_canny::Hull &of_A = A.convex().core, &of_B = B.convex().core;
-  for (int f = 0; f < of_A.face_count(); ++f) look(-(A.R_WB() * of_A.face(f).normal));
-  for (int f = 0; f < of_B.face_count(); ++f) look(B.R_WB() * of_B.face(f).normal);
-  for (int i = 0; i < of_A.edge_count(); ++i) {
-    for (int j = 0; j < of_B.edge_count(); ++j) {
-      const Vec3 n = (A.R_WB() * of_A.edge(i).along).cross(B.R_WB() * of_B.edge(j).along);
-      const double size = n.norm();
-      if (!(size > 0)) continue;
-      look(n / size);
-      look(-n / size);
-    }
-  }
+  lin_canny::any_parting_normal(core(A), core(B), [&](const Vec3& n) {
+    const double width = apart_along(A, B, n);
+    if (width > widest) widest = width, best = n;
+    return false;
+  });
   return best;
 }
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "fast/lin_canny/parting_normals.h"
+
 namespace touchstone::fast::contact {
 namespace {
 
@@ -129,22 +131,11 @@ std::vector<Foot> feet_without_face(const Part& A, const Outline& of_A, const Pa
 Vec3 best_of_planes(const Part& A, const Part& B) {
   Vec3 best = Vec3::UnitZ();
   double widest = -std::numeric_limits<double>::infinity();
-  const auto look = [&](const Vec3& n) {
+  lin_canny::any_parting_normal(A.core, B.core, [&](const Vec3& n) {
     const double wide = apart(A, B, n);
     if (wide > widest) widest = wide, best = n;
-  };
-  const lin_canny::Hull &of_A = *A.core.hull, &of_B = *B.core.hull;
-  for (int f = 0; f < of_A.face_count(); ++f) look(-A.core.turned_out(of_A.face(f).normal));
-  for (int f = 0; f < of_B.face_count(); ++f) look(B.core.turned_out(of_B.face(f).normal));
-  for (int i = 0; i < of_A.edge_count(); ++i) {
-    for (int j = 0; j < of_B.edge_count(); ++j) {
-      const Vec3 n = A.core.turned_out(of_A.edge(i).along).cross(B.core.turned_out(of_B.edge(j).along));
-      const double size = n.norm();
-      if (!(size > 0x1p-20 * of_A.edge(i).along.norm() * of_B.edge(j).along.norm())) continue;
-      look(n / size);
-      look(-n / size);
-    }
-  }
+    return false;
+  });
   return best;
 }
 

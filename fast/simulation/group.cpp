@@ -69,12 +69,16 @@ void Group::strike(BodyId id, const Velocity& velocity) {
 
 void Group::set_pull(BodyId id, const Vec3& pull) { member(id).pull = pull; }
 
+void Group::sort_joints() {
+  std::ranges::stable_sort(joints_, {}, [](const Joint& j) { return std::tuple(j.a, j.b, j.part_a, j.part_b); });
+}
+
 void Group::absorb(const Group& other) {
   for (const Rider& rider : other.riders_) {
     if (!has(rider.id)) add(rider);
   }
   joints_.insert(joints_.end(), other.joints_.begin(), other.joints_.end());
-  std::ranges::stable_sort(joints_, {}, [](const Joint& j) { return std::tuple(j.a, j.b, j.part_a, j.part_b); });
+  sort_joints();
   longest = std::min(longest, other.longest);
 }
 
@@ -97,7 +101,7 @@ bool Group::link(BodyId id_a, BodyId id_b) {
       if (renew(joint)) joints_.push_back(std::move(joint));
     }
   }
-  std::ranges::stable_sort(joints_, {}, [](const Joint& j) { return std::tuple(j.a, j.b, j.part_a, j.part_b); });
+  sort_joints();
   return holds(a, b);
 }
 

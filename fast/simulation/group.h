@@ -49,6 +49,7 @@ class Group {
 
   const std::vector<Rider>& riders() const { return riders_; }
   std::vector<Joint>& joints() { return joints_; }
+  const std::vector<Joint>& joints() const { return joints_; }
   bool has(BodyId id) const;
   bool holds(BodyId a, BodyId b) const;
   BodyId key() const;  ///< its first body that moves
@@ -102,6 +103,7 @@ class Group {
   bool waits = true;       ///< its next step has not begun
 
  private:
+  void sort_joints();
   contact::Member& member(BodyId id);
   std::size_t index(BodyId id) const;
   std::vector<contact::Member> members() const;

@@ -61,6 +61,7 @@ class Loop {
   bool follows_steps(BodyId id) const { return bodies_[id].fixed() || group_of_[id]; }
   State state(BodyId id) const;
   double hop_of(BodyId a, BodyId b) const;
+  double least_hop(const Group& group) const;  ///< of its pairs
   double swing(BodyId a, BodyId b) const;
   Rider rider(BodyId id);
   void cut(BodyId id);

@@ -38,6 +38,12 @@ double Loop::hop_of(BodyId a, BodyId b) const {
   return least_speed(pull > 0 ? pull : swing(a, b), envelope_);
 }
 
+double Loop::least_hop(const Group& group) const {
+  double least = never;
+  for (const Joint& joint : group.joints()) least = std::min(least, hop_of(joint.a, joint.b));
+  return least;
+}
+
 /// Ends the step that the body's group is taking here and now.
 void Loop::cut(BodyId id) {
   Group* group = group_of(id);
@@ -147,10 +153,8 @@ void Loop::arrive(BodyId key) {
   Group& group = groups_.at(key);
   look_until(group.until, false);
   now_ = std::max(now_, group.until);
-  if (!goes_on(group.joints().empty() ? Due{now_, key, key}
-                                      : Due{now_, group.joints().front().a, group.joints().front().b})) {
-    return;
-  }
+  const Joint& first = group.joints().front();
+  if (!goes_on({now_, first.a, first.b})) return;
   cut(key);
   group.longest *= 2;
 }
@@ -161,9 +165,7 @@ void Loop::begin(BodyId key) {
   Group& group = groups_.at(key);
   const std::optional<Strike> strike_now = group.foremost();
   if (strike_now && strike_now->u_n < -slow * hop_of(strike_now->a, strike_now->b)) return strike_in(*strike_now);
-  double least_hop = never;
-  for (const Joint& joint : group.joints()) least_hop = std::min(least_hop, hop_of(joint.a, joint.b));
-  const std::vector<Joint> parted = group.part(lets_go * least_hop);
+  const std::vector<Joint> parted = group.part(lets_go * least_hop(group));
   std::vector<Group> left = group.components();
   std::vector<Rider> riders = group.riders();
   groups_.erase(key);
@@ -207,9 +209,7 @@ void Loop::settle(BodyId key) {
   const bool begins =
       std::ranges::any_of(group.joints(), [](const Joint& joint) { return !joint.told && !joint.feet.empty(); });
   if (begins) group.land();
-  double least_hop = never;
-  for (const Joint& joint : group.joints()) least_hop = std::min(least_hop, hop_of(joint.a, joint.b));
-  if (group.stands(still * least_hop)) {
+  if (group.stands(still * least_hop(group))) {
     group.until = never;
     group.margin = 0;
   } else {

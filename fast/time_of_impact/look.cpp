@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "fast/lin_canny/bracket.h"
+#include "fast/lin_canny/parting_normals.h"
 #include "fast/lin_canny/surround.h"
 #include "fast/time_of_impact/common_middle.h"
 
@@ -149,28 +150,15 @@ Slab Look::best_slab(const FeaturePair& before, const Vec3& known) const {
 std::optional<Slab> Look::parting() const {
   const Placed &A = A_.core, &B = B_.core;
   const double radii = A_.radius + B_.radius, rounding = lin_canny::rounding(A, B);
-  const auto parts = [&](const Vec3& n) -> std::optional<Slab> {
-    if (!(gap(A, B, n) > radii - 8 * rounding)) return std::nullopt;
-    Slab slab(A_, B_, n, Vec3::Zero(), A.t);
-    return slab.parts() ? std::optional(slab) : std::nullopt;
-  };
-  for (int f = 0; f < A.hull->face_count(); ++f) {
-    if (const auto found = parts(A.turned_out(A.hull->face(f).normal))) return found;
-  }
-  for (int f = 0; f < B.hull->face_count(); ++f) {
-    if (const auto found = parts(-B.turned_out(B.hull->face(f).normal))) return found;
-  }
-  for (int i = 0; i < A.hull->edge_count(); ++i) {
-    const Vec3 e = A.turned_out(A.hull->edge(i).along).normalized();
-    for (int j = 0; j < B.hull->edge_count(); ++j) {
-      const Vec3 n = e.cross(B.turned_out(B.hull->edge(j).along).normalized());
-      if (!(n.norm() > 0x1p-20)) continue;
-      for (const Vec3& m : {Vec3(n.normalized()), Vec3(-n.normalized())}) {
-        if (const auto found = parts(m)) return found;
-      }
-    }
-  }
-  return std::nullopt;
+  std::optional<Slab> found;
+  lin_canny::any_parting_normal(A, B, [&](const Vec3& from_B) {
+    const Vec3 n = -from_B;
+    if (!(gap(A, B, n) > radii - 8 * rounding)) return false;
+    const Slab slab(A_, B_, n, Vec3::Zero(), A.t);
+    if (slab.parts()) found = slab;
+    return found.has_value();
+  });
+  return found;
 }
 
 double Look::greatest_speed() const {

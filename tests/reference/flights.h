@@ -31,7 +31,7 @@ inline Scene ballistic_pair(Dice& dice, int n, double spin = 5) {
   const Vec3 away = 4 * dice.in_cube().normalized();
   for (int i = 0; i < 2; ++i) {
     Body hull = body(round_hull(dice, n), i * away, random_quaternion(dice));
-    hull.name = i == 0 ? "A" : "B";
+    hull.name = std::string(1, i == 0 ? 'A' : 'B');
     hull.mass = round_mass();
     hull.velocity.v_WBcm = (i == 0 ? 1 : -1) * (1 + dice.unit()) * away / 2 + dice.in_cube();
     hull.velocity.w_WB = spin * dice.in_cube();
