@@ -162,7 +162,10 @@ std::string within_a_day(const std::string& word) { return seconds_up_to(86400, 
 std::string within_an_age(const std::string& word) { return seconds_up_to(1e9, word); }
 
 void add_time_limit(CLI::App& command, double& seconds) {
-  command.add_option("--time-limit", seconds, "CPU seconds that a subject may take for one question")
+  command
+      .add_option("--time-limit", seconds,
+                  "CPU seconds that a subject may take for one question; ten times as many for one of simulation or "
+                  "constraint")
       ->check(within_a_day)
       ->capture_default_str();
 }
@@ -276,7 +279,9 @@ void add_simulate(CLI::App& program, Options& options) {
   command->add_option("--until", words.until, "Seconds. Default: the end of the scene's flight")->check(within_an_age);
   command->add_option("--out", words.out, "Write the events to this file, a JSON object a line");
   command->add_option("--replay", words.replay, "Write a page that shows the bodies to this file");
-  add_time_limit(*command, words.time_limit);
+  command->add_option("--time-limit", words.time_limit, "CPU seconds that the engine may take")
+      ->check(within_a_day)
+      ->capture_default_str();
   command->footer(simulate_footer);
   command->callback([&options] { options.chosen = [&] { return simulate(options.simulate); }; });
 }

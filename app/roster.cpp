@@ -21,6 +21,7 @@ oracle::PipeLimits limits_of(double time_limit) {
   oracle::PipeLimits limits;
   limits.cpu_seconds = time_limit;
   limits.wall_seconds = 10 * time_limit;
+  limits.flights = 10;
   return limits;
 }
 

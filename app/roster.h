@@ -10,7 +10,8 @@
 
 namespace touchstone::app {
 
-/// So much CPU time a question, s; ten times as much by the clock, for one that sleeps.
+/// So much CPU time a question, s, and ten times as much for a flight's many impacts; by the clock ten times as much as
+/// that, for one that sleeps.
 oracle::PipeLimits limits_of(double time_limit);
 
 /// NAME (a program beside ours), exec:COMMAND LINE, or inproc:reference and inproc:fast. Throws InputError.

@@ -195,6 +195,7 @@ int simulate(const SimulateCommand& command) {
     asked.flight->times = with_frames(scene);
   }
   oracle::PipeLimits limits = limits_of(command.time_limit);
+  limits.flights = 1;
   limits.longest_line = std::size_t{1} << 30;
   limits.given_up = interrupted;
   const bool constraint = command.engine == "constraint";

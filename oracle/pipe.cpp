@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <concepts>
 
 #include "model/json.h"
 #include "oracle/protocol.h"
@@ -90,9 +91,10 @@ Answer<T> PipeSubject::ask(const std::string& query, const Scene& scene) {
     }
   }
   ++asked_;
-  const auto said =
-      child_->exchange(protocol::ask(++seq_, query, text_of(scene)),
-                       {limits_.cpu_seconds, limits_.wall_seconds, limits_.longest_line, limits_.given_up});
+  const double times = std::same_as<T, Trajectory> ? limits_.flights : 1;
+  const auto said = child_->exchange(
+      protocol::ask(++seq_, query, text_of(scene)),
+      {times * limits_.cpu_seconds, times * limits_.wall_seconds, limits_.longest_line, limits_.given_up});
   if (const Breaks* breaks = std::get_if<Breaks>(&said)) {
     child_.reset();
     return *breaks;

@@ -14,6 +14,7 @@ namespace touchstone::oracle {
 struct PipeLimits {
   double cpu_seconds = 2;                            ///< of the subject's own time a question; beyond it, it hangs
   double wall_seconds = 20;                          ///< a question; the backstop for one that sleeps
+  double flights = 1;                                ///< both, times this, for a question of simulation or constraint
   int recycle_after = 0;                             ///< questions, then a fresh process; 0: never
   std::size_t longest_line = std::size_t{64} << 20;  ///< bytes; a longer answer is garbage
   bool (*given_up)() = nullptr;  ///< asked again and again: does nobody wait for the answer any more?

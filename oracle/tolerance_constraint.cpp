@@ -57,9 +57,10 @@ double granted_step(const Scene& scene) { return scene.flight->times.back() / st
 // by 2 V/rate + δ where slip stops; δ, since it is seen in a step. In that time the other acceleration acts: V += 2 A
 // s, A the greater of both. (The time-stepper lingers at an edge by a step or two: in 2 A δ.) An impact maps velocities
 // by e along n̂, and across by one of: u_t stops (no factor above 1), or −μ P_n/m û, which is (1 + e) μ |u_n| û with a
-// slip that stays > that: factor 1 + 2 (1 + e) μ ≤ 1 + 4 μ. Then n̂ is off by X·curvature, the impulse with it: V := (2
-// + 4 μ) V + 2 kick curvature X. Its place error: along n̂ it becomes e times as much; across, by the tangential kick
-// that acts late, ≤ μ of the normal one: X := (1 + μ) X + kick δ.
+// slip that stays > that: factor 1 + 2 (1 + e) μ ≤ 1 + 4 μ. Then n̂ is off by curvature times X and times the way
+// of a step, from which the box may be seen, the impulse with it: V := (2 + 4 μ) V + 2 kick curvature (X + |v| δ). Its
+// place error: along n̂ it becomes e times as much; across, by the tangential kick that acts late, ≤ μ of the normal
+// one: X := (1 + μ) X + kick δ.
 //
 // All of this as long as the approximate ball does the same as the exact one: it does, if X stays below the distance to
 // any other change, and V below half the rate of each crossing (and, off an edge, below half of what v² has over g r:
@@ -72,7 +73,7 @@ std::vector<RollingBound> rolling(const Scene& scene, const reference::Constrain
   double A = truth.pull, clear = of_lasting(truth.clear), from = 0;
   double X = envelope(scene) + roundings * unit_roundoff(precision) * way;
   double V = A * delta + (roundings * unit_roundoff(precision) + envelope(scene) / r) * truth.speed;
-  double shift = delta;  // of the last change's time
+  double shift = delta;         // of the last change's time
   double unsure_until = delta;  // the last change may come as late as this
   std::vector<RollingBound> bounds;
   const auto look_until = [&](double end, double early, double kick) {
@@ -101,7 +102,7 @@ std::vector<RollingBound> rolling(const Scene& scene, const reference::Constrain
     if (!same_time) shift = early;
     V += 2 * std::max(A, change.pull) * shift;
     if (change.kind == Event::Kind::impact) {
-      V = (2 + 4 * mu) * V + 2 * change.kick * change.curvature * X;
+      V = (2 + 4 * mu) * V + 2 * change.kick * change.curvature * (X + truth.speed * delta);
       X = (1 + mu) * X + change.kick * delta;
     }
     if (change.mode == Mode::slides) V *= 2;

@@ -128,12 +128,13 @@ Manifold manifold(const Mover& A, const Mover& B, const lin_canny::Proximity& ne
   if (of_A.cosine > faces_meet && of_B.cosine > faces_meet) {
     made.points = common(corners(A, of_A.face), of_A.normal_W, corners(B, of_B.face), n);
   }
-  if (!made.points.empty()) return made;
-  if (near.verdict == Verdict::separated) {
-    made.points = {{(near.p_WCa + near.p_WCb) / 2, near.distance}};
-  } else {
-    made.points = {{near.p_WCa, apart_along(A, B, n)}};
+  if (made.points.empty()) {
+    const bool apart = near.verdict == Verdict::separated;
+    const double gap = apart ? near.distance : apart_along(A, B, n);
+    made.points = {{apart ? Vec3((near.p_WCa + near.p_WCb) / 2) : Vec3(near.p_WCa - gap / 2 * n), gap}};
   }
+  const double from_middle = A.is_fixed() ? -0.5 : B.is_fixed() ? 0.5 : 0;
+  for (ContactPoint& point : made.points) point.p_WC += from_middle * point.gap * n;
   return made;
 }
 

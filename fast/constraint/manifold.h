@@ -9,6 +9,8 @@
 
 namespace touchstone::fast::constraint {
 
+/// Where the gap is: of one that moves over one that is fixed, its own point, which is where it will be pushed; of two
+/// that move, the middle, so that what turns one turns the other as much the other way.
 struct ContactPoint {
   Vec3 p_WC = Vec3::Zero();
   double gap = 0;  ///< along the normal, m; < 0 where they overlap

@@ -16,6 +16,7 @@ using Kind = Feature::Kind;
 constexpr double is_normal = 1 - 0x1p-41;    // cos 2⁻²⁰
 constexpr double looks_along = 0.9;          // cos 25°
 constexpr double is_parallel = 0x1p-10;      // sine between two edges that have no one crossing
+constexpr double rounds = 0x1p-48;           // of the sizes
 constexpr double tells_direction = 0x1p-34;  // of the sizes: a way that is longer has a direction beyond rounding
 
 /// Vertices that are outermost along −n, as a polygon seen against n, with the face behind them if they are three.
@@ -187,8 +188,11 @@ Vec3 parting(const Part& A, const Part& B, const lin_canny::Proximity& near) {
   const bool is_true = near.verdict != Verdict::overlapping || A.is_ball() || B.is_ball();
   const bool tells = is_true && far > tells_direction * size;
   const Vec3 n = tells ? Vec3(way / far) : best_of_planes(A, B);
-  const std::vector<Vec3> faces = faces_within(A, B, n, is_normal);
-  return faces.empty() ? n : faces.front();
+  const double least = apart(A, B, n) - rounds * size;
+  for (const Vec3& face : faces_within(A, B, n, is_normal)) {
+    if (apart(A, B, face) >= least) return face;
+  }
+  return n;
 }
 
 }  // namespace touchstone::fast::contact

@@ -46,7 +46,8 @@ Foot foot_between(const Part& A, const Vec3& p_Wa, const Part& B, const Vec3& p_
 std::vector<Vec3> faces_along(const Part& A, const Part& B, const Vec3& nhat_BA_W);
 
 /// The direction of the shortest way between the two; of two that touch, that of a face, or across an edge of each,
-/// that keeps them apart best. A face's normal that is within 2⁻²⁰ of it, exactly.
+/// that keeps them apart best. In its place a face's normal that is within 2⁻²⁰ of it, if that keeps them apart as
+/// well.
 Vec3 parting(const Part& A, const Part& B, const lin_canny::Proximity& near);
 
 }  // namespace touchstone::fast::contact

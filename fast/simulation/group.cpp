@@ -105,12 +105,17 @@ bool Group::link(BodyId id_a, BodyId id_b) {
   return holds(a, b);
 }
 
-/// That of its feet as the two stand, if it has any: they have not gone far since.
+/// That of its feet as the two stand, if it has any: they have not gone far since. But where these say that the two
+/// overlap, it is another one by now: an edge's end, say, hangs over a face's side.
 Vec3 Group::normal(const Joint& joint, const contact::Part& A, const State& at_a, const contact::Part& B,
                    const State& at_b) const {
   if (joint.feet.empty()) return contact::parting(A, B, proximity_of(A, at_a, B, at_b));
   const contact::Foot& foot = joint.feet.front();
-  return ruling(A, B, nearness(foot.a, A.body, foot.b, B.body, joint.nhat_BA_W).nhat_BA_W);
+  const Vec3 n = ruling(A, B, nearness(foot.a, A.body, foot.b, B.body, joint.nhat_BA_W).nhat_BA_W);
+  const double wide = apart(A, B, n);
+  if (wide >= -near_ / 4) return n;
+  const Vec3 other = contact::parting(A, B, proximity_of(A, at_a, B, at_b));
+  return apart(A, B, other) > wide ? other : n;
 }
 
 /// Its normal and feet, as the two stand; false: they are out of reach.

@@ -12,9 +12,10 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-constexpr double sliver = 0x1p-10;        // of a frame, or of the flight if that is shorter
-constexpr std::int64_t patience = 4'000;  // turns in a sliver
-constexpr double parts_slowly = 32;       // hops: what is held and parts no faster stays so, until it is apart
+constexpr double sliver = 0x1p-10;          // of a frame, or of the flight if that is shorter
+constexpr std::int64_t patience = 4'000;    // turns in a sliver
+constexpr std::int64_t lost_patience = 64;  // turns that one counts for in which contact changes faster than time can
+constexpr double parts_slowly = 32;         // hops: what is held and parts no faster stays so, until it is apart
 
 Vec3 on_grid(const Vec3& P, double grid) {
   return grid * (P / grid).unaryExpr([](double x) { return std::floor(x + 0.5); });
@@ -217,7 +218,9 @@ void Loop::watch_later(const Due& due) {
            (m.fixed() || m.kind() != Kind::other ? 0 : m.flight().rate() * m.radius());
   };
   const double speed = pace(bodies_[due.a], now_) + pace(bodies_[due.b], now_);
-  watch(due.a, due.b, now_ + std::max(envelope_ / 16 / speed, now_ * 0x1p-51));
+  const double step = envelope_ / 16 / speed, grain = now_ * 0x1p-51;
+  if (step < grain) turns_ += lost_patience;
+  watch(due.a, due.b, now_ + std::max(step, grain));
 }
 
 /// A meeting is an impact, unless it is so slow that the hop after it would stay within the envelope: then the body

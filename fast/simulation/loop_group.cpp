@@ -159,12 +159,10 @@ void Loop::arrive(BodyId key) {
   group.longest *= 2;
 }
 
-/// What follows for a group that stands at now: a foot that comes down strikes, joints that part are let go; who is
-/// left rests, stands, or takes a step.
+/// What follows for a group that stands at now: joints that part are let go; of who is left, a foot that comes down
+/// strikes; else they rest, stand, or take a step.
 void Loop::begin(BodyId key) {
   Group& group = groups_.at(key);
-  const std::optional<Strike> strike_now = group.foremost();
-  if (strike_now && strike_now->u_n < -slow * hop_of(strike_now->a, strike_now->b)) return strike_in(*strike_now);
   const std::vector<Joint> parted = group.part(lets_go * least_hop(group));
   std::vector<Group> left = group.components();
   std::vector<Rider> riders = group.riders();
@@ -201,9 +199,11 @@ void Loop::fly_off(const Rider& rider, const std::vector<Joint>& parted) {
   watch_all(rider.id, rider.id);
 }
 
-/// A group whose joints hold: in closed form, standing, or by a step.
+/// A group whose joints hold: a strike, and no more now; or in closed form, standing, or by a step.
 void Loop::settle(BodyId key) {
   Group& group = groups_.at(key);
+  const std::optional<Strike> strike_now = group.foremost();
+  if (strike_now && strike_now->u_n < -slow * hop_of(strike_now->a, strike_now->b)) return strike_in(*strike_now);
   if (rests_alone(group)) return;
   const double before = group.energy();
   const bool begins =

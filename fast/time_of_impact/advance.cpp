@@ -58,7 +58,7 @@ class Advance {
       const bool is_good = look.slab().is_clear() || look.slab().parts();
       if (const auto slab = is_good ? std::optional(look.slab()) : t_ == from_ ? look.parting() : std::nullopt) {
         const double before = t_;
-        if (!go_on(slab->clear_until(left()))) return apart();
+        if (!go_on(look.clear_until(*slab, left()))) return apart();
         if (t_ > before) continue;
       }
       if (const std::optional<Meeting> met = touch(look)) return *met;

@@ -92,10 +92,25 @@ Vec3 Pair::in_W(const Vec3& p, double t) const {
 }
 
 Look::Look(const Pair& pair, double t, FeaturePair& memory, const Vec3& known)
-    : A_(side(pair.a, pair.part_A, t, pair.O)),
+    : pair_(pair),
+      t_(t),
+      A_(side(pair.a, pair.part_A, t, pair.O)),
       B_(side(pair.b, pair.part_B, t, pair.O)),
       walked_(walked(A_.core, B_.core, memory)),
       slab_(best_slab(memory, known)) {}
+
+double Look::clear_until(const Slab& slab, double h_max) const {
+  double h = slab.clear_until(h_max);
+  const auto however_turned = [&](const motion::Flight& flight, auto&& slab_of) {
+    if (h < h_max && slab.gap() > flight.flyer().radius) {
+      h = std::max(h, slab_of(ball_around(flight, t_, pair_.O)).clear_until(h_max));
+    }
+  };
+  const Vec3 &n = slab.direction(), at_rest = Vec3::Zero();
+  however_turned(pair_.a, [&](const Side& ball) { return Slab(ball, B_, n, at_rest, ball.core.t); });
+  however_turned(pair_.b, [&](const Side& ball) { return Slab(A_, ball, n, at_rest, ball.core.t); });
+  return h;
+}
 
 /// How fast the direction n, which the closest features name, turns with them: with a face, or an edge that a vertex
 /// faces; with two edges e, f as their product does; with two points that stay apart by their radii as their difference

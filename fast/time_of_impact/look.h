@@ -29,6 +29,9 @@ class Look {
   Look(const Pair& pair, double t, lin_canny::FeaturePair& memory, const Vec3& known);
 
   const Slab& slab() const { return slab_; }
+  /// As Slab::clear_until, which three terms of a turn limit to about a radian; a body that is farther away than it is
+  /// long may turn as it likes.
+  double clear_until(const Slab& slab, double h_max) const;
   /// At contact, where several planes keep the two apart: one across which they part.
   std::optional<Slab> parting() const;
   /// ≥ the speed of any point of one, seen from any of the other (m/s).
@@ -45,6 +48,8 @@ class Look {
   Slab best_slab(const lin_canny::FeaturePair& before, const Vec3& known) const;
   Vec3 turn_of_features(const Vec3& n) const;
 
+  const Pair& pair_;
+  double t_;
   Side A_, B_;
   lin_canny::Walked walked_;
   Slab slab_;

@@ -37,4 +37,20 @@ Side side(const motion::Flight& flight, std::size_t part, double t, const motion
   return s;
 }
 
+Side ball_around(const motion::Flight& flight, double t, const motion::Origin& O) {
+  static const lin_canny::Hull point(Vec3::Zero());
+  const motion::Centre centre = flight.centre(t, O);
+  Side s;
+  s.core.hull = &point;
+  s.core.t = centre.p_WOBcm;
+  s.core.turn_error = 0;
+  s.core.shift_error = centre.error + 2 * u * s.core.t.lpNorm<1>();
+  s.radius = flight.flyer().radius;
+  s.v = centre.v_WBcm;
+  s.slope_error = centre.v_error + 4 * u * s.v.lpNorm<1>();
+  s.acceleration = flight.acceleration() - O.a_WO;
+  s.bend_error = 128 * u * s.acceleration.lpNorm<1>();
+  return s;
+}
+
 }  // namespace touchstone::fast::meeting

@@ -25,4 +25,7 @@ struct Side {
 /// Part `part` of the flight's body at time t, in W's axes, seen from O.
 Side side(const motion::Flight& flight, std::size_t part, double t, const motion::Origin& O);
 
+/// The ball around its centre of mass in which the body stays, however it turns.
+Side ball_around(const motion::Flight& flight, double t, const motion::Origin& O);
+
 }  // namespace touchstone::fast::meeting
