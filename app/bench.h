@@ -17,8 +17,8 @@ struct BenchOptions {
 /// The comparisons that there are.
 std::vector<std::string> benches();
 
-/// Prints the table; writes NAME.csv, NAME.svg and NAME.txt (the table) to the folder, some a page NAME.md too. The exit code. Throws InputError
-/// if the comparison was not built.
+/// Prints the table; writes NAME.csv, NAME.svg and NAME.txt (the table) to the folder, some a page NAME.md too. The
+/// exit code. Throws InputError if the comparison was not built.
 int bench(const BenchOptions& options);
 
 }  // namespace touchstone::app

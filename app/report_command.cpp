@@ -33,11 +33,6 @@ std::set<std::string> known_stems() {
   return stems;
 }
 
-/// The stems of motion are asked when they are named: their truth costs milliseconds to seconds a scene.
-bool of_motion(const std::string& stem) {
-  return stem == "time_of_impact" || stem == "simulation" || stem == "constraint";
-}
-
 std::vector<std::string> chosen_properties(const RunOptions& options) {
   const std::set<std::string> known = known_stems();
   for (const std::string& stem : options.stems) {
@@ -47,8 +42,7 @@ std::vector<std::string> chosen_properties(const RunOptions& options) {
   for (const std::string& id : options.properties) properties::find(id);
   std::vector<std::string> chosen;
   for (const properties::Property& property : properties::all()) {
-    const bool by_default = !of_motion(property.stem) || !options.properties.empty();
-    const bool of_stems = options.stems.empty() ? by_default : std::ranges::count(options.stems, property.stem) > 0;
+    const bool of_stems = options.stems.empty() || std::ranges::count(options.stems, property.stem) > 0;
     const bool named = options.properties.empty() || std::ranges::count(options.properties, property.id) > 0;
     if (of_stems && named) chosen.push_back(property.id);
   }
@@ -64,6 +58,7 @@ Effort chosen_effort(const RunOptions& options, std::size_t subjects) {
     effort.more_impacts = 0;
   } else if (subjects == 1) {
     effort.cases = effort.cases_alone;
+    effort.runs = effort.runs_alone;
   } else {
     effort.more_impacts = 0;
   }

@@ -25,7 +25,8 @@ struct RunOptions {
 /// Writes index.html, report.json, junit.xml and cases/ into `out`. 0 whatever it found; 130 if interrupted.
 int report(const RunOptions& options);
 
-/// One line a failing row; of one subject by itself, each stem's largest error and its case. 0 if every property holds, 1 if one fails or breaks; 130 if interrupted.
+/// One line a failing row; of one subject by itself, each stem's largest error and its case. 0 if every property holds,
+/// 1 if one fails or breaks; 130 if interrupted.
 int check(const RunOptions& options);
 
 }  // namespace touchstone::app
