@@ -145,8 +145,9 @@ Quaternion Tumble::turn_in(double periods) {
 /// by in it, and in when the last one begins.
 Tumble::Now Tumble::at(double tau) {
   const double time = tau * scale_, late = 4 * u * time;
-  const double periods = std::min(std::floor(time / period_.length), 0x1p53);
-  Now now = within(std::max(0.0, time - periods * period_.length));
+  constexpr double most = 0x1p53;  // so late that doubles do not tell where in a period
+  const double periods = std::min(std::floor(time / period_.length), most);
+  Now now = within(periods < most ? std::max(0.0, time - periods * period_.length) : 0);
   double error = now.error + 2 * late, w_error = now.w_error + 2 * late;
   if (periods > 0) {
     if (turns_.empty()) {

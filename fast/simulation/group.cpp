@@ -207,7 +207,8 @@ std::vector<Joint> Group::part(double slow) {
 Strike Group::strike_at(const Joint& joint, const contact::Foot& foot) const {
   const Rider &A = riders_[index(joint.a)], &B = riders_[index(joint.b)];
   const contact::Nearness near = nearness(foot.a, A.member.stance(), foot.b, B.member.stance(), joint.nhat_BA_W);
-  const Touch touch{near.gap, near.p_WC - near.gap / 2 * near.nhat_BA_W, near.nhat_BA_W};
+  const Vec3 n = near.nhat_BA_W.normalized();  // a plane's may be off by a few u
+  const Touch touch{near.gap, near.p_WC - near.gap / 2 * n, n};
   return {joint.a, joint.b, touch, approach(*A.body, A.member.state, *B.body, B.member.state, touch)};
 }
 

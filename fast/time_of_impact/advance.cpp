@@ -117,7 +117,7 @@ class Advance {
 
   Meeting hit(const Look& look, double hi) const {
     const double lo = doubt_ ? doubt_->from : t_;
-    return {Kind::hit, lo, hi, 0, pair_.in_W(look.middle(), t_), -look.slab().direction()};
+    return {Kind::hit, lo, hi, 0, pair_.in_W(look.middle(), t_), -look.across()};
   }
   Meeting apart() const {
     if (doubt_) return doubtful(doubt_->from, doubt_->until, doubt_->gap);

@@ -208,8 +208,15 @@ bool Look::overlap(const Look& before) const {
 
 /// Of the features' closest points, each moved out by its radius along n. Inside, where nothing was measured, the point
 /// of the lesser feature.
+/// The slab's direction may be one that was good a moment ago.
+Vec3 Look::across() const {
+  if (walked_.inside || !(A_.radius + B_.radius > 0)) return slab_.direction();
+  const Vec3 n = lin_canny::separating_direction(A_.core, B_.core, walked_.closest);
+  return n.isZero(0) ? slab_.direction() : n;
+}
+
 Vec3 Look::middle() const {
-  const Vec3& n = slab_.direction();
+  const Vec3 n = across();
   if (!walked_.inside) {
     const lin_canny::Bracket found = lin_canny::bracket(A_.core, B_.core, walked_.closest);
     return ((found.a + A_.radius * n) + (found.b - B_.radius * n)) / 2;

@@ -41,6 +41,8 @@ class Look {
   /// A point that both surely have: proved, not likely. `before`: an earlier look, whose closest points have gone along
   /// with their bodies; one of them may be inside the other by now.
   bool overlap(const Look& before) const;
+  /// Unit, from A to B: of the shortest way where one has a radius, else the slab's.
+  Vec3 across() const;
   /// Midway between the closest points, in the pair's frame.
   Vec3 middle() const;
 

@@ -1,0 +1,44 @@
+// Flights that once went wrong.
+#include <filesystem>
+
+#include "fast/constraint.h"
+#include "fast/simulation.h"
+#include "fast/time_of_impact.h"
+#include "oracle/case.h"
+#include "oracle/subject.h"
+#include "properties/property.h"
+#include "tests/catch.h"
+
+namespace touchstone::fast {
+namespace {
+
+class Fast : public oracle::Subject {
+ public:
+  Fast() { card_.name = "fast"; }
+  const oracle::Card& card() const override { return card_; }
+  Answer<TimeOfImpact> time_of_impact(const Scene& scene) override { return time_of_impact_of(scene); }
+  Answer<Trajectory> simulation(const Scene& scene) override { return fast::simulation(scene); }
+  Answer<Trajectory> constraint(const Scene& scene) override { return constrained(scene, {}); }
+
+ private:
+  oracle::Card card_;
+};
+
+TEST_CASE("flights of the corpus: what once went wrong holds") {
+  Fast fast;
+  for (const char* stem : {"time_of_impact", "simulation", "constraint"}) {
+    int cases = 0;
+    for (const auto& entry :
+         std::filesystem::directory_iterator(std::filesystem::path(TOUCHSTONE_SOURCE) / "properties/corpus" / stem)) {
+      const oracle::Case asked = oracle::read_case(entry.path().string());
+      const oracle::Finding found = properties::find(asked.property).check(asked.scene, fast);
+      INFO(entry.path().string() << ": " << found.observed << " for " << found.expected);
+      CHECK(found.outcome == oracle::Outcome::holds);
+      ++cases;
+    }
+    CHECK(cases >= 1);
+  }
+}
+
+}  // namespace
+}  // namespace touchstone::fast
