@@ -175,9 +175,9 @@ void add_run_options(CLI::App& command, RunOptions& options) {
                      "Who is on trial: names (see `list subjects`), exec:COMMAND LINE, inproc:reference, inproc:fast. "
                      "Default: all that stand beside the program");
   command
-      .add_option(
-          "--stems", options.stems,
-          "mass, bounds, broad_phase, distance, penetration, pixel, impulse, time_of_impact, simulation, constraint")
+      .add_option("--stems", options.stems,
+                  "mass, bounds, broad_phase, distance, penetration, pixel, impulse; and time_of_impact, simulation, "
+                  "constraint, which are asked when they are named only")
       ->delimiter(',');
   command.add_option("--properties", options.properties, "Ids (see `list properties`). Default: all of the stems")
       ->delimiter(',');
@@ -186,8 +186,8 @@ void add_run_options(CLI::App& command, RunOptions& options) {
           "--effort", options.effort,
           "How many scenes, how long a failing one is cut down. standard: 4,000 a stem; of one subject by "
           "itself 100,000, and 1,356,000 impacts more for the properties that need one answer. Of simulation and "
-          "constraint at most 30 scenes at quick, 1,000 at standard, 10,000 at soak; by itself four times as "
-          "many from standard on")
+          "constraint at most 30 scenes at quick, 1,000 at standard, 10,000 at soak; of simulation by itself "
+          "four times as many from standard on")
       ->check(CLI::IsMember(effort_names()))
       ->capture_default_str();
   command.add_option("--cases", options.cases, "Drawn scenes a stem, instead of the effort's own number")

@@ -63,7 +63,8 @@ std::vector<Question> about_meshes(const std::string& stem, const Effort& effort
 std::size_t counted(int n) { return static_cast<std::size_t>(n); }
 
 int cases_of(const std::string& stem, const Effort& effort) {
-  return stem == "simulation" || stem == "constraint" ? std::min(effort.cases, effort.runs) : effort.cases;
+  if (stem == "simulation") return std::min(effort.cases, effort.simulations);
+  return stem == "constraint" ? std::min(effort.cases, effort.constraints) : effort.cases;
 }
 
 }  // namespace

@@ -17,7 +17,8 @@ constexpr double is_normal = 1 - 0x1p-41;    // cos 2⁻²⁰
 constexpr double looks_along = 0.9;          // cos 25°
 constexpr double is_parallel = 0x1p-10;      // sine between two edges that have no one crossing
 constexpr double rounds = 0x1p-48;           // of the sizes
-constexpr double tells_direction = 0x1p-34;  // of the sizes: a way that is longer has a direction beyond rounding
+constexpr double tells_direction = 0x1p-34;  // of the sizes: a way that is longer has a direction beyond rounding,
+constexpr double tells_it_well = 0x1p-16;    // and one that is as long as this a direction that moves no corner
 
 /// Vertices that are outermost along −n, as a polygon seen against n, with the face behind them if they are three.
 struct Outline {
@@ -171,7 +172,12 @@ std::vector<double> clearances(const Part& A, const Part& B, const Vec3& n) {
   return all;
 }
 
-double apart(const Part& A, const Part& B, const Vec3& n) { return std::ranges::min(clearances(A, B, n)); }
+double apart(const Part& A, const Part& B, const Vec3& n) {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (int v = 0; v < A.core.hull->vertex_count(); ++v) low = std::min(low, n.dot(A.core.vertex(v)));
+  for (int v = 0; v < B.core.hull->vertex_count(); ++v) high = std::max(high, n.dot(B.core.vertex(v)));
+  return low - high - (A.convex->radius + B.convex->radius);
+}
 
 Foot foot_between(const Part& A, const Vec3& p_Wa, const Part& B, const Vec3& p_Wb, const Vec3& n) {
   return {{Kind::point, A.body.in(p_Wa), Vec3::Zero(), 0}, plane(B, p_Wb, n)};
@@ -186,8 +192,14 @@ Vec3 parting(const Part& A, const Part& B, const lin_canny::Proximity& near) {
   const Vec3 way = a - b;
   const double far = way.norm(), size = A.convex->reach + B.convex->reach;
   const bool is_true = near.verdict != Verdict::overlapping || A.is_ball() || B.is_ball();
-  const bool tells = is_true && far > tells_direction * size;
-  const Vec3 n = tells ? Vec3(way / far) : best_of_planes(A, B);
+  const auto direction = [&]() -> Vec3 {
+    if (is_true && far > tells_it_well * size) return way / far;
+    const Vec3 of_plane = best_of_planes(A, B);
+    if (!(is_true && far > tells_direction * size)) return of_plane;
+    const Vec3 of_way = way / far;
+    return apart(A, B, of_way) > apart(A, B, of_plane) ? of_way : of_plane;
+  };
+  const Vec3 n = direction();
   const double least = apart(A, B, n) - rounds * size;
   for (const Vec3& face : faces_within(A, B, n, is_normal)) {
     if (apart(A, B, face) >= least) return face;

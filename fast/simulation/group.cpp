@@ -195,7 +195,8 @@ std::vector<Joint> Group::part(double slow) {
       continue;
     }
     for (const contact::Foot& foot : joint.feet) {
-      if (strike_at(joint, foot).u_n <= slow) held[index(joint.a)] = held[index(joint.b)] = true;
+      const Strike at = strike_at(joint, foot);
+      if (at.u_n <= slow || at.touch.gap < -near_ / 4) held[index(joint.a)] = held[index(joint.b)] = true;
     }
     near.push_back(joint);
   }

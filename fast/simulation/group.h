@@ -70,8 +70,8 @@ class Group {
   /// On to `time`: for all of the step that is planned, or for a shorter one.
   void go_to(double time);
 
-  /// Feet as the riders stand now. Whom no foot holds that parts no faster than `slow` is let go: the joints that let
-  /// go are taken out and returned.
+  /// Feet as the riders stand now. Whom no foot holds that parts no faster than `slow`, or is still in the other, is
+  /// let go: the joints that let go are taken out and returned.
   std::vector<Joint> part(double slow);
   /// The foot that approaches fastest.
   std::optional<Strike> foremost() const;

@@ -7,11 +7,13 @@
 namespace touchstone::fast::world {
 namespace {
 
+constexpr double touching = 1 + 0x1p-6;  // envelopes: flights end within one, but for rounding
 constexpr double shortest = 0x1p-20;     // of a stride: no step is asked to be shorter
 constexpr double short_enough = 0x1p-6;  // of a stride: what parts now comes back by little within it
 constexpr double slow = 2;               // hops: what approaches no faster does not strike
-constexpr double lets_go = 64;           // hops: what parts faster has been struck
-constexpr double still = 4;              // hops: who is no faster may stand; as for one body on a face
+constexpr std::int64_t strikes_of_a_joint = 4;
+constexpr double lets_go = 64;  // hops: what parts faster has been struck
+constexpr double still = 4;     // hops: who is no faster may stand; as for one body on a face
 
 }  // namespace
 
@@ -93,7 +95,7 @@ void Loop::part_held(const Due& due) {
 
 /// From now on the two hold each other, with all that they hold already.
 bool Loop::join(const Due& due) {
-  Group joined(envelope_, reach_);
+  Group joined(touching * envelope_, reach_);
   joined.since = now_;
   std::vector<BodyPair> links{{due.a, due.b}};
   const auto take = [&](BodyId id) {
@@ -178,6 +180,13 @@ void Loop::begin(BodyId key) {
   }
 }
 
+/// Where each strike wakes the next, at one time, their number is limited: what approaches then is taken from all feet
+/// at once, without restitution.
+bool Loop::may_strike(const Group& group) {
+  if (strikes_at_ != now_) strikes_at_ = now_, strikes_ = 0;
+  return ++strikes_ <= strikes_of_a_joint * static_cast<std::int64_t>(group.joints().size());
+}
+
 /// At one foot, as an impact of its pair.
 void Loop::strike_in(const Strike& found) {
   if (!goes_on({now_, found.a, found.b})) return;
@@ -202,12 +211,14 @@ void Loop::fly_off(const Rider& rider, const std::vector<Joint>& parted) {
 /// A group whose joints hold: a strike, and no more now; or in closed form, standing, or by a step.
 void Loop::settle(BodyId key) {
   Group& group = groups_.at(key);
-  const std::optional<Strike> strike_now = group.foremost();
-  if (strike_now && strike_now->u_n < -slow * hop_of(strike_now->a, strike_now->b)) return strike_in(*strike_now);
+  const std::optional<Strike> found = group.foremost();
+  const bool strikes = found && found->u_n < -slow * hop_of(found->a, found->b);
+  if (strikes && may_strike(group)) return strike_in(*found);
   if (rests_alone(group)) return;
   const double before = group.energy();
-  const bool begins =
-      std::ranges::any_of(group.joints(), [](const Joint& joint) { return !joint.told && !joint.feet.empty(); });
+  const bool begins = strikes || std::ranges::any_of(group.joints(), [](const Joint& joint) {
+                        return !joint.told && !joint.feet.empty();
+                      });
   if (begins) group.land();
   if (group.stands(still * least_hop(group))) {
     group.until = never;
