@@ -16,6 +16,7 @@ using Kind = Feature::Kind;
 constexpr double is_normal = 1 - 0x1p-41;    // cos 2⁻²⁰
 constexpr double looks_along = 0.9;          // cos 25°
 constexpr double is_parallel = 0x1p-10;      // sine between two edges that have no one crossing
+constexpr double beside = 0x1p-4;            // so that at a sharp corner of a face, too, a foot is on it within that
 constexpr double rounds = 0x1p-48;           // of the sizes
 constexpr double tells_direction = 0x1p-34;  // of the sizes: a way that is longer has a direction beyond rounding,
 constexpr double tells_it_well = 0x1p-16;    // and one that is as long as this a direction that moves no corner
@@ -158,7 +159,7 @@ Part part_of(const lin_canny::Convex& convex, const lin_canny::Station& station,
 std::vector<Foot> feet(const Part& A, const Part& B, const Vec3& n, double within) {
   const Outline of_A = outline(A, -n, within), of_B = outline(B, n, within);
   if (of_A.corners.size() < 3 && of_B.corners.size() < 3) return feet_without_face(A, of_A, B, of_B, n);
-  return feet_on_face(A, of_A, B, of_B, within);
+  return feet_on_face(A, of_A, B, of_B, beside * within);
 }
 
 std::vector<double> clearances(const Part& A, const Part& B, const Vec3& n) {
