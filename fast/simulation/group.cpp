@@ -196,7 +196,7 @@ std::vector<Joint> Group::part(double slow) {
     }
     for (const contact::Foot& foot : joint.feet) {
       const Strike at = strike_at(joint, foot);
-      if (at.u_n <= slow || at.touch.gap < -near_ / 4) held[index(joint.a)] = held[index(joint.b)] = true;
+      if (at.u_n <= slow || at.touch.gap < -near_ * of_the_gap) held[index(joint.a)] = held[index(joint.b)] = true;
     }
     near.push_back(joint);
   }
