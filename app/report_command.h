@@ -15,7 +15,7 @@ struct RunOptions {
   int cases = 0;  ///< drawn scenes a stem; the effort's own if 0
   std::uint64_t seed = 1;
   int jobs = 0;             ///< threads; one a processor if 0
-  double time_limit = 0.5;  ///< of a subject's CPU time, s, a question
+  double time_limit = 1;  ///< of a subject's CPU time, s, a question; ten times as much a flight
   std::string out;          ///< folder of the report; check writes none if empty
   std::string json;         ///< besides, or instead: these files
   std::string junit;
