@@ -161,13 +161,11 @@ std::string seconds_up_to(double most, const std::string& word) {
 std::string within_a_day(const std::string& word) { return seconds_up_to(86400, word); }
 std::string within_an_age(const std::string& word) { return seconds_up_to(1e9, word); }
 
-void add_time_limit(CLI::App& command, double& seconds) {
-  command
-      .add_option("--time-limit", seconds,
-                  "CPU seconds that a subject may take for one question; ten times as many for one of simulation or "
-                  "constraint")
-      ->check(within_a_day)
-      ->capture_default_str();
+void add_time_limit(CLI::App& command, double& seconds,
+                    const std::string& what =
+                        "CPU seconds that a subject may take for one question; ten times as many "
+                        "for one of simulation or constraint") {
+  command.add_option("--time-limit", seconds, what)->check(within_a_day)->capture_default_str();
 }
 
 void add_run_options(CLI::App& command, RunOptions& options) {
@@ -281,9 +279,7 @@ void add_simulate(CLI::App& program, Options& options) {
   command->add_option("--until", words.until, "Seconds. Default: the end of the scene's flight")->check(within_an_age);
   command->add_option("--out", words.out, "Write the events to this file, a JSON object a line");
   command->add_option("--replay", words.replay, "Write a page that shows the bodies to this file");
-  command->add_option("--time-limit", words.time_limit, "CPU seconds that the engine may take")
-      ->check(within_a_day)
-      ->capture_default_str();
+  add_time_limit(*command, words.time_limit, "CPU seconds that the engine may take");
   command->footer(simulate_footer);
   command->callback([&options] { options.chosen = [&] { return simulate(options.simulate); }; });
 }

@@ -14,10 +14,10 @@ struct RunOptions {
   std::string effort = "quick";
   int cases = 0;  ///< drawn scenes a stem; the effort's own if 0
   std::uint64_t seed = 1;
-  int jobs = 0;             ///< threads; one a processor if 0
+  int jobs = 0;           ///< threads; one a processor if 0
   double time_limit = 1;  ///< of a subject's CPU time, s, a question; ten times as much a flight
-  std::string out;          ///< folder of the report; check writes none if empty
-  std::string json;         ///< besides, or instead: these files
+  std::string out;        ///< folder of the report; check writes none if empty
+  std::string json;       ///< besides, or instead: these files
   std::string junit;
   std::string meshes;  ///< folder; the known ones if empty
 };

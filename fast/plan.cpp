@@ -4,6 +4,7 @@
 #include <variant>
 
 #include "fast/broad_phase.h"
+#include "fast/counted.h"
 #include "model/film.h"
 
 namespace touchstone::fast {
@@ -17,7 +18,7 @@ std::size_t most_vertices(const Box&) { return 0; }
 std::size_t most_vertices(const Polytope& polytope) { return polytope.vertices.size(); }
 std::size_t most_vertices(const Compound& compound) {
   std::size_t most = 0;
-  for (const Part& part : compound.parts) {
+  for (const touchstone::Part& part : compound.parts) {
     most = std::max(most, std::visit([](const auto& shape) { return most_vertices(shape); }, part.shape));
   }
   return most;
@@ -35,10 +36,6 @@ std::vector<int> times_placed(const Scene& scene) {
     }
   }
   return times;
-}
-
-std::string counted(std::size_t n, const std::string& one, const std::string& many) {
-  return std::to_string(n) + " " + (n == 1 ? one : many);
 }
 
 /// Notes a part with the bodies that it is for, if there are any.

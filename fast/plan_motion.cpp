@@ -1,5 +1,6 @@
 #include <array>
 
+#include "fast/counted.h"
 #include "fast/plan.h"
 #include "fast/simulation/meeting.h"
 
@@ -9,10 +10,6 @@ namespace {
 using motion::Turning;
 using world::Kind;
 using world::Mover;
-
-std::string counted(std::size_t n, const std::string& one, const std::string& many) {
-  return std::to_string(n) + " " + (n == 1 ? one : many);
-}
 
 void note(std::vector<Choice>& parts, std::size_t n, const std::string& one, const std::string& many,
           const std::string& what, const std::string& why) {

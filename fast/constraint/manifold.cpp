@@ -89,17 +89,10 @@ double apart_along(const Mover& A, const Mover& B, const Vec3& n) { return least
 /// Of the planes parallel to a face, or to an edge of each, the normal of the one that keeps the two apart best. For
 /// bodies that touch where a flight begins: a separating plane is among these.
 Vec3 separating(const Mover& A, const Mover& B) {
-  Vec3 best = Vec3::UnitZ();
-  double widest = -std::numeric_limits<double>::infinity();
   const auto core = [](const Mover& body) {
     return lin_canny::placed(body.convex(), lin_canny::Station(body.pose()), Vec3::Zero());
   };
-  lin_canny::any_parting_normal(core(A), core(B), [&](const Vec3& n) {
-    const double width = apart_along(A, B, n);
-    if (width > widest) widest = width, best = n;
-    return false;
-  });
-  return best;
+  return lin_canny::widest_parting_normal(core(A), core(B), [&](const Vec3& n) { return apart_along(A, B, n); });
 }
 
 bool is_ball(const Mover& body) { return body.convex().core.vertex_count() == 1; }

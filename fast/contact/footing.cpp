@@ -131,15 +131,11 @@ std::vector<Foot> feet_without_face(const Part& A, const Outline& of_A, const Pa
   return {{plane(A, of_A.corners[0], -n), point(B, of_B.corners[0])}};
 }
 
-Vec3 best_of_planes(const Part& A, const Part& B) {
-  Vec3 best = Vec3::UnitZ();
-  double widest = -std::numeric_limits<double>::infinity();
-  lin_canny::any_parting_normal(A.core, B.core, [&](const Vec3& n) {
-    const double wide = apart(A, B, n);
-    if (wide > widest) widest = wide, best = n;
-    return false;
-  });
-  return best;
+/// The least of n·x over the core.
+double lowest(const Part& part, const Vec3& n) {
+  double low = std::numeric_limits<double>::infinity();
+  for (int v = 0; v < part.core.hull->vertex_count(); ++v) low = std::min(low, n.dot(part.core.vertex(v)));
+  return low;
 }
 
 std::vector<Vec3> faces_within(const Part& A, const Part& B, const Vec3& n, double cosine) {
@@ -164,20 +160,14 @@ std::vector<Foot> feet(const Part& A, const Part& B, const Vec3& n, double withi
 
 std::vector<double> clearances(const Part& A, const Part& B, const Vec3& n) {
   std::vector<double> all;
-  double low = std::numeric_limits<double>::infinity(), high = -low;
-  const double radii = A.convex->radius + B.convex->radius;
-  for (int v = 0; v < A.core.hull->vertex_count(); ++v) low = std::min(low, n.dot(A.core.vertex(v)));
-  for (int v = 0; v < B.core.hull->vertex_count(); ++v) high = std::max(high, n.dot(B.core.vertex(v)));
+  const double low = lowest(A, n), high = -lowest(B, -n), radii = A.convex->radius + B.convex->radius;
   for (int v = 0; v < A.core.hull->vertex_count(); ++v) all.push_back(n.dot(A.core.vertex(v)) - high - radii);
   for (int v = 0; v < B.core.hull->vertex_count(); ++v) all.push_back(low - n.dot(B.core.vertex(v)) - radii);
   return all;
 }
 
 double apart(const Part& A, const Part& B, const Vec3& n) {
-  double low = std::numeric_limits<double>::infinity(), high = -low;
-  for (int v = 0; v < A.core.hull->vertex_count(); ++v) low = std::min(low, n.dot(A.core.vertex(v)));
-  for (int v = 0; v < B.core.hull->vertex_count(); ++v) high = std::max(high, n.dot(B.core.vertex(v)));
-  return low - high - (A.convex->radius + B.convex->radius);
+  return lowest(A, n) + lowest(B, -n) - (A.convex->radius + B.convex->radius);
 }
 
 Foot foot_between(const Part& A, const Vec3& p_Wa, const Part& B, const Vec3& p_Wb, const Vec3& n) {
@@ -195,7 +185,8 @@ Vec3 parting(const Part& A, const Part& B, const lin_canny::Proximity& near) {
   const bool is_true = near.verdict != Verdict::overlapping || A.is_ball() || B.is_ball();
   const auto direction = [&]() -> Vec3 {
     if (is_true && far > tells_it_well * size) return way / far;
-    const Vec3 of_plane = best_of_planes(A, B);
+    const Vec3 of_plane =
+        lin_canny::widest_parting_normal(A.core, B.core, [&](const Vec3& n) { return apart(A, B, n); });
     if (!(is_true && far > tells_direction * size)) return of_plane;
     const Vec3 of_way = way / far;
     return apart(A, B, of_way) > apart(A, B, of_plane) ? of_way : of_plane;

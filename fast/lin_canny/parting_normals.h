@@ -1,6 +1,8 @@
 // Directions among which is one that keeps two convex bodies apart, if any does.
 #pragma once
 
+#include <limits>
+
 #include "fast/lin_canny/placed.h"
 
 namespace touchstone::fast::lin_canny {
@@ -26,6 +28,19 @@ bool any_parting_normal(const Placed& A, const Placed& B, Found&& found) {
     }
   }
   return false;
+}
+
+/// Of these the one along which `width` is greatest; the first of several.
+template <class Width>
+Vec3 widest_parting_normal(const Placed& A, const Placed& B, Width&& width) {
+  Vec3 best = Vec3::UnitZ();
+  double widest = -std::numeric_limits<double>::infinity();
+  any_parting_normal(A, B, [&](const Vec3& n) {
+    const double wide = width(n);
+    if (wide > widest) widest = wide, best = n;
+    return false;
+  });
+  return best;
 }
 
 }  // namespace touchstone::fast::lin_canny

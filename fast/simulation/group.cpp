@@ -13,6 +13,7 @@ namespace touchstone::fast::world {
 namespace {
 
 constexpr double balanced = 0x1p-30;             // of the pull: forces that leave no more carry
+constexpr std::size_t strikes_of_a_joint = 4;    // at one time
 constexpr int most_halvings = 60;                // of a step, until the corner that comes down is where it may be
 constexpr double least_share_of_step = 0x1p-20;  // of a step: then it is taken, whatever sinks
 constexpr double of_the_gap = 0x1p-10;           // how exactly a step is solved, as a share of what counts as touching
@@ -80,6 +81,8 @@ void Group::absorb(const Group& other) {
   joints_.insert(joints_.end(), other.joints_.begin(), other.joints_.end());
   sort_joints();
   longest = std::min(longest, other.longest);
+  if (other.struck_at_ > struck_at_) struck_at_ = other.struck_at_, strikes_ = 0;
+  if (other.struck_at_ == struck_at_) strikes_ += other.strikes_;
 }
 
 contact::Part Group::part_of(BodyId id, std::size_t part, const State& state) const {
@@ -224,6 +227,11 @@ std::optional<Strike> Group::foremost() const {
   return most;
 }
 
+bool Group::may_strike() {
+  if (struck_at_ != since) struck_at_ = since, strikes_ = 0;
+  return ++strikes_ <= strikes_of_a_joint * joints_.size();
+}
+
 std::vector<Group> Group::components() const {
   std::vector<std::size_t> root(riders_.size());
   for (std::size_t i = 0; i < root.size(); ++i) root[i] = i;
@@ -241,6 +249,8 @@ std::vector<Group> Group::components() const {
     Group group(near_, reach_);
     group.since = since;
     group.longest = longest;
+    group.struck_at_ = struck_at_;
+    group.strikes_ = strikes_;
     for (const Joint& joint : joints_) {
       const std::size_t a = index(joint.a), b = index(joint.b);
       if (find(riders_[a].fixed() ? b : a) != i) continue;

@@ -75,6 +75,8 @@ class Group {
   std::vector<Joint> part(double slow);
   /// The foot that approaches fastest.
   std::optional<Strike> foremost() const;
+  /// Counts a strike now. False: so many came at this one time that each seems to wake the next.
+  bool may_strike();
   /// Groups of riders that joints connect; riders without a joint are left out.
   std::vector<Group> components() const;
 
@@ -124,6 +126,8 @@ class Group {
   Plan planned(double h) const;
 
   double near_, reach_;
+  double struck_at_ = -never;  ///< s
+  std::size_t strikes_ = 0;    ///< then
   std::vector<Rider> riders_;  ///< by id
   std::vector<Joint> joints_;
   std::optional<Plan> plan_;

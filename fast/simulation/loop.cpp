@@ -12,10 +12,10 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-constexpr double sliver = 0x1p-10;          // of a frame, or of the flight if that is shorter
-constexpr std::int64_t patience = 4'000;    // turns in a sliver
+constexpr double sliver = 0x1p-10;           // of a frame, or of the flight if that is shorter
+constexpr std::int64_t patience = 4'000;     // turns in a sliver
 constexpr std::int64_t lost_patience = 512;  // turns that one counts for in which contact changes faster than time can
-constexpr double parts_slowly = 32;         // hops: what is held and parts no faster stays so, until it is apart
+constexpr double parts_slowly = 32;          // hops: what is held and parts no faster stays so, until it is apart
 
 Vec3 on_grid(const Vec3& P, double grid) {
   return grid * (P / grid).unaryExpr([](double x) { return std::floor(x + 0.5); });

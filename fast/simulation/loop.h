@@ -75,7 +75,6 @@ class Loop {
   void arrive(BodyId key);
   void begin(BodyId key);
   void settle(BodyId key);
-  bool may_strike(const Group& group);
   void strike_in(const Strike& found);
   void fly_off(const Rider& rider, const std::vector<Joint>& parted);
   bool rests_alone(Group& group);
@@ -106,9 +105,7 @@ class Loop {
   double envelope_;
   double reach_;  ///< m; bodies that are held and as near as this to each other are followed together
   double now_ = 0, frame_end_ = 0, end_ = 0;
-  double sliver_end_ = 0;       ///< s
-  double strikes_at_ = -never;  ///< s; of the strikes within groups that are counted
-  std::int64_t strikes_ = 0;
+  double sliver_end_ = 0;   ///< s
   std::int64_t turns_ = 0;  ///< since time came into this sliver of a frame
   std::int64_t events_ = 0;
   std::vector<Mover> bodies_;

@@ -11,9 +11,8 @@ constexpr double touching = 1 + 0x1p-6;  // envelopes: flights end within one, b
 constexpr double shortest = 0x1p-20;     // of a stride: no step is asked to be shorter
 constexpr double short_enough = 0x1p-6;  // of a stride: what parts now comes back by little within it
 constexpr double slow = 2;               // hops: what approaches no faster does not strike
-constexpr std::int64_t strikes_of_a_joint = 4;
-constexpr double lets_go = 64;  // hops: what parts faster has been struck
-constexpr double still = 4;     // hops: who is no faster may stand; as for one body on a face
+constexpr double lets_go = 64;           // hops: what parts faster has been struck
+constexpr double still = 4;              // hops: who is no faster may stand; as for one body on a face
 
 }  // namespace
 
@@ -180,13 +179,6 @@ void Loop::begin(BodyId key) {
   }
 }
 
-/// Where each strike wakes the next, at one time, their number is limited: what approaches then is taken from all feet
-/// at once, without restitution.
-bool Loop::may_strike(const Group& group) {
-  if (strikes_at_ != now_) strikes_at_ = now_, strikes_ = 0;
-  return ++strikes_ <= strikes_of_a_joint * static_cast<std::int64_t>(group.joints().size());
-}
-
 /// At one foot, as an impact of its pair.
 void Loop::strike_in(const Strike& found) {
   if (!goes_on({now_, found.a, found.b})) return;
@@ -208,12 +200,13 @@ void Loop::fly_off(const Rider& rider, const std::vector<Joint>& parted) {
   watch_all(rider.id, rider.id);
 }
 
-/// A group whose joints hold: a strike, and no more now; or in closed form, standing, or by a step.
+/// A group whose joints hold: a strike, and no more now; or in closed form, standing, or by a step. After so many
+/// strikes at one time what approaches is taken from all feet at once, without restitution.
 void Loop::settle(BodyId key) {
   Group& group = groups_.at(key);
   const std::optional<Strike> found = group.foremost();
   const bool strikes = found && found->u_n < -slow * hop_of(found->a, found->b);
-  if (strikes && may_strike(group)) return strike_in(*found);
+  if (strikes && group.may_strike()) return strike_in(*found);
   if (rests_alone(group)) return;
   const double before = group.energy();
   const bool begins = strikes || std::ranges::any_of(group.joints(), [](const Joint& joint) {

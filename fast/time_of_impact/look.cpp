@@ -206,8 +206,6 @@ bool Look::overlap(const Look& before) const {
   return share_a_middle(A, B, error);
 }
 
-/// Of the features' closest points, each moved out by its radius along n. Inside, where nothing was measured, the point
-/// of the lesser feature.
 /// The slab's direction may be one that was good a moment ago.
 Vec3 Look::across() const {
   if (walked_.inside || !(A_.radius + B_.radius > 0)) return slab_.direction();
@@ -215,6 +213,8 @@ Vec3 Look::across() const {
   return n.isZero(0) ? slab_.direction() : n;
 }
 
+/// Of the features' closest points, each moved out by its radius along n. Inside, where nothing was measured, the point
+/// of the lesser feature.
 Vec3 Look::middle() const {
   const Vec3 n = across();
   if (!walked_.inside) {

@@ -1,5 +1,6 @@
 // Flights that once went wrong.
 #include <filesystem>
+#include <utility>
 
 #include "fast/constraint.h"
 #include "fast/simulation.h"
@@ -26,7 +27,8 @@ class Fast : public oracle::Subject {
 
 TEST_CASE("flights of the corpus: what once went wrong holds") {
   Fast fast;
-  for (const char* stem : {"time_of_impact", "simulation", "constraint"}) {
+  for (const auto& [stem, at_least] :
+       {std::pair("time_of_impact", 5), std::pair("simulation", 5), std::pair("constraint", 1)}) {
     int cases = 0;
     for (const auto& entry :
          std::filesystem::directory_iterator(std::filesystem::path(TOUCHSTONE_SOURCE) / "properties/corpus" / stem)) {
@@ -36,7 +38,7 @@ TEST_CASE("flights of the corpus: what once went wrong holds") {
       CHECK(found.outcome == oracle::Outcome::holds);
       ++cases;
     }
-    CHECK(cases >= 1);
+    CHECK(cases >= at_least);
   }
 }
 

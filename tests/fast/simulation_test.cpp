@@ -317,6 +317,21 @@ TEST_CASE("neither frames nor strangers change a bit") {
   CHECK(done.trajectory.states == as_is.states);
 }
 
+TEST_CASE("groups that strike at one time change no bit of each other") {
+  Scene row = flight({table(8)}, down, {0.75});
+  for (const double z : {0.5, 1.5, 2.5, 5.0}) row.bodies.push_back(brick(Vec3(0.5, 0.5, 0.5), Vec3(0, 0, z), {0.875, 0.5}));
+  Scene rows = row;
+  for (std::size_t i = 0; i < row.bodies.size(); ++i) {
+    rows.bodies.push_back(row.bodies[i]);
+    rows.bodies.back().X_WB.p_WB.y() += 64;
+  }
+  const Trajectory alone = simulate(row).trajectory;
+  CHECK(alone.events->size() > 20);
+  Simulated both = simulate(rows);
+  both.trajectory.states.back().resize(row.bodies.size());
+  CHECK(both.trajectory.states == alone.states);
+}
+
 TEST_CASE("events come in time order, each pair approaches, and what is reported is flown from") {
   const Scene scene = gas(4, {0.8, 0.2});
   const Simulated done = simulate(scene);
