@@ -94,6 +94,12 @@ contact::Part Group::part_of(BodyId id, std::size_t part, const State& state) co
 
 bool Group::link(BodyId id_a, BodyId id_b) {
   const BodyId a = std::min(id_a, id_b), b = std::max(id_a, id_b);
+  link(a, b, reach_);
+  return holds(a, b);
+}
+
+/// Requires a < b.
+void Group::link(BodyId a, BodyId b, double reach) {
   const std::size_t parts_a = riders_[index(a)].body->flyer().solid.parts().size();
   const std::size_t parts_b = riders_[index(b)].body->flyer().solid.parts().size();
   for (std::size_t i = 0; i < parts_a; ++i) {
@@ -101,11 +107,24 @@ bool Group::link(BodyId id_a, BodyId id_b) {
       const auto same = [&](const Joint& k) { return k.a == a && k.b == b && k.part_a == i && k.part_b == j; };
       if (std::ranges::any_of(joints_, same)) continue;
       Joint joint{a, b, i, j};
-      if (renew(joint)) joints_.push_back(std::move(joint));
+      if (renew(joint, reach)) joints_.push_back(std::move(joint));
     }
   }
   sort_joints();
-  return holds(a, b);
+}
+
+void Group::link_parts(double h) {
+  std::vector<BodyPair> pairs;
+  for (const Joint& joint : joints_) pairs.push_back({joint.a, joint.b});
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  for (const BodyPair& pair : pairs) link(pair.a, pair.b, reach_ + h * (pace(pair.a, h) + pace(pair.b, h)));
+}
+
+/// How fast a point of the body may be within h (m/s), where no force at a foot speeds it up.
+double Group::pace(BodyId id, double h) const {
+  const Rider& rider = riders_[index(id)];
+  const Velocity& V = rider.member.state.velocity;
+  return length(V.v_WBcm) + length(V.w_WB) * rider.body->radius() + h * length(rider.member.pull);
 }
 
 /// That of its feet as the two stand, if it has any: they have not gone far since. But where these say that the two
@@ -122,12 +141,12 @@ Vec3 Group::normal(const Joint& joint, const contact::Part& A, const State& at_a
 }
 
 /// Its normal and feet, as the two stand; false: they are out of reach.
-bool Group::renew(Joint& joint) const {
+bool Group::renew(Joint& joint, double reach) const {
   const State &at_a = state(joint.a), &at_b = state(joint.b);
   const contact::Part A = part_of(joint.a, joint.part_a, at_a), B = part_of(joint.b, joint.part_b, at_b);
   joint.nhat_BA_W = normal(joint, A, at_a, B, at_b);
   const double gap = apart(A, B, joint.nhat_BA_W);
-  if (gap > reach_) return false;
+  if (gap > reach) return false;
   std::vector<contact::Foot> feet;
   // Of parts that overlap a little, all that does.
   if (gap <= near_) feet = contact::feet(A, B, joint.nhat_BA_W, near_ + std::max(0.0, -gap));
@@ -193,7 +212,7 @@ std::vector<Joint> Group::part(double slow) {
   std::vector<Joint> near, kept, out;
   for (Joint& joint : joints_) {
     const Joint before = joint;
-    if (!renew(joint)) {
+    if (!renew(joint, reach_)) {
       out.push_back(before);
       continue;
     }

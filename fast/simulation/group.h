@@ -44,6 +44,8 @@ class Group {
   void add(const Rider& rider);
   /// Joins all parts of two of its bodies that are within reach; whether there are any.
   bool link(BodyId a, BodyId b);
+  /// Bodies that hold each other by some of their parts are watched by all that may come down within h.
+  void link_parts(double h);
   /// What another group of the same time has.
   void absorb(const Group& other);
 
@@ -111,7 +113,9 @@ class Group {
   std::vector<contact::Member> members() const;
   std::vector<contact::Hold> holds() const;
   contact::Part part_of(BodyId id, std::size_t part, const State& state) const;
-  bool renew(Joint& joint) const;
+  bool renew(Joint& joint, double reach) const;
+  void link(BodyId a, BodyId b, double reach);
+  double pace(BodyId id, double h) const;
   Vec3 normal(const Joint& joint, const contact::Part& A, const State& at_a, const contact::Part& B,
               const State& at_b) const;
   Strike strike_at(const Joint& joint, const contact::Foot& foot) const;

@@ -251,6 +251,7 @@ bool Loop::rests_alone(Group& group) {
 void Loop::take_step(Group& group) {
   const double stride = group.stride(options_.contact_steps);
   const double h = std::clamp(group.longest, shortest * stride, stride);
+  group.link_parts(h);
   group.until = now_ + group.plan((now_ + h) - now_);
   group.margin = group.deviation();
   if (++done_.books.contact_steps > options_.most_contact_steps) {

@@ -171,6 +171,36 @@ TEST_CASE("a ball whose mass is off its centre rocks and keeps its energy, but f
   }
 }
 
+/// Balls in a bow: their centres are on an arc of radius 1, 1/16 rad apart.
+Scene bow_of_balls() {
+  Compound bow;
+  for (int k = -8; k <= 8; ++k) {
+    const double angle = k / 16.0;
+    bow.parts.push_back({{Vec3(std::sin(angle), 0, 1 - std::cos(angle)), {}}, Sphere{0.5}});
+  }
+  Scene scene = flight({ball(0.5, Vec3(0, 0, 0.5), Vec3::Zero(), {0, 1}), table()}, down, {});
+  scene.bodies[0].shape = bow;
+  scene.bodies[0].mass = MassProperties{1, Vec3::Zero(), Mat3::Identity()};
+  scene.bodies[0].velocity = {Vec3(0.5, 0, 0), Vec3(0, 1, 0)};
+  for (int look = 1; look <= 64; ++look) scene.flight->times.push_back(look / 16.0);
+  return scene;
+}
+
+TEST_CASE("a bow of balls rocks from ball to ball, and none of them is ever in the table") {
+  const Scene scene = bow_of_balls();
+  const Simulated done = simulate(scene);
+  CHECK(done.books.of(Kind::impact) > 10);
+  double most = 0;
+  for (const std::vector<State>& states : done.trajectory.states) {
+    const Mat3 R = lin_canny::rotation(states[0].X_WB.q_WB);
+    for (const Part& part : std::get<Compound>(scene.bodies[0].shape).parts) {
+      CHECK((states[0].X_WB.p_WB + R * part.X_BP.p_WB).z() > 0.5 - 1e-9);
+    }
+    most = std::max(most, std::abs(std::asin(R(0, 2))));
+  }
+  CHECK(most > 0.2);
+}
+
 TEST_CASE("a brick that spins about its middle axis turns over and keeps energy and angular momentum") {
   Scene scene = flight({brick(Vec3(0.5, 0.3, 0.1), Vec3::Zero(), {})}, Vec3::Zero(), {1, 4.5, 4.75, 5, 5.25, 5.5, 20});
   scene.bodies[0].velocity.w_WB = Vec3(1e-6, 5, 1e-6);
