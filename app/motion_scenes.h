@@ -14,7 +14,7 @@ namespace touchstone::app {
 struct MotionScene {
   Scene scene;
   std::string truth;  ///< in words
-  /// 0 is right. Relative to a length or an energy of the scene; the worst of all looks that the answer has.
+  /// 0 is right. Relative to a length, a spin or an energy of the scene; the worst of all looks that the answer has.
   std::function<double(const Trajectory&)> error;
 };
 

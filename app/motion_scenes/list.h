@@ -7,6 +7,7 @@ namespace touchstone::app {
 
 std::vector<MotionScene> bouncing_scenes();
 std::vector<MotionScene> rolling_scenes();
+MotionScene rattleback();  ///< one of them
 std::vector<MotionScene> sliding_scenes();
 std::vector<MotionScene> turning_scenes();
 std::vector<MotionScene> billiard_scenes();

@@ -124,7 +124,8 @@ std::vector<MotionScene> rolling_scenes() {
           ball_down_ramp("ball_slips_down_ramp", 0.125),
           turntable("turntable", {0, 0, -10}, {0, 1, 0}, 48),
           turntable("turntable_tilted", {1, 0, -10}, {0, 0, 0}, 24),
-          rocking_ball()};
+          rocking_ball(),
+          rattleback()};
 }
 
 }  // namespace touchstone::app

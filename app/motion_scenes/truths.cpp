@@ -49,6 +49,12 @@ Error off_paths(const Scene& scene, const std::map<int, Path>& paths, double sca
   });
 }
 
+Error off_spin(const Scene& scene, int body, const std::function<Real(Real t)>& spin, double scale) {
+  return worst_look(scene, [=](Real t, const std::vector<State>& states) {
+    return std::abs(states.at(static_cast<std::size_t>(body)).velocity.w_WB.z() - spin(t)) / scale;
+  });
+}
+
 Error off_rest(const Scene& scene) {
   return worst_look(scene, [bodies = scene.bodies](Real, const std::vector<State>& states) {
     Real worst = 0;

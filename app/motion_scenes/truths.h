@@ -17,6 +17,9 @@ using Path = std::function<Real3(Real t)>;
 /// |p_WB − path(t)| / scale, the worst of the bodies named.
 Error off_paths(const Scene& scene, const std::map<int, Path>& paths, double scale);
 
+/// |ω − spin(t)| / scale of a body, about the vertical (rad/s).
+Error off_spin(const Scene& scene, int body, const std::function<Real(Real t)>& spin, double scale);
+
 /// How far a point of any body has left where it stood at first, relative to the body's size. Requires bodies that
 /// rest.
 Error off_rest(const Scene& scene);

@@ -1,6 +1,7 @@
 // The scenes in motion, and what is known of them.
 #include "app/motion_scenes.h"
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <cstdlib>
 
@@ -106,7 +107,7 @@ TEST_CASE("motion scenes: no look, or NaN, is no right answer") {
     for (State& state : answer.states.back()) {
       state.X_WB.p_WB.x() = NAN;
       state.velocity.v_WBcm.x() = NAN;
-      state.velocity.w_WB.x() = NAN;
+      state.velocity.w_WB.setConstant(NAN);
     }
     CHECK(std::isnan(motion.error(answer)));
   }
@@ -152,6 +153,53 @@ TEST_CASE("motion scenes: turntables, by small steps of the law of motion") {
     };
     CHECK(error_of(name, path) < 1e-7);
   }
+}
+
+TEST_CASE("motion scenes: a rattleback, by the force at its foot: it does not slip, keeps its energy and turns back") {
+  const MotionScene& motion = named("rattleback");
+  const Body& body = motion.scene.bodies[0];
+  const auto& given = std::get<MassProperties>(body.mass);
+  const auto from_foot = [&](const Mat3& R) {
+    const Vec3 d = -R.transpose() * Vec3::UnitZ(), on_arc = Vec3(0, 0, 1) + Vec3(d.x(), 0, d.z()).normalized();
+    return Vec3(R * (given.p_BBcm - on_arc - 0.5 * d));
+  };
+  struct Rate {
+    Mat3 R;
+    Vec3 w, force;
+  };
+  const auto rate = [&](const Mat3& R, const Vec3& w) {
+    const auto turned = [&](double t) { return Mat3(Eigen::AngleAxisd(t * w.norm(), w.normalized()) * R); };
+    const Vec3 c = from_foot(R), c_rate = (from_foot(turned(0x1p-16)) - from_foot(turned(-0x1p-16))) * 0x1p15;
+    const Mat3 I = R * given.I_BBcm_B * R.transpose();
+    const Vec3 known = w.cross(c_rate) - motion.scene.gravity;
+    const Mat3 about_foot = I + c.squaredNorm() * Mat3::Identity() - c * c.transpose();
+    const Vec3 bent = about_foot.inverse() * (-w.cross(I * w) - c.cross(known));
+    Mat3 R_rate;
+    for (int i = 0; i < 3; ++i) R_rate.col(i) = w.cross(R.col(i));
+    return Rate{R_rate, bent, known + bent.cross(c)};
+  };
+  const auto energy = [&](const Mat3& R, const Vec3& w) {
+    const Vec3 c = from_foot(R), w_B = R.transpose() * w;
+    return w.cross(c).squaredNorm() / 2 + w_B.dot(given.I_BBcm_B * w_B) / 2 - motion.scene.gravity.dot(c);
+  };
+  Mat3 R = Mat3::Identity();
+  Vec3 w = body.velocity.w_WB;
+  CHECK((body.velocity.v_WBcm - w.cross(from_foot(R))).norm() == 0);
+  const double first = energy(R, w), h = 0x1p-9;
+  Trajectory answer = frozen(motion.scene);
+  for (std::vector<State>& states : answer.states) {
+    for (int k = 0; k < 64; ++k) {
+      const Rate r1 = rate(R, w), r2 = rate(R + h / 2 * r1.R, w + h / 2 * r1.w);
+      const Rate r3 = rate(R + h / 2 * r2.R, w + h / 2 * r2.w), r4 = rate(R + h * r3.R, w + h * r3.w);
+      CHECK(r1.force.head<2>().norm() < body.material.friction * r1.force.z());
+      R += h / 6 * (r1.R + 2 * r2.R + 2 * r3.R + r4.R);
+      w += h / 6 * (r1.w + 2 * r2.w + 2 * r3.w + r4.w);
+    }
+    CHECK(energy(R, w) == Approx(first).epsilon(1e-8));
+    states[0].velocity.w_WB = w;
+  }
+  CHECK(motion.error(answer) < 1e-6);
+  CHECK(w.z() < -1);
 }
 
 TEST_CASE("motion scenes: 3141 impacts of masses 1 : 10⁶, one by one") {

@@ -1,6 +1,7 @@
 // Scenes whose course is known on paper, and the laws of the loop.
 #include "fast/simulation.h"
 
+#include "app/motion_scenes.h"
 #include "fast/lin_canny/rotation.h"
 #include "model/input_error.h"
 #include "tests/catch.h"
@@ -199,6 +200,14 @@ TEST_CASE("a bow of balls rocks from ball to ball, and none of them is ever in t
     most = std::max(most, std::abs(std::asin(R(0, 2))));
   }
   CHECK(most > 0.2);
+}
+
+TEST_CASE("a rattleback of balls turns back as a smooth one does") {
+  const auto& all = app::motion_scenes();
+  const auto known = std::ranges::find(all, "rattleback", [](const auto& motion) { return motion.scene.name; });
+  const Trajectory answer = simulation(known->scene);
+  CHECK(known->error(answer) < 0.04);
+  CHECK(answer.states.back()[0].velocity.w_WB.z() < -1);
 }
 
 TEST_CASE("a brick that spins about its middle axis turns over and keeps energy and angular momentum") {
