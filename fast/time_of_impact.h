@@ -30,8 +30,9 @@ struct Meeting {
 /// found over [from, until] is what is found over [from, s], or else over [s, until], within the enclosures.
 ///
 /// `memory`: one entry a pair of parts, as lin_canny::nearest_parts wants it: where the walks begin and ended.
+/// `margin` ≥ 0 (m): as if a were swollen by so much, where paths are known no better; then they may overlap at `from`.
 Meeting time_of_impact(const motion::Flight& a, const motion::Flight& b, double from, double until, double envelope,
-                       std::span<lin_canny::FeaturePair> memory);
+                       std::span<lin_canny::FeaturePair> memory, double margin = 0);
 
 /// The same without memory of an earlier look.
 Meeting time_of_impact(const motion::Flight& a, const motion::Flight& b, double from, double until,

@@ -99,9 +99,10 @@ double by_planes(const Mover& a, const Mover& b, double from, double until, doub
 }
 
 /// Where doubles do not see whether two bodies that graze meet, they are taken not to, and looked at again thereafter.
-double advanced(const Mover& a, const Mover& b, double from, double until, double envelope, Memory& memory) {
+double advanced(const Mover& a, const Mover& b, double from, double until, double envelope, double margin,
+                Memory& memory) {
   while (true) {
-    const Meeting found = time_of_impact(a.flight(), b.flight(), from, until, envelope, memory.walks);
+    const Meeting found = time_of_impact(a.flight(), b.flight(), from, until, envelope, memory.walks, margin);
     if (found.meeting == TimeOfImpact::Meeting::hit) {
       memory.time = found.lo;
       memory.touch = {0, found.p_WC, found.nhat_BA_W};
@@ -150,7 +151,7 @@ double meeting(const Mover& a, const Mover& b, double from, double until, double
     return t <= until ? t : never;
   }
   memory.walks.resize(a.flyer().solid.parts().size() * b.flyer().solid.parts().size());
-  return advanced(a, b, from, until, envelope + margin, memory);
+  return advanced(a, b, from, until, envelope, margin, memory);
 }
 
 }  // namespace touchstone::fast::world

@@ -27,7 +27,7 @@ double later(double t, double h) {
 std::optional<double> balls_apart(const Pair& pair, double t) {
   const Centre a = pair.a.centre(t, pair.O), b = pair.b.centre(t, pair.O);
   const Vec3 d = b.p_WOBcm - a.p_WOBcm;
-  const double radii = pair.a.flyer().radius + pair.b.flyer().radius;
+  const double radii = pair.a.flyer().radius + pair.b.flyer().radius + pair.margin;
   const double distance = motion::length(d);
   const double gap = distance - radii - 8 * u * (distance + radii) - (a.error + b.error);
   if (!(gap > radii / 64)) return std::nullopt;

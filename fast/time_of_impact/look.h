@@ -13,7 +13,8 @@ struct Pair {
   const motion::Flight& a;
   const motion::Flight& b;
   std::size_t part_A, part_B;
-  motion::Origin O;  ///< the pair frame's origin
+  motion::Origin O;   ///< the pair frame's origin
+  double margin = 0;  ///< m; by which a's part counts as swollen
 
   Vec3 in_W(const Vec3& p, double t) const;  ///< of a point in the pair's frame
 };
