@@ -173,7 +173,7 @@ void Loop::attend(const Due& due) {
   const Mover &a = bodies_[due.a], &b = bodies_[due.b];
   Touch touch = world::touch(a, b, now_, memory(due.a, due.b));
   if (touch.gap > std::max(envelope_, 2 * clearance(a, b, now_, infinite))) return not_yet(due);
-  if (!has_closed_form(a, b)) touch = foremost(due.a, due.b, touch);
+  if (!has_closed_form(a, b)) touch = foremost(due).value_or(touch);
   meet(due, touch);
   stop_if_endless(due);
 }
@@ -197,17 +197,13 @@ void Loop::stop_if_endless(const Due& due) {
 }
 
 /// Of all points at which the two touch, the one that approaches fastest; the first of several.
-Touch Loop::foremost(BodyId a_id, BodyId b_id, Touch touch) const {
-  const Mover &a = bodies_[a_id], &b = bodies_[b_id];
-  const State at_a = state(a_id), at_b = state(b_id);
-  Touch most = touch;
-  double least = never;
-  for (const Vec3& corner : patch(a, b, now_, touch.nhat_BA_W, touch.p_WC, envelope_)) {
-    touch.p_WC = corner;
-    const double u_n = approach(a, at_a, b, at_b, touch);
-    if (u_n < least) least = u_n, most = touch;
-  }
-  return most;
+std::optional<Touch> Loop::foremost(const Due& due) {
+  Group pair(envelope_, envelope_);
+  pair.add(rider(due.a));
+  pair.add(rider(due.b));
+  if (!pair.link(due.a, due.b)) return std::nullopt;
+  const std::optional<Strike> found = pair.foremost();
+  return found ? std::optional(found->touch) : std::nullopt;
 }
 
 /// Later, by a time in which the two hardly move: they part, though no faster than rounding can tell.

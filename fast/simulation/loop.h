@@ -42,7 +42,7 @@ class Loop {
   void stop_if_endless(const Due& due);
   bool goes_on(const Due& due);
   void meet(const Due& due, const Touch& touch);
-  Touch foremost(BodyId a, BodyId b, Touch touch) const;
+  std::optional<Touch> foremost(const Due& due);
 
   void watch_later(const Due& due);
   void strike(Event::Kind kind, const Due& due, const Touch& touch, Hit hit);

@@ -67,11 +67,9 @@ void Loop::attend_held(const Due& due) {
   cut(due.a);
   cut(due.b);
   if (follows_steps(due.a) && follows_steps(due.b)) return join(due) ? void() : not_yet(due);
-  Group pair(envelope_, envelope_);
-  pair.add(rider(due.a));
-  pair.add(rider(due.b));
-  if (!pair.link(due.a, due.b) || !pair.foremost()) return not_yet(due);
-  meet(due, pair.foremost()->touch);
+  const std::optional<Touch> touch = foremost(due);
+  if (!touch) return not_yet(due);
+  meet(due, *touch);
   stop_if_endless(due);
 }
 
