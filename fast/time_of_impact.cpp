@@ -90,15 +90,15 @@ Verdict verdict_at(double from, const Start& A, const Start& B, std::vector<lin_
 }  // namespace
 
 Meeting time_of_impact(const motion::Flight& a, const motion::Flight& b, double from, double until, double envelope,
-                       std::span<lin_canny::FeaturePair> memory, double margin) {
-  if (margin == 0 && meeting::are_falling_balls(a, b)) {
+                       std::span<lin_canny::FeaturePair> memory, const Swelling& swelling) {
+  if (swelling.is_none() && meeting::are_falling_balls(a, b)) {
     if (const std::optional<Meeting> met = meeting::spheres(a, b, from, until, envelope)) return *met;
   }
   Meeting met{Kind::miss, until, until, 0, Vec3::Zero(), Vec3::Zero()};
   auto place = memory.begin();
   for (std::size_t i = 0; i < a.flyer().solid.parts().size(); ++i) {
     for (std::size_t j = 0; j < b.flyer().solid.parts().size(); ++j, ++place) {
-      const meeting::Pair pair{a, b, i, j, meeting::origin(a, b), margin};
+      const meeting::Pair pair{a, b, i, j, meeting::origin(a, b), swelling};
       const double end = met.meeting == Kind::hit ? met.hi : until;
       const Meeting found = meeting::advance(pair, from, end, envelope, *place);
       if (found.meeting != Kind::miss) met = met.meeting == Kind::miss ? found : either(met, found);

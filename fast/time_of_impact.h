@@ -4,6 +4,7 @@
 #include <span>
 
 #include "fast/motion/flight.h"
+#include "fast/time_of_impact/swelling.h"
 #include "model/answers.h"
 #include "model/scene.h"
 
@@ -30,9 +31,9 @@ struct Meeting {
 /// found over [from, until] is what is found over [from, s], or else over [s, until], within the enclosures.
 ///
 /// `memory`: one entry a pair of parts, as lin_canny::nearest_parts wants it: where the walks begin and ended.
-/// `margin` ≥ 0 (m): as if a were swollen by so much, where paths are known no better; then they may overlap at `from`.
+/// `swelling`: where paths are known no better, a counts as so much thicker; then the two may overlap at `from`.
 Meeting time_of_impact(const motion::Flight& a, const motion::Flight& b, double from, double until, double envelope,
-                       std::span<lin_canny::FeaturePair> memory, double margin = 0);
+                       std::span<lin_canny::FeaturePair> memory, const Swelling& swelling = {});
 
 /// The same without memory of an earlier look.
 Meeting time_of_impact(const motion::Flight& a, const motion::Flight& b, double from, double until,

@@ -366,8 +366,10 @@ double Group::energy() const {
   return sum;
 }
 
-void Group::shorten(double least_share) {
+bool Group::shorten(double least_share) {
+  const double before = longest;
   if (plan_) longest = std::min(longest, std::max(plan_->h / 4, least_share * stride_));
+  return longest < before;
 }
 
 double Group::stride(double steps) {

@@ -98,7 +98,10 @@ class Group {
   void tell_anew(BodyId id);
 
   /// Its next steps are shorter, for a while; but not shorter than that share of what they may be.
-  void shorten(double least_share);
+  /// False: they are that short already.
+  bool shorten(double least_share);
+  /// How fast its bodies may leave their paths within the step (m/s): from where it began, and no further than `margin`.
+  double drift() const { return margin > 0 ? 2 * margin / (until - since) : 0; }
 
   double since = 0;        ///< s; when the riders are at their states
   double longest = never;  ///< s; no step is longer, for a while

@@ -317,24 +317,32 @@ void Loop::watch_all(BodyId id, BodyId but) {
 void Loop::watch(BodyId id_a, BodyId id_b, double from) {
   const Mover &a = bodies_[id_a], &b = bodies_[id_b];
   if (a.fixed() && b.fixed()) return;
-  if (!has_closed_form(a, b)) from = std::max(from, now_);
+  const bool is_point = has_closed_form(a, b);
+  if (!is_point) from = std::max(from, now_);
   from = std::max({from, a.path().since, b.path().since});
-  double until = frame_end_, margin = 0;
+  double until = frame_end_;
+  Swelling swelling{from};
   for (const BodyId id : {id_a, id_b}) {
     const Group* group = group_of(id);
     if (!group) continue;
-    if (group->waits || group->holds(id_a, id_b) || memory_[key(id_a, id_b)].parted == now_) return;
+    if (group->waits || group->holds(id_a, id_b) || memory_[key(id_a, id_b)].unasked == now_) return;
     until = std::min(until, group->until);
-    margin += group->margin;
+    if (is_point) {
+      swelling.at_first += group->margin;
+    } else {
+      swelling.at_first += group->drift() * (from - group->since);
+      swelling.rate += group->drift();
+    }
   }
-  // Well within reach of each other, they are followed together.
-  if (margin > 0 && follows_steps(id_a) && follows_steps(id_b)) margin += reach_ / 4;
+  // Balls well within reach of each other are followed together.
+  if (is_point && swelling.at_first > 0 && follows_steps(id_a) && follows_steps(id_b)) swelling.at_first += reach_ / 4;
   if (from > until) return;
   ++done_.books.pairs;
   Memory& walks = memory(id_a, id_b);
   if (from == std::max(start(id_a), start(id_b))) refuse_overlap(id_a, id_b, world::touch(a, b, from, walks));
   const Rest* rest = rests_on(id_a, id_b) ? &*rest_[id_a] : rests_on(id_b, id_a) ? &*rest_[id_b] : nullptr;
-  const double time = rest ? rest->until : meeting(a, b, from, until, envelope_, margin, walks);
+  const double envelope = walks.parted == now_ ? 0 : envelope_;
+  const double time = rest ? rest->until : meeting(a, b, from, until, envelope, swelling, walks);
   if (time <= frame_end_) heap_.put({std::max(time, now_), id_a, id_b});
 }
 

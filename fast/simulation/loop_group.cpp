@@ -82,12 +82,19 @@ void Loop::not_yet(const Due& due) {
   }
 }
 
-/// They touch, and part: in the next step, a short one, nobody asks when they meet.
+/// They touch, and part: within an envelope, so that from now on they are in contact where they overlap only. Paths that
+/// drift faster than the two part hide that; in a step so short that they do not, another point may come down in time.
+/// Where none is short enough, and for points that have no other beside them, nobody asks within the step.
 void Loop::part_held(const Due& due) {
-  memory_[key(due.a, due.b)].parted = now_;
+  const bool is_point = has_closed_form(bodies_[due.a], bodies_[due.b]);
+  bool shorter = false;
   for (const BodyId id : {due.a, due.b}) {
-    if (Group* group = group_of(id)) group->shorten(short_enough);
+    Group* group = group_of(id);
+    if (group && group->shorten(is_point ? short_enough : shortest)) shorter = true;
   }
+  Memory& memory = memory_[key(due.a, due.b)];
+  memory.parted = now_;
+  if (is_point || !shorter) memory.unasked = now_;
 }
 
 /// From now on the two hold each other, with all that they hold already.

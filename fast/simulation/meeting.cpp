@@ -99,10 +99,10 @@ double by_planes(const Mover& a, const Mover& b, double from, double until, doub
 }
 
 /// Where doubles do not see whether two bodies that graze meet, they are taken not to, and looked at again thereafter.
-double advanced(const Mover& a, const Mover& b, double from, double until, double envelope, double margin,
+double advanced(const Mover& a, const Mover& b, double from, double until, double envelope, const Swelling& swelling,
                 Memory& memory) {
   while (true) {
-    const Meeting found = time_of_impact(a.flight(), b.flight(), from, until, envelope, memory.walks, margin);
+    const Meeting found = time_of_impact(a.flight(), b.flight(), from, until, envelope, memory.walks, swelling);
     if (found.meeting == TimeOfImpact::Meeting::hit) {
       memory.time = found.lo;
       memory.touch = {0, found.p_WC, found.nhat_BA_W};
@@ -142,16 +142,17 @@ Touch touch(const Mover& a, const Mover& b, double t, Memory& memory) {
           far > 0 ? Vec3(apart / far) : Vec3(Vec3::Zero())};
 }
 
-double meeting(const Mover& a, const Mover& b, double from, double until, double envelope, double margin,
+double meeting(const Mover& a, const Mover& b, double from, double until, double envelope, const Swelling& swelling,
                Memory& memory) {
   if (has_closed_form(a, b)) {
+    const double margin = swelling.at(until);
     const bool alike = a.kind() == b.kind() && a.path().a == b.path().a;
     const double t =
         alike ? alike_falling_balls(a, b, from, envelope, margin) : by_planes(a, b, from, until, envelope, margin);
     return t <= until ? t : never;
   }
   memory.walks.resize(a.flyer().solid.parts().size() * b.flyer().solid.parts().size());
-  return advanced(a, b, from, until, envelope, margin, memory);
+  return advanced(a, b, from, until, envelope, swelling, memory);
 }
 
 }  // namespace touchstone::fast::world

@@ -5,6 +5,7 @@
 
 #include "fast/simulation/body.h"
 #include "fast/simulation/parabola.h"
+#include "fast/time_of_impact/swelling.h"
 
 namespace touchstone::fast::world {
 
@@ -20,7 +21,8 @@ struct Memory {
   std::vector<lin_canny::FeaturePair> walks;
   double time = -1;  ///< s; of the touch
   Touch touch;
-  double parted = -1;  ///< s; when they last were seen to part, so that a step may begin
+  double parted = -1;   ///< s; when they last were seen to part, so that a step may begin
+  double unasked = -1;  ///< s; when a step began in which nobody asks whether they meet
 };
 
 /// Two balls, or a ball and a block.
@@ -46,8 +48,8 @@ Touch touch(const Mover& a, const Mover& b, double t, Memory& memory);
 /// Balls that fall alike: relative motion is straight, one quadratic. Else each bound is the time at which the plane
 /// that keeps the two apart at their nearest points is reached: n̂·s is a parabola, and no convex body crosses its own
 /// supporting plane. Steps from one bound to the next converge like Newton's, from below.
-/// `margin`: they are in contact already when they are so much farther apart (m).
-double meeting(const Mover& a, const Mover& b, double from, double until, double envelope, double margin,
+/// `swelling`: they are in contact already when they are so much farther apart.
+double meeting(const Mover& a, const Mover& b, double from, double until, double envelope, const Swelling& swelling,
                Memory& memory);
 
 }  // namespace touchstone::fast::world

@@ -27,13 +27,13 @@ double later(double t, double h) {
 std::optional<double> balls_apart(const Pair& pair, double t) {
   const Centre a = pair.a.centre(t, pair.O), b = pair.b.centre(t, pair.O);
   const Vec3 d = b.p_WOBcm - a.p_WOBcm;
-  const double radii = pair.a.flyer().radius + pair.b.flyer().radius + pair.margin;
+  const double radii = pair.a.flyer().radius + pair.b.flyer().radius + pair.swelling.at(t);
   const double distance = motion::length(d);
   const double gap = distance - radii - 8 * u * (distance + radii) - (a.error + b.error);
   if (!(gap > radii / 64)) return std::nullopt;
   const Vec3 n = d / distance;
   const Vec3 v = b.v_WBcm - a.v_WBcm, fall = pair.b.acceleration() - pair.a.acceleration();
-  const double s = n.dot(v) - 8 * u * v.lpNorm<1>() - (a.v_error + b.v_error);
+  const double s = n.dot(v) - 8 * u * v.lpNorm<1>() - (a.v_error + b.v_error) - pair.swelling.rate;
   const double seen =
       (pair.a.acceleration() - pair.O.a_WO).lpNorm<1>() + (pair.b.acceleration() - pair.O.a_WO).lpNorm<1>();
   const double c = n.dot(fall) - 128 * u * seen;

@@ -72,8 +72,9 @@ bool fit_doubles(const Placed& A, const Placed& B) {
   return A.hull->fits_doubles() && B.hull->fits_doubles() && (B.t - A.t).lpNorm<Eigen::Infinity>() < 0x1p250;
 }
 
-Side swollen(Side side, double margin) {
-  side.radius += margin;
+Side swollen(Side side, const Swelling& swelling, double t) {
+  side.radius += swelling.at(t);
+  side.slope_error += swelling.rate;
   return side;
 }
 
@@ -99,21 +100,21 @@ Vec3 Pair::in_W(const Vec3& p, double t) const {
 Look::Look(const Pair& pair, double t, FeaturePair& memory, const Vec3& known)
     : pair_(pair),
       t_(t),
-      A_(swollen(side(pair.a, pair.part_A, t, pair.O), pair.margin)),
+      A_(swollen(side(pair.a, pair.part_A, t, pair.O), pair.swelling, t)),
       B_(side(pair.b, pair.part_B, t, pair.O)),
       walked_(walked(A_.core, B_.core, memory)),
       slab_(best_slab(memory, known)) {}
 
 double Look::clear_until(const Slab& slab, double h_max) const {
   double h = slab.clear_until(h_max);
-  const auto however_turned = [&](const motion::Flight& flight, double margin, auto&& slab_of) {
+  const auto however_turned = [&](const motion::Flight& flight, const Swelling& swelling, auto&& slab_of) {
     if (h < h_max && slab.gap() > flight.flyer().radius) {
-      h = std::max(h, slab_of(swollen(ball_around(flight, t_, pair_.O), margin)).clear_until(h_max));
+      h = std::max(h, slab_of(swollen(ball_around(flight, t_, pair_.O), swelling, t_)).clear_until(h_max));
     }
   };
   const Vec3 &n = slab.direction(), at_rest = Vec3::Zero();
-  however_turned(pair_.a, pair_.margin, [&](const Side& ball) { return Slab(ball, B_, n, at_rest, ball.core.t); });
-  however_turned(pair_.b, 0, [&](const Side& ball) { return Slab(A_, ball, n, at_rest, ball.core.t); });
+  however_turned(pair_.a, pair_.swelling, [&](const Side& ball) { return Slab(ball, B_, n, at_rest, ball.core.t); });
+  however_turned(pair_.b, Swelling{}, [&](const Side& ball) { return Slab(A_, ball, n, at_rest, ball.core.t); });
   return h;
 }
 

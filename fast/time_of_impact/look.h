@@ -5,6 +5,7 @@
 
 #include "fast/lin_canny/walk.h"
 #include "fast/time_of_impact/slab.h"
+#include "fast/time_of_impact/swelling.h"
 
 namespace touchstone::fast::meeting {
 
@@ -13,8 +14,8 @@ struct Pair {
   const motion::Flight& a;
   const motion::Flight& b;
   std::size_t part_A, part_B;
-  motion::Origin O;   ///< the pair frame's origin
-  double margin = 0;  ///< m; by which a's part counts as swollen
+  motion::Origin O;       ///< the pair frame's origin
+  Swelling swelling = {};  ///< of a's part
 
   Vec3 in_W(const Vec3& p, double t) const;  ///< of a point in the pair's frame
 };
