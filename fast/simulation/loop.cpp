@@ -206,15 +206,19 @@ std::optional<Touch> Loop::foremost(const Due& due) {
   return found ? std::optional(found->touch) : std::nullopt;
 }
 
-/// Later, by a time in which the two hardly move: they part, though no faster than rounding can tell.
+/// Later, by a time in which the two hardly approach: they part, though no faster than rounding can tell.
 void Loop::watch_later(const Due& due) {
   if (group_of_[due.a] || group_of_[due.b]) return part_held(due);
-  const auto pace = [](const Mover& m, double t) {
-    return m.path().velocity(t).lpNorm<1>() +
-           (m.fixed() || m.kind() != Kind::other ? 0 : m.flight().rate() * m.radius());
-  };
-  const double speed = pace(bodies_[due.a], now_) + pace(bodies_[due.b], now_);
-  const double step = envelope_ / 16 / speed, grain = now_ * 0x1p-51;
+  const Mover &a = bodies_[due.a], &b = bodies_[due.b];
+  double speed = (b.path().velocity(now_) - a.path().velocity(now_)).lpNorm<1>();
+  double pull = (b.path().a - a.path().a).lpNorm<1>();
+  for (const Mover* body : {&a, &b}) {
+    if (body->fixed() || body->kind() != Kind::other) continue;
+    speed += body->flight().rate() * body->radius();
+    pull += body->flight().curl() * body->radius();
+  }
+  const double near = envelope_ / 16, grain = now_ * 0x1p-51;
+  const double step = 2 * near / (speed + std::sqrt(speed * speed + 2 * pull * near));
   if (step < grain) turns_ += lost_patience;
   watch(due.a, due.b, now_ + std::max(step, grain));
 }
