@@ -367,8 +367,9 @@ double Group::energy() const {
 }
 
 bool Group::shorten(double least_share) {
+  if (!plan_) return true;
   const double before = longest;
-  if (plan_) longest = std::min(longest, std::max(plan_->h / 4, least_share * stride_));
+  longest = std::min(longest, std::max(plan_->h / 4, least_share * stride_));
   return longest < before;
 }
 
