@@ -49,6 +49,34 @@ double sweep(std::vector<Touch>& touches, const std::vector<Mobility>& bodies, s
   return change;
 }
 
+/// What a sweep changes is taken for minus a gradient: the next begins further on along a direction conjugate to the
+/// last one, and cuts to the disc what goes beyond. Where changes grow it begins anew. Source: the nonsmooth nonlinear
+/// conjugate gradient method, Silcowitz, Niebe, Erleben 2010.
+class Descent {
+ public:
+  explicit Descent(std::size_t touches) : before_(touches), direction_(touches, Vec3::Zero()) {}
+
+  void begin(const std::vector<Touch>& touches) {
+    for (std::size_t i = 0; i < touches.size(); ++i) before_[i] = touches[i].P;
+  }
+  void go_on(std::vector<Touch>& touches, const std::vector<Mobility>& bodies, std::vector<Twist>& twists) {
+    double steep = 0;
+    for (std::size_t i = 0; i < touches.size(); ++i) steep += touches[i].K_nn * (touches[i].P - before_[i]).squaredNorm();
+    const double beta = steep_ > 0 && steep <= steep_ ? steep / steep_ : 0;
+    for (std::size_t i = 0; i < touches.size(); ++i) {
+      const Vec3 further = beta * direction_[i];
+      direction_[i] = further + (touches[i].P - before_[i]);
+      if (beta > 0) push(touches[i], further, bodies, twists);
+      touches[i].P += further;
+    }
+    steep_ = steep;
+  }
+
+ private:
+  std::vector<Vec3> before_, direction_;
+  double steep_ = 0;
+};
+
 /// `change`: of the sweep before.
 void try_jump(std::vector<Touch>& touches, const std::vector<Mobility>& bodies, std::vector<Twist>& twists,
               double change) {
@@ -92,11 +120,16 @@ void solve(std::vector<Touch>& touches, const std::vector<Mobility>& bodies, std
                         greatest(twists[index(touch.b)], touch.arm_B)});
     push(touch, touch.P, bodies, twists);
   }
+  Descent descent(touches.size());
   for (int i = 1; i <= effort.sweeps; ++i) {
+    descent.begin(touches);
     const double change = sweep(touches, bodies, twists);
     if (change <= std::max(settled * fastest, effort.enough)) return;
     if (i % effort.sweeps_to_a_jump == 0 && touches.size() <= effort.most_that_jump) {
       try_jump(touches, bodies, twists, change);
+      descent = Descent(touches.size());
+    } else if (i < effort.sweeps) {
+      descent.go_on(touches, bodies, twists);
     }
   }
 }
