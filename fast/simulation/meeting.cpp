@@ -104,6 +104,7 @@ double advanced(const Mover& a, const Mover& b, double from, double until, doubl
   while (true) {
     const Meeting found = time_of_impact(a.flight(), b.flight(), from, until, envelope, memory.walks, swelling);
     if (found.meeting == TimeOfImpact::Meeting::hit) {
+      if (envelope == 0) return found.hi;
       memory.time = found.lo;
       memory.touch = {0, found.p_WC, found.nhat_BA_W};
       return found.lo;
