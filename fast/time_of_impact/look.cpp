@@ -47,6 +47,12 @@ class Widest {
     for (int f = 0; f < A_.hull->face_count(); ++f) ask(A_.turned_out(A_.hull->face(f).normal));
     for (int f = 0; f < B_.hull->face_count(); ++f) ask(-B_.turned_out(B_.hull->face(f).normal));
   }
+  void ask_all() {
+    lin_canny::any_parting_normal(A_, B_, [&](const Vec3& from_B) {
+      ask(-from_B);
+      return false;
+    });
+  }
   bool has_one() const { return has_one_; }
   double found_gap() const { return gap_; }
   const Vec3& direction() const { return n_; }
@@ -162,7 +168,10 @@ Slab Look::best_slab(const FeaturePair& before, const Vec3& known) const {
     widest.ask(-m);
   }
   const double radii = A_.radius + B_.radius;
-  if (!widest.has_one() || widest.found_gap() < radii - 8 * lin_canny::rounding(A_.core, B_.core)) widest.ask_faces();
+  const double rounding = 8 * lin_canny::rounding(A_.core, B_.core);
+  if (!widest.has_one() || widest.found_gap() < radii - rounding) widest.ask_faces();
+  // Faces that are all but parallel: the walk may end at features that are not the closest, and edges part the two.
+  if (!walked_.inside && widest.found_gap() < -rounding) widest.ask_all();
   return {A_, B_, widest.direction(), Vec3::Zero(), p_OC};
 }
 
