@@ -21,7 +21,7 @@ class Tiling {
   Tiling(double cell, std::size_t bodies);
 
   void file(BodyId id, const Aabb& box);  ///< where it stands from now on
-  const Aabb& box(BodyId id) const { return box_[id]; }
+  const Aabb& box(BodyId id) const { return filed_[id].box; }
 
   /// Whom the body's box overlaps, without itself; in no order that means anything. Valid until it is asked again.
   std::span<const BodyId> near(BodyId id);
@@ -30,19 +30,21 @@ class Tiling {
   static constexpr std::uint32_t nobody = 0xffffffff;
   static constexpr int levels = 64;
   static constexpr int middle = 24;  ///< the level of the given cell
-  static constexpr std::size_t few = 48;
-  static constexpr std::uint32_t room = 6;  ///< so that a cell is half a line of memory
+  static constexpr std::size_t few = 12;
+  static constexpr std::uint32_t room = 6;  ///< so that two cells are a line of memory
 
-  struct Place {
+  /// A line of memory: who asks for a box has the rest, too.
+  struct alignas(64) Filed {
+    Aabb box;
     std::int32_t level = -1;       ///< −1: not filed
     std::uint32_t cell = 0;        ///< in the level's table
     std::uint32_t at = 0;          ///< in the level's list
     std::uint32_t after = nobody;  ///< in the chain of those for whom the cell has no room
   };
-  struct Cell {
-    std::uint32_t count = 0;
-    std::uint32_t more = nobody;
+  struct alignas(32) Cell {
     BodyId bodies[room] = {};
+    std::uint32_t count = 0;  ///< of these
+    BodyId more = nobody;
   };
   struct Level {
     double per_metre = 0;  ///< 1 / cell
@@ -50,19 +52,23 @@ class Tiling {
     std::vector<Cell> cells;  ///< none until the level has boxes
   };
 
-  std::int64_t row(const Level& level, double x) const;
-  std::uint32_t index(std::int64_t x, std::int64_t y, std::int64_t z) const;
+  /// The cells of a line along x stand side by side from here on.
+  std::uint32_t line(std::int64_t y, std::int64_t z) const {
+    const std::int64_t mask = side_ - 1;
+    return static_cast<std::uint32_t>(((z & mask) << shift_ | (y & mask)) << shift_);
+  }
   void put(Cell& cell, BodyId id);
   void take(Cell& cell, BodyId id);
+  void leave(Level& level, BodyId id);
+  void enter(std::int32_t on, BodyId id);
   std::size_t look(const Level& level, const Aabb& box, std::size_t size);
 
   std::int64_t side_ = 1;  ///< cells of a table along each axis: a power of two
   int shift_ = 0;          ///< side_ = 2^shift_
-  std::vector<Aabb> box_;
-  std::vector<Place> place_;
+  std::vector<Filed> filed_;
   std::vector<Level> level_;
   std::vector<std::size_t> used_;  ///< levels that have or had boxes
-  std::vector<BodyId> found_;      ///< what is asked for, and beyond it what was
+  std::vector<BodyId> found_;      ///< what is asked for, and beyond it what was: room for all
 };
 
 }  // namespace touchstone::fast::world
