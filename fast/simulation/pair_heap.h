@@ -17,35 +17,37 @@ struct Due {
   auto operator<=>(const Due&) const = default;
 };
 
-/// At most one entry a pair, and each body knows its own: what an impact makes stale is taken out at once, so no entry
-/// that is popped is stale.
+/// What an impact makes stale is forgotten where it stands: each body counts how often it was dropped, and each entry
+/// knows the counts of its time. None is ever on top, and the heap has room for as many stale entries as good ones.
 class PairHeap {
  public:
-  explicit PairHeap(std::size_t bodies) : of_body_(bodies) {}
+  explicit PairHeap(std::size_t bodies) : drops_(bodies) {}
 
   bool empty() const { return heap_.empty(); }
   const Due& top() const { return heap_.front().due; }
 
-  void put(const Due& due);  ///< requires that the pair has no entry
+  void put(const Due& due);
   void pop();
   void drop(BodyId body);  ///< all entries of the body
 
  private:
+  static constexpr std::size_t few = 64;
+
   struct Entry {
     Due due;
-    std::uint32_t slot = 0;
+    std::uint32_t drops_a = 0, drops_b = 0;
   };
 
-  void remove(std::uint32_t slot);
-  void forget(BodyId body, std::uint32_t slot);
-  void place(std::size_t at, const Entry& entry);
-  void rise(std::size_t at, const Entry& entry);
-  void sink(std::size_t at, const Entry& entry);
+  bool is_stale(const Entry& entry) const {
+    return entry.drops_a != drops_[entry.due.a] || entry.drops_b != drops_[entry.due.b];
+  }
+  void remove_top();
+  void clear_top();
+  void clear();
 
   std::vector<Entry> heap_;
-  std::vector<std::uint32_t> place_;                 ///< by slot: where in the heap
-  std::vector<std::uint32_t> free_;                  ///< slots
-  std::vector<std::vector<std::uint32_t>> of_body_;  ///< slots of its entries
+  std::vector<std::uint32_t> drops_;  ///< by body
+  std::size_t full_ = few;            ///< so many entries, and it is time to clear what is stale
 };
 
 }  // namespace touchstone::fast::world
