@@ -93,7 +93,8 @@ class Loop {
   void set_out(BodyId id, const State& state);
   Memory& memory(BodyId a, BodyId b);
   void refuse_overlap(BodyId a, BodyId b, const Touch& touch) const;
-  bool rests_on(BodyId id, BodyId on) const { return rest_[id] && rest_[id]->on == on; }
+  /// Rests are long, and only on what is fixed: for most pairs they are not looked up.
+  bool rests_on(BodyId id, BodyId on) const { return bodies_[on].fixed() && rest_[id] && rest_[id]->on == on; }
   void record(const Event& event);
   void record_contact(Event::Kind kind, BodyId id, const Vec3& v_before, double since);
   void stop(const Due& due, const std::string& why);

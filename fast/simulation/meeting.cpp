@@ -73,11 +73,13 @@ Relative relative(const Mover& a, const Mover& b, double t) {
   return {a.path().velocity(t) - b.path().velocity(t), a.path().a - b.path().a};
 }
 
-/// Twice: how clear is clear enough depends a little on when they meet.
+/// Who parts does so for ever. The quadratic twice: how clear is clear enough depends a little on when they meet.
 double alike_falling_balls(const Mover& a, const Mover& b, double from, double envelope, double margin) {
   const Vec3 s = a.path().place(from) - b.path().place(from);
   const Vec3 v = relative(a, b, from).v;
-  const double far = length(s), b_half = s.dot(v), squared = v.dot(v);
+  const double b_half = s.dot(v);
+  if (b_half >= 0) return never;
+  const double far = length(s), squared = v.dot(v);
   const auto solve = [&](double reach) { return closes((far - reach) * (far + reach) / 2, b_half, squared); };
   const double reach = a.radius() + b.radius() + margin, about = solve(reach + clearance(a, b, from, envelope));
   return about < never && about > 0 ? from + solve(reach + clearance(a, b, from + about, envelope)) : from + about;
