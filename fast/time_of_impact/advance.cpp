@@ -56,9 +56,10 @@ class Advance {
       // That the two do not overlap was proved on the way here. At the start any plane across which they part will do;
       // later it must be the one that they came to, or a touch in passing would be overlooked.
       const bool is_good = look.slab().is_clear() || look.slab().parts();
-      if (const auto slab = is_good ? std::optional(look.slab()) : t_ == from_ ? look.parting() : std::nullopt) {
+      const std::optional<Slab> other = !is_good && t_ == from_ ? look.parting() : std::nullopt;
+      if (is_good || other) {
         const double before = t_;
-        if (!go_on(look.clear_until(*slab, left()))) return apart();
+        if (!go_on(look.clear_until(is_good ? look.slab() : *other, left()))) return apart();
         if (t_ > before) continue;
       }
       if (const std::optional<Meeting> met = touch(look)) return *met;

@@ -27,7 +27,7 @@ Slab::Slab(const Side& A, const Side& B, const Vec3& n, const Vec3& turn, const 
   A_.see(A, n, turn, 0, A.core.t - p_OC, Vec3::Zero(), Vec3::Zero());
   B_.see(B, -n, -turn, -n.dot(B.core.t - A.core.t), B.core.t - p_OC, v, a);
   const double radii = A.radius + B.radius;
-  const double gap = -B_.height[B_.highest()] - A_.height[A_.highest()] - radii;
+  const double gap = -B_.highest() - A_.highest() - radii;
   const double turning = motion::length(turn);
   error_ = lin_canny::rounding(A.core, B.core) + 4 * u * (radii + std::abs(gap));
   gap_ = gap - error_;
@@ -50,30 +50,24 @@ void Slab::Heights::see(const Side& side, const Vec3& up, const Vec3& turn, doub
   const double speed_O = up.dot(v) + sweep.dot(side.arm) + turn.dot(from_C);
   const double bend_O = up.dot(a) + 2 * turn.dot(v) + to_bend.dot(side.arm);
   const std::vector<Vec3>& vertices = side.core.hull->vertices();
-  height.resize(vertices.size());
-  speed.resize(vertices.size());
-  bend.resize(vertices.size());
-  for (std::size_t i = 0; i < vertices.size(); ++i) {
-    height[i] = place + height_B.dot(vertices[i]);
-    speed[i] = speed_O + speed_B.dot(vertices[i]);
-    bend[i] = bend_O + bend_B.dot(vertices[i]);
+  of.clear();
+  of.reserve(vertices.size());
+  for (const Vec3& x : vertices) {
+    of.push_back({place + height_B.dot(x), speed_O + speed_B.dot(x), bend_O + bend_B.dot(x)});
   }
   whirl = side.whirl + 3 * motion::length(turn) * (side.swirl + motion::length(a));
 }
 
-/// How high comes first, which one second: no processor could predict the comparisons of a loop that asks for both.
-std::size_t Slab::Heights::highest() const {
-  double most = height[0];
-  for (const double x : height) most = std::max(most, x);
-  std::size_t i = 0;
-  while (height[i] != most) ++i;
-  return i;
+double Slab::Heights::highest() const {
+  double most = of[0].height;
+  for (const Height& v : of) most = std::max(most, v.height);
+  return most;
 }
 
 double Slab::Heights::fastest(double at_least_as_high_as) const {
   double most = -infinity;
-  for (std::size_t i = 0; i < height.size(); ++i) {
-    if (height[i] >= at_least_as_high_as) most = std::max(most, speed[i]);
+  for (const Height& v : of) {
+    if (v.height >= at_least_as_high_as) most = std::max(most, v.speed);
   }
   return most;
 }
@@ -82,9 +76,9 @@ double Slab::Heights::fastest(double at_least_as_high_as) const {
 /// this, and of the root.
 double Slab::Heights::below(double z, double s, double bend_error, double H) const {
   double until = H;
-  for (std::size_t i = 0; i < height.size(); ++i) {
-    const double way = (z - height[i]) * (1 - 0x1p-40), gain = s - speed[i];
-    const double bent = -(bend[i] + bend_error + whirl * until / 3);
+  for (const Height& v : of) {
+    const double way = (z - v.height) * (1 - 0x1p-40), gain = s - v.speed;
+    const double bent = -(v.bend + bend_error + whirl * until / 3);
     if (way + std::min(0.0, gain) * until + std::min(0.0, bent) * until / 2 * until >= 0) continue;
     until = std::min(until, first_root(std::max(0.0, way), gain, bent) * (1 - 0x1p-30));
   }
@@ -92,14 +86,14 @@ double Slab::Heights::below(double z, double s, double bend_error, double H) con
 }
 
 double Slab::least_speed(double above) const {
-  const double a = A_.fastest(A_.height[A_.highest()] - above), b = B_.fastest(B_.height[B_.highest()] - above);
+  const double a = A_.fastest(A_.highest() - above), b = B_.fastest(B_.highest() - above);
   return -b - a - speed_error_;
 }
 
 /// Seen from A's foremost vertex, B's is at `apart`. What rounding may be counts as A's.
 double Slab::clear_until(double h_max) const {
   const double near = 8 * error_;
-  const double top_A = A_.height[A_.highest()], top_B = B_.height[B_.highest()];
+  const double top_A = A_.highest(), top_B = B_.highest();
   const double speed_A = A_.fastest(top_A - near) + speed_error_, speed_B = B_.fastest(top_B - near);
   const double half = std::max(0.0, gap_) / 2;
   const double plane_speed = (speed_A - speed_B) / 2;

@@ -48,15 +48,18 @@ class Slab {
   double clear_until(double h_max) const;
 
  private:
+  struct Height {
+    double height, speed, bend;
+  };
   /// Of vertices, seen so that the other body is above: B's are turned round.
   struct Heights {
-    std::vector<double> height, speed, bend;
+    std::vector<Height> of;
     double whirl = 0;
     /// As seen from a point that is at `place` (height) from the core's origin, and has the velocity `v` and the
     /// acceleration `a` against its centre of mass; `from_C`: from C to the core's origin.
     void see(const Side& side, const Vec3& up, const Vec3& turn, double place, const Vec3& from_C, const Vec3& v,
              const Vec3& a);
-    std::size_t highest() const;
+    double highest() const;
     double fastest(double at_least_as_high_as) const;
     /// Until when all are below a plane at height z + s h, at most H.
     double below(double z, double s, double bend_error, double H) const;
