@@ -14,28 +14,23 @@ struct Segment {
   Vec3 from, to;
 };
 
-/// What all P's edges leave in Q.
+/// What all P's edges leave in Q. The face that the last edge was beyond is asked first: most edges are beyond it, too.
 std::vector<Segment> left_in(const Placed& Q, const Placed& P) {
-  const std::size_t faces = static_cast<std::size_t>(Q.hull->face_count());
   std::vector<Vec3> places;
-  std::vector<double> heights;  // of each vertex over each of Q's faces
   places.reserve(P.hull->vertices().size());
-  heights.reserve(P.hull->vertices().size() * faces);
-  for (const Vec3& v : P.hull->vertices()) {
-    places.push_back(Q.in(P.out(v)));
-    for (int f = 0; f < Q.hull->face_count(); ++f) {
-      heights.push_back(Q.hull->face(f).normal.dot(places.back()) - Q.hull->face(f).height);
-    }
-  }
+  for (const Vec3& v : P.hull->vertices()) places.push_back(Q.in(P.out(v)));
   std::vector<Segment> found;
+  const int faces = Q.hull->face_count();
+  int first = 0;
   for (int e = 0; e < P.hull->edge_count(); ++e) {
-    const std::size_t i = static_cast<std::size_t>(P.hull->edge(e).tail);
-    const std::size_t j = static_cast<std::size_t>(P.hull->edge(e).head);
-    const Vec3 &tail = places[i], &head = places[j];
+    const Vec3& tail = places[static_cast<std::size_t>(P.hull->edge(e).tail)];
+    const Vec3& head = places[static_cast<std::size_t>(P.hull->edge(e).head)];
     double from = 0, to = 1;
-    for (std::size_t f = 0; f < faces && from <= to; ++f) {
-      const double at_tail = heights[i * faces + f], at_head = heights[j * faces + f];
-      if (at_tail > 0 && at_head > 0) to = -1;
+    for (int i = 0; i < faces && from <= to; ++i) {
+      const int f = first + i < faces ? first + i : first + i - faces;
+      const Hull::Face& face = Q.hull->face(f);
+      const double at_tail = face.normal.dot(tail) - face.height, at_head = face.normal.dot(head) - face.height;
+      if (at_tail > 0 && at_head > 0) to = -1, first = f;
       if (at_tail > 0 && at_head <= 0) from = std::max(from, at_tail / (at_tail - at_head));
       if (at_tail <= 0 && at_head > 0) to = std::min(to, at_tail / (at_tail - at_head));
     }
