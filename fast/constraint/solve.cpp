@@ -61,7 +61,8 @@ class Descent {
   }
   void go_on(std::vector<Touch>& touches, const std::vector<Mobility>& bodies, std::vector<Twist>& twists) {
     double steep = 0;
-    for (std::size_t i = 0; i < touches.size(); ++i) steep += touches[i].K_nn * (touches[i].P - before_[i]).squaredNorm();
+    for (std::size_t i = 0; i < touches.size(); ++i)
+      steep += touches[i].K_nn * (touches[i].P - before_[i]).squaredNorm();
     const double beta = steep_ > 0 && steep <= steep_ ? steep / steep_ : 0;
     for (std::size_t i = 0; i < touches.size(); ++i) {
       const Vec3 further = beta * direction_[i];

@@ -185,7 +185,10 @@ Stepped step(const std::vector<Member>& members, std::vector<Hold>& holds, doubl
     for (const Course& body : bodies) free.push_back(body.free(h));
     mean = free;
     solve(touches, mobilities, mean,
-          {.sweeps = 400, .sweeps_to_a_jump = 64, .most_that_jump = 16, .enough = std::min(tolerance / h, of_recovery * recovery)});
+          {.sweeps = 400,
+           .sweeps_to_a_jump = 64,
+           .most_that_jump = 16,
+           .enough = std::min(tolerance / h, of_recovery * recovery)});
     const double changed = change;
     change = 0;
     for (std::size_t i = 0; i < bodies.size(); ++i) change = std::max(change, bodies[i].go(mean[i], free[i], h));

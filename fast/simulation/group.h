@@ -100,7 +100,8 @@ class Group {
   /// Its next steps are shorter, for a while; but not shorter than that share of what they may be.
   /// False: they are that short already. (Of a first step nobody knows how long it will be.)
   bool shorten(double least_share);
-  /// How fast its bodies may leave their paths within the step (m/s): from where it began, and no further than `margin`.
+  /// How fast its bodies may leave their paths within the step (m/s): from where it began, and no further than
+  /// `margin`.
   double drift() const { return margin > 0 ? 2 * margin / (until - since) : 0; }
 
   double since = 0;        ///< s; when the riders are at their states

@@ -82,9 +82,9 @@ void Loop::not_yet(const Due& due) {
   }
 }
 
-/// They touch, and part: within an envelope, so that from now on they are in contact where they overlap only. Paths that
-/// drift faster than the two part hide that; in a step so short that they do not, another point may come down in time.
-/// Where none is short enough, and for points that have no other beside them, nobody asks within the step.
+/// They touch, and part: within an envelope, so that from now on they are in contact where they overlap only. Paths
+/// that drift faster than the two part hide that; in a step so short that they do not, another point may come down in
+/// time. Where none is short enough, and for points that have no other beside them, nobody asks within the step.
 void Loop::part_held(const Due& due) {
   const bool is_point = has_closed_form(bodies_[due.a], bodies_[due.b]);
   bool shorter = false;

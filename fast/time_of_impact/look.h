@@ -14,7 +14,7 @@ struct Pair {
   const motion::Flight& a;
   const motion::Flight& b;
   std::size_t part_A, part_B;
-  motion::Origin O;       ///< the pair frame's origin
+  motion::Origin O;        ///< the pair frame's origin
   Swelling swelling = {};  ///< of a's part
 
   Vec3 in_W(const Vec3& p, double t) const;  ///< of a point in the pair's frame
