@@ -51,8 +51,8 @@ struct Effort {
 /// Finds P for all touches: P_n ≥ 0, u_n ≥ least_u_n, one of the two equal; P_t in the disc of radius μ P_n, against
 /// u_t where it is on its rim. `twists`: with the guesses' effect left out; then with all P's. Each contact is solved
 /// in turn, the disc round, until no sweep changes a velocity by more than 2⁻⁴⁴ of the greatest, or by more than is
-/// enough. Where sweeps crawl, so many of them are followed by a jump (active_set.h), which is taken back if the next
-/// sweep finds it worse.
+/// enough. A sweep begins further on along a direction conjugate to the last ones. Where sweeps crawl, so many of them
+/// are followed by a jump (active_set.h), which is taken back if the next sweep finds it worse.
 void solve(std::vector<Touch>& touches, const std::vector<Mobility>& bodies, std::vector<Twist>& twists,
            const Effort& effort);
 
