@@ -1,6 +1,7 @@
 // Numbers of things, in words.
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 namespace touchstone::fast {

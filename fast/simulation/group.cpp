@@ -82,7 +82,7 @@ void Group::absorb(const Group& other) {
   sort_joints();
   longest = std::min(longest, other.longest);
   if (other.struck_at_ > struck_at_) struck_at_ = other.struck_at_, strikes_ = 0;
-  if (other.struck_at_ == struck_at_) strikes_ += other.strikes_;
+  if (other.struck_at_ == struck_at_) strikes_ = std::max(strikes_, other.strikes_);
 }
 
 contact::Part Group::part_of(BodyId id, std::size_t part, const State& state) const {
@@ -161,6 +161,7 @@ bool Group::renew(Joint& joint, double reach) const {
   // The guess: as in the last step, if the points may be the same.
   for (std::size_t i = 0; i < feet.size() && feet.size() == joint.feet.size(); ++i) feet[i].P_A_W = joint.feet[i].P_A_W;
   joint.feet = std::move(feet);
+  joint.touched = joint.touched || !joint.feet.empty();
   if (!joint.feet.empty()) joint.p_WC = strike_at(joint, joint.feet.front()).touch.p_WC;
   return true;
 }
@@ -224,6 +225,7 @@ std::vector<Joint> Group::part(double slow) {
   }
   for (const Joint& joint : near) (held[index(joint.a)] && held[index(joint.b)] ? kept : out).push_back(joint);
   joints_ = std::move(kept);
+  std::erase_if(out, [](const Joint& joint) { return !joint.touched; });
   return out;
 }
 
@@ -368,9 +370,8 @@ double Group::energy() const {
 
 bool Group::shorten(double least_share) {
   if (!plan_) return true;
-  const double before = longest;
   longest = std::min(longest, std::max(plan_->h / 4, least_share * stride_));
-  return longest < before;
+  return plan_->h > least_share * stride_;
 }
 
 double Group::stride(double steps) {

@@ -25,7 +25,8 @@ struct Joint {
   Vec3 nhat_BA_W = Vec3::Zero();
   Vec3 p_WC = Vec3::Zero();  ///< of its first foot
   std::vector<contact::Foot> feet = {};
-  bool told = false;  ///< an event has said that it holds
+  bool told = false;     ///< an event has said that it holds
+  bool touched = false;  ///< has had a foot; else it is watched only
 };
 
 /// A foot of a joint, as its pair would strike there.

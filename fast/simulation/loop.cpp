@@ -81,6 +81,7 @@ Loop::Loop(const Scene& scene, const SimulationOptions& options)
       rest_(bodies_.size()),
       group_of_(bodies_.size()),
       struck_(bodies_.size(), -never),
+      strikes_(bodies_.size(), 0),
       pull_(bodies_.size(), scene.gravity),
       tiling_(usual_extent(bodies_, frame_length(scene, options)), bodies_.size()) {
   options_.frame = frame_length(scene, options);
@@ -260,7 +261,9 @@ void Loop::strike(Event::Kind kind, const Due& due, const Touch& touch, Hit hit)
   record({kind, now_, static_cast<int>(due.a), static_cast<int>(due.b), touch.p_WC, touch.nhat_BA_W, hit.P_A_W, a, b});
   for (const BodyId id : {due.a, due.b}) {
     if (rest_[id]) release(id, id == due.a ? a : b);
-    if (!bodies_[id].fixed()) struck_[id] = now_;
+    if (bodies_[id].fixed()) continue;
+    struck_[id] = now_;
+    ++strikes_[id];
   }
   set_out(due.a, a);
   set_out(due.b, b);
@@ -327,10 +330,12 @@ void Loop::watch(BodyId id_a, BodyId id_b, double from) {
   from = std::max({from, a.path().since, b.path().since});
   double until = frame_end_;
   Swelling swelling{from};
+  const Memory* remembered = group_of_[id_a] || group_of_[id_b] ? &memory_[key(id_a, id_b)] : nullptr;
+  const bool seen_to_part = remembered && remembered->strikes == strikes_[id_a] + strikes_[id_b];
   for (const BodyId id : {id_a, id_b}) {
     const Group* group = group_of(id);
     if (!group) continue;
-    if (group->waits || group->holds(id_a, id_b) || memory_[key(id_a, id_b)].unasked == now_) return;
+    if (group->waits || group->holds(id_a, id_b) || (seen_to_part && remembered->unasked == now_)) return;
     until = std::min(until, group->until);
     if (is_point) {
       swelling.at_first += group->margin;
@@ -346,7 +351,7 @@ void Loop::watch(BodyId id_a, BodyId id_b, double from) {
   Memory& walks = memory(id_a, id_b);
   if (from == std::max(start(id_a), start(id_b))) refuse_overlap(id_a, id_b, world::touch(a, b, from, walks));
   const Rest* rest = rests_on(id_a, id_b) ? &*rest_[id_a] : rests_on(id_b, id_a) ? &*rest_[id_b] : nullptr;
-  const double envelope = walks.parted == now_ ? 0 : envelope_;
+  const double envelope = seen_to_part && remembered->parted == now_ ? 0 : envelope_;
   const double time = rest ? rest->until : meeting(a, b, from, until, envelope, swelling, walks);
   if (time <= frame_end_) heap_.put({std::max(time, now_), id_a, id_b});
 }

@@ -115,6 +115,7 @@ class Loop {
   std::map<BodyId, Group> groups_;               ///< by the first body of each that moves
   std::vector<std::optional<BodyId>> group_of_;  ///< by body
   std::vector<double> struck_;                   ///< s, by body that moves: its last impact
+  std::vector<std::uint64_t> strikes_;           ///< likewise: how many
   std::vector<Vec3> pull_;  ///< by body: what gravity and its push accelerate it by (m/s²), if it moves
   std::size_t pushed_ = 0;
   Tiling tiling_;

@@ -94,6 +94,7 @@ void Loop::part_held(const Due& due) {
   }
   Memory& memory = memory_[key(due.a, due.b)];
   memory.parted = now_;
+  memory.strikes = strikes_[due.a] + strikes_[due.b];
   if (is_point || !shorter) memory.unasked = now_;
 }
 
@@ -257,7 +258,7 @@ void Loop::take_step(Group& group) {
   const double stride = group.stride(options_.contact_steps);
   const double h = std::clamp(group.longest, shortest * stride, stride);
   group.link_parts(h);
-  group.until = now_ + group.plan((now_ + h) - now_);
+  group.until = std::max(now_ + group.plan((now_ + h) - now_), std::nextafter(now_, never));
   group.margin = group.deviation();
   if (++done_.books.contact_steps > options_.most_contact_steps) {
     stop({now_, group.joints().front().a, group.joints().front().b}, "contacts that take more steps than allowed");

@@ -1,6 +1,7 @@
 // When two bodies on their paths come into contact, and where.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "fast/simulation/body.h"
@@ -21,8 +22,9 @@ struct Memory {
   std::vector<lin_canny::FeaturePair> walks;
   double time = -1;  ///< s; of the touch
   Touch touch;
-  double parted = -1;   ///< s; when they last were seen to part, so that a step may begin
-  double unasked = -1;  ///< s; when a step began in which nobody asks whether they meet
+  double parted = -1;         ///< s; when they last were seen to part, so that a step may begin
+  std::uint64_t strikes = 0;  ///< that the two had had by then
+  double unasked = -1;        ///< s; when a step began in which nobody asks whether they meet
 };
 
 /// Two balls, or a ball and a block.
@@ -48,7 +50,8 @@ Touch touch(const Mover& a, const Mover& b, double t, Memory& memory);
 /// Balls that fall alike: relative motion is straight, one quadratic. Else each bound is the time at which the plane
 /// that keeps the two apart at their nearest points is reached: n̂·s is a parabola, and no convex body crosses its own
 /// supporting plane. Steps from one bound to the next converge like Newton's, from below.
-/// `swelling`: they are in contact already when they are so much farther apart.
+/// `swelling`: they are in contact already when they are so much farther apart. `envelope` 0: not at the lower bound,
+/// but where it is proved that the two overlap, by little more than rounding.
 double meeting(const Mover& a, const Mover& b, double from, double until, double envelope, const Swelling& swelling,
                Memory& memory);
 

@@ -2,6 +2,7 @@
 #include <bit>
 #include <cstdint>
 #include <cstdio>
+#include <vector>
 
 #include "fast/simulation.h"
 #include "model/json.h"
