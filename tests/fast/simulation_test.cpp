@@ -208,6 +208,18 @@ TEST_CASE("a bow of balls rocks from ball to ball, and none of them is ever in t
   CHECK(most > 0.2);
 }
 
+TEST_CASE("who leaves the ground is said to leave it where he stood") {
+  Scene scene = bow_of_balls();
+  scene.flight->pushes = {{0.25, 0, Vec3(0, 0, 32)}};
+  const Vec3 place(5, 7, 3);
+  for (Body& body : scene.bodies) body.X_WB.p_WB += place;
+  const Trajectory answer = simulate(scene).trajectory;
+  const auto left = std::ranges::find(*answer.events, Kind::release, &Event::kind);
+  REQUIRE(left != answer.events->end());
+  CHECK(std::abs((left->p_WC - place).z()) < 1e-6);
+  CHECK((left->p_WC - place).norm() < 1);
+}
+
 TEST_CASE("a rattleback of balls turns back as a smooth one does") {
   const auto& all = app::motion_scenes();
   const auto known = std::ranges::find(all, "rattleback", [](const auto& motion) { return motion.scene.name; });
