@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "fast/distance.h"
+#include "fast/lin_canny/nearest_parts.h"
 #include "model/input_error.h"
 #include "reference/time_of_impact.h"
 #include "reference/validity.h"
@@ -173,6 +174,56 @@ TEST_CASE("within an envelope, a meeting is a time at which the two are as near 
     REQUIRE((*there.p_WCa - met.p_WC).norm() <= 1e-7);
     REQUIRE(std::abs(met.nhat_BA_W.norm() - 1) <= 1e-15);
   }
+}
+
+/// at_first in steps of 1/8 m from 0, rates in steps of 1/4 m/s from 0; now and then so much that they begin as one.
+Swelling drawn_swelling(RandomFlight& random, int i) {
+  Swelling swelling;
+  swelling.since = i % 2 == 0 ? 0 : -random.unit();
+  swelling.at_first = i % 16 == 15 ? 8 : (i % 3) / 8.0;
+  swelling.rate = i % 5 / 4.0;
+  return swelling;
+}
+
+TEST_CASE("swollen, the two are apart before they meet by more than the swelling, and then no farther") {
+  RandomFlight random(13);
+  int hits = 0, misses = 0, at_once = 0;
+  for (int i = 0; i < 240; ++i) {
+    Scene scene = random.pair(i % 3, (i / 3) % 3);
+    if (i % 7 == 0) scene.bodies[1].mass = Fixed{};
+    const motion::Flyer A(scene.bodies[0]), B(scene.bodies[1]);
+    const motion::Flight a(A, 0, scene.bodies[0].X_WB, scene.bodies[0].velocity, scene.gravity);
+    const motion::Flight b(B, 0, scene.bodies[1].X_WB, scene.bodies[1].velocity, scene.gravity);
+    const Swelling swelling = drawn_swelling(random, i);
+    const double from = i % 4 == 3 ? random.unit() / 4 : 0, until = 2, envelope = i / 2 % 2 == 0 ? 0 : 1e-9;
+    std::vector<lin_canny::FeaturePair> memory(1), walk(1);
+    const Meeting met = time_of_impact(a, b, from, until, envelope, memory, swelling);
+    const auto farther_by = [&](double t) {
+      const lin_canny::Station at_a(a.pose(t)), at_b(b.pose(t));
+      const double thicker = swelling.at_first + swelling.rate * (t - swelling.since);
+      return nearest_parts(A.solid, at_a, B.solid, at_b, walk).proximity.distance - thicker;
+    };
+    CAPTURE(i, from, swelling.since, swelling.at_first, swelling.rate, met.lo, met.hi);
+    for (int k = 0; met.lo > from && k < 64; ++k) {
+      const double early = from + (met.lo - from) * (k / 64.0), late = met.lo - std::ldexp(met.lo - from, -k);
+      CAPTURE(early, late);
+      REQUIRE(farther_by(early) > -1e-12);
+      REQUIRE(farther_by(late) > -1e-12);
+    }
+    if (met.meeting == Kind::miss) {
+      ++misses;
+      REQUIRE(met.lo == until);
+      REQUIRE(farther_by(until) > -1e-12);
+    }
+    if (met.meeting != Kind::hit) continue;
+    ++hits;
+    if (met.lo == from) ++at_once;
+    REQUIRE(farther_by(met.hi) <= 1e-9 + 1e-12);
+    REQUIRE(met.hi - met.lo <= 1e-6);
+  }
+  CHECK(hits > 100);
+  CHECK(misses > 10);
+  CHECK(at_once >= 15);
 }
 
 TEST_CASE("sizes and spins at the ends of what is used") {
