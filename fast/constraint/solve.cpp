@@ -50,8 +50,8 @@ double sweep(std::vector<Touch>& touches, const std::vector<Mobility>& bodies, s
 }
 
 /// What a sweep changes is taken for minus a gradient: the next begins further on along a direction conjugate to the
-/// last one, and cuts to the disc what goes beyond. Where changes grow it begins anew. Source: Silcowitz-Hansen, Niebe
-/// and Erleben 2010, A Nonsmooth Nonlinear Conjugate Gradient Method for Interactive Contact Force Problems.
+/// last one, and cuts to the disc what goes beyond. Where changes grow it begins anew. Source: Silcowitz, Niebe &
+/// Erleben 2010.
 class Descent {
  public:
   explicit Descent(std::size_t touches) : before_(touches), direction_(touches, Vec3::Zero()) {}
