@@ -95,15 +95,18 @@ Meeting time_of_impact(const motion::Flight& a, const motion::Flight& b, double 
     if (const std::optional<Meeting> met = meeting::spheres(a, b, from, until, envelope)) return *met;
   }
   Meeting met{Kind::miss, until, until, 0, Vec3::Zero(), Vec3::Zero()};
+  int looks = 0;
   auto place = memory.begin();
   for (std::size_t i = 0; i < a.flyer().solid.parts().size(); ++i) {
     for (std::size_t j = 0; j < b.flyer().solid.parts().size(); ++j, ++place) {
       const meeting::Pair pair{a, b, i, j, meeting::origin(a, b), swelling};
       const double end = met.meeting == Kind::hit ? met.hi : until;
       const Meeting found = meeting::advance(pair, from, end, envelope, *place);
+      looks += found.looks;
       if (found.meeting != Kind::miss) met = met.meeting == Kind::miss ? found : either(met, found);
     }
   }
+  met.looks = looks;
   return met;
 }
 

@@ -23,6 +23,7 @@ struct Meeting {
   double gap = 0;
   Vec3 p_WC = Vec3::Zero();       ///< of a hit: midway between the witness points at `lo`
   Vec3 nhat_BA_W = Vec3::Zero();  ///< from b to a
+  int looks = 0;                  ///< how often the two were looked at: what it cost
 };
 
 /// Requires until ≥ from ≥ both flights' `since`, and that the two do not overlap at `from`.

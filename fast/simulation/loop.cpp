@@ -14,6 +14,7 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 
 constexpr double sliver = 0x1p-10;           // of a frame, or of the flight if that is shorter
 constexpr std::int64_t patience = 4'000;     // turns in a sliver
+constexpr int looks_of_a_turn = 64;          // where a pair takes more, each so many count as a turn
 constexpr std::int64_t lost_patience = 512;  // turns that one counts for in which contact changes faster than time can
 constexpr double parts_slowly = 32;          // hops: what is held and parts no faster stays so, until it is apart
 
@@ -353,6 +354,7 @@ void Loop::watch(BodyId id_a, BodyId id_b, double from) {
   const Rest* rest = rests_on(id_a, id_b) ? &*rest_[id_a] : rests_on(id_b, id_a) ? &*rest_[id_b] : nullptr;
   const double envelope = seen_to_part && remembered->parted == now_ ? 0 : envelope_;
   const double time = rest ? rest->until : meeting(a, b, from, until, envelope, swelling, walks);
+  turns_ += walks.looks / looks_of_a_turn;
   if (time <= frame_end_) heap_.put({std::max(time, now_), id_a, id_b});
 }
 

@@ -103,8 +103,10 @@ double by_planes(const Mover& a, const Mover& b, double from, double until, doub
 /// Where doubles do not see whether two bodies that graze meet, they are taken not to, and looked at again thereafter.
 double advanced(const Mover& a, const Mover& b, double from, double until, double envelope, const Swelling& swelling,
                 Memory& memory) {
+  memory.looks = 0;
   while (true) {
     const Meeting found = time_of_impact(a.flight(), b.flight(), from, until, envelope, memory.walks, swelling);
+    memory.looks += found.looks;
     if (found.meeting == TimeOfImpact::Meeting::hit) {
       if (envelope == 0) return found.hi;
       memory.time = found.lo;

@@ -20,6 +20,7 @@ struct Touch {
 /// What is kept of a pair without a closed form: where its walks stood, and where the meeting is that was found last.
 struct Memory {
   std::vector<lin_canny::FeaturePair> walks;
+  int looks = 0;     ///< that the last question took (time_of_impact.h)
   double time = -1;  ///< s; of the touch
   Touch touch;
   double parted = -1;         ///< s; when they last were seen to part, so that a step may begin

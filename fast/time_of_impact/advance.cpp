@@ -46,7 +46,7 @@ class Advance {
       : pair_(pair), from_(from), until_(until), envelope_(envelope), memory_(memory), t_(from) {}
 
   Meeting run() {
-    for (int looks = 0; looks < most_looks; ++looks) {
+    while (++looks_ <= most_looks) {
       if (const std::optional<double> h = balls_apart(pair_, t_)) {
         if (!go_on(*h)) return apart();
         continue;
@@ -67,6 +67,8 @@ class Advance {
     }
     return doubtful(t_, until_, Look(pair_, t_, memory_, known_).at_most());
   }
+
+  int looks() const { return looks_; }
 
  private:
   /// The time left, rounded up.
@@ -137,6 +139,7 @@ class Advance {
   double from_, until_, envelope_;
   lin_canny::FeaturePair& memory_;
   double t_;
+  int looks_ = 0;
   Vec3 known_ = Vec3::Zero();
   std::optional<Doubt> doubt_;
 };
@@ -144,7 +147,10 @@ class Advance {
 }  // namespace
 
 Meeting advance(const Pair& pair, double from, double until, double envelope, lin_canny::FeaturePair& memory) {
-  return Advance(pair, from, until, envelope, memory).run();
+  Advance way(pair, from, until, envelope, memory);
+  Meeting met = way.run();
+  met.looks = way.looks();
+  return met;
 }
 
 }  // namespace touchstone::fast::meeting
