@@ -16,6 +16,7 @@ using constraint::Twist;
 
 constexpr int most_rounds = 16;
 constexpr int sweeps_to_stand = 2000;
+constexpr int sweeps_of_a_round = 400;
 constexpr double of_recovery = 0x1p-12;  // changes of velocity that are no greater do not matter
 constexpr int calming_sweeps = 8;
 constexpr double on_the_rim = 1 - 0x1p-20;
@@ -185,7 +186,7 @@ Stepped step(const std::vector<Member>& members, std::vector<Hold>& holds, doubl
     for (const Course& body : bodies) free.push_back(body.free(h));
     mean = free;
     solve(touches, mobilities, mean,
-          {.sweeps = 400,
+          {.sweeps = sweeps_of_a_round,
            .sweeps_to_a_jump = 64,
            .most_that_jump = 16,
            .enough = std::min(tolerance / h, of_recovery * recovery)});
