@@ -145,6 +145,7 @@ struct Trajectory {
   std::vector<std::vector<State>> states;    ///< by time of the flight, then by body
   std::optional<std::vector<Event>> events;  ///< in the order in which they were resolved
   std::optional<double> complete_until;      ///< s; where the subject gave up: states and events end here
+  std::string gave_up;                       ///< why, and on whom; empty: it did not, or does not say
 
   bool operator==(const Trajectory&) const = default;
 };

@@ -96,6 +96,7 @@ Json json_of(const Trajectory& answer) {
     for (const Event& event : *answer.events) json["events"].push_back(json_of(event));
   }
   if (answer.complete_until) json["complete_until"] = *answer.complete_until;
+  if (!answer.gave_up.empty()) json["gave_up"] = answer.gave_up;
   return json;
 }
 
@@ -117,7 +118,7 @@ TimeOfImpact read<TimeOfImpact>(const Json& json, const std::string& place) {
 template <>
 Trajectory read<Trajectory>(const Json& json, const std::string& place) {
   const Node node(json, place);
-  node.expect_object({"states", "events", "complete_until"});
+  node.expect_object({"states", "events", "complete_until", "gave_up"});
   Trajectory answer;
   const Node states = node.at("states");
   for (int i = 0; i < states.size(); ++i) {
@@ -130,6 +131,7 @@ Trajectory read<Trajectory>(const Json& json, const std::string& place) {
     for (int i = 0; i < events->size(); ++i) answer.events->push_back(read_event((*events)[i]));
   }
   if (const auto until = node.find("complete_until")) answer.complete_until = until->number();
+  if (const auto why = node.find("gave_up")) answer.gave_up = why->text();
   return answer;
 }
 

@@ -39,7 +39,7 @@ class Course {
   Course(const Scene& scene, const SimulationLimits& limits) : now_(scene), limits_(limits) {
     now_.flight->since.resize(now_.bodies.size());
     for (const Push& push : scene.flight->pushes) {
-      if (push.time > since(push.body)) pushes_.push_back({push.time, push.body, -1, true});
+      if (push.time > since(push.body) && push.time <= scene.flight->times.back()) pushes_.push_back({push.time, push.body, -1, true});
     }
     trajectory_.events.emplace();
   }
@@ -47,8 +47,9 @@ class Course {
   Trajectory run() {
     try {
       follow();
-    } catch (const Lost&) {
+    } catch (const Lost& lost) {
       trajectory_.complete_until = whole_until_;
+      trajectory_.gave_up = lost.what();
     }
     return std::move(trajectory_);
   }
@@ -60,9 +61,9 @@ class Course {
     }
     while (const std::optional<Due> due = next()) {
       look_until(due->time);
-      if (due->b >= 0 && (!due->known || !strike(*due))) {
-        trajectory_.complete_until = due->time;
-        return;
+      if (due->b >= 0) {
+        const std::string why = due->known ? strike(*due) : "whether they meet is undecided";
+        if (!why.empty()) return give_up(*due, why);
       }
       if (due->b < 0) push(*due);
       whole_until_ = due->time;
@@ -144,20 +145,27 @@ class Course {
     look_ahead_of({due.a});
   }
 
-  /// False if there is no certain answer to what happens, or too much happens.
-  bool strike(const Due& due) {
+  void give_up(const Due& due, const std::string& why) {
+    trajectory_.complete_until = due.time;
+    trajectory_.gave_up = why + ": bodies[" + std::to_string(due.a) + "] and bodies[" + std::to_string(due.b) + "]";
+  }
+
+  /// Says why not, if there is no certain answer to what happens, or too much happens.
+  std::string strike(const Due& due) {
     int& rattles = rattles_[{due.a, due.b}];
     rattles = due.rattles ? rattles + 1 : 0;
-    if (impacts_so_far_++ == limits_.impacts || rattles > limits_.rattles) return false;
+    if (impacts_so_far_++ == limits_.impacts) return "more impacts than allowed";
+    if (rattles > limits_.rattles) return "impacts pile up: they rest on each other, which is not followed";
     Scene pair = alone({due.a, due.b});
     for (std::size_t k = 0; k < 2; ++k) {
       if (pair.flight->since[k] != due.time) pair.bodies[k] = moved(pair, k, due.time);
       pair.flight->since[k] = due.time;
     }
     pair.contact = contact(pair);
-    if (!pair.contact) return false;
+    if (!pair.contact) return "where they touch is undecided";
     const ImpulseTruth impulse = reference::impulse(pair);
-    if (impulse.modes.separating || impulse.ambiguous) return false;
+    if (impulse.modes.separating) return "whether they approach is undecided";
+    if (impulse.ambiguous) return "more than one impulse is right";
     restart(due.a, due.time);
     restart(due.b, due.time);
     const auto velocity = [&](std::size_t k) {
@@ -176,7 +184,7 @@ class Course {
     event.after_b = state_of(body(due.b));
     trajectory_.events->push_back(event);
     look_ahead_of({due.a, due.b});
-    return true;
+    return {};
   }
 
   /// States at the scene's times that have come.

@@ -67,9 +67,11 @@ Vec3 spin_up(const Inertia& inertia, const Quaternion& q_WB, const Vec3& w_WB) {
 
 }  // namespace
 
-Flight::Flight(const Flyer& flyer, double since, const Pose& X_WB, const Velocity& velocity, const Vec3& acceleration)
+Flight::Flight(const Flyer& flyer, double since, const Pose& X_WB, const Velocity& velocity, const Vec3& acceleration,
+               Against against)
     : flyer_(&flyer),
       turning_(flyer.turning),
+      against_(against),
       since_(since),
       start_(X_WB),
       velocity_(velocity),
@@ -135,8 +137,9 @@ Stand Flight::stand(double t, const Origin& O) const {
       const Quaternion q_WP = product(product(q_WB0, flyer_->inertia.q_BP), tumbled.q_P0P);
       now.q_WB = product(q_WP, conjugate(flyer_->inertia.q_BP));
       now.w_WB = rotation(q_WP) * tumbled.w_P;
-      now.turn_error = tumbled.error + 140 * u;
-      now.w_error = rate_ * (now.turn_error + 64 * u) + tumbled.w_error;
+      const bool is_exact = against_ == Against::exact;
+      now.turn_error = (is_exact ? tumbled.error : Tumble::error_of_a_step) + 140 * u;
+      now.w_error = rate_ * (now.turn_error + 64 * u) + (is_exact ? tumbled.w_error : rate_ * Tumble::error_of_a_step);
     }
   }
   now.R_WB = rotation(now.q_WB);

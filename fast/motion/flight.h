@@ -35,6 +35,10 @@ struct Stand {
   Vec3 alpha_WB = Vec3::Zero();  ///< rad/s²; as exact as w_WB's square
 };
 
+/// What errors are counted against: the exact flight from its start; or the path that its doubles say, from one look at
+/// it to the next, for whoever goes on from what is said. A tumble's errors grow against the first only.
+enum class Against { exact, said };
+
 /// A flight from a state at time `since`, as docs/design/simulation.md says: the centre of mass moves along
 /// c(t) = c + v τ + a τ²/2, τ = t − since; the body turns free of torque about it. A fixed body's origin keeps its
 /// velocity, its axes turn steadily. Times asked are not before `since`.
@@ -45,7 +49,8 @@ class Flight {
  public:
   /// `acceleration`: gravity, and push over mass, that within 64u; a fixed body has none, whatever is said. The flyer
   /// must outlive the flight.
-  Flight(const Flyer& flyer, double since, const Pose& X_WB, const Velocity& velocity, const Vec3& acceleration);
+  Flight(const Flyer& flyer, double since, const Pose& X_WB, const Velocity& velocity, const Vec3& acceleration,
+         Against against = Against::exact);
 
   const Flyer& flyer() const { return *flyer_; }
   double since() const { return since_; }
@@ -78,6 +83,7 @@ class Flight {
 
   const Flyer* flyer_;
   Turning turning_;
+  Against against_;
   double since_;
   Pose start_;
   Velocity velocity_;

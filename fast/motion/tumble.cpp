@@ -152,7 +152,7 @@ Tumble::Now Tumble::at(double tau) {
   if (periods > 0) {
     if (turns_.empty()) {
       const Now whole = within(period_.length);
-      turns_.push_back(std::isfinite(period_.error) ? unit(whole.q_P0P) : Quaternion());
+      turns_.push_back(unit(whole.q_P0P));
       turn_error_ = whole.error + 48 * u;
     }
     now.q_P0P = product(turn_in(periods), now.q_P0P);

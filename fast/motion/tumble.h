@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "fast/motion/tumble_period.h"
+#include "fast/rounding.h"
 #include "model/frame.h"
 
 namespace touchstone::fast::motion {
@@ -28,6 +29,9 @@ namespace touchstone::fast::motion {
 /// |L| and the energy are kept in any case.
 class Tumble {
  public:
+  /// Of q, and relative of ω: what is new in a step of 8 units, twice, for who looks across the end of one.
+  static constexpr double error_of_a_step = 128 * u;
+
   struct Now {
     Quaternion q_P0P;
     Vec3 w_P = Vec3::Zero();  ///< rad/s

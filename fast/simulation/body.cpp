@@ -11,6 +11,9 @@
 namespace touchstone::fast::world {
 namespace {
 
+/// rad. 2^-33 is what the turn rounds by then (flight.cpp), and half of the time that a tumble follows in one piece (tumble.h).
+constexpr double farthest = 0x1p13;
+
 bool is_multiple_of_one(const Mat3& I) { return I == I(0, 0) * Mat3::Identity(); }
 
 struct Range {
@@ -81,10 +84,11 @@ State Mover::state(double t) const {
   return {{path_.place(t), turned(path_.q, angle)}, {path_.velocity(t), path_.w + tau * path_.alpha}};
 }
 
-bool Mover::follows(double t) const {
-  return kind_ != Kind::other || fixed_ || glides_ || flyer().turning != motion::Turning::tumbling ||
-         flight().stand(t).turn_error <= 0x1p-12;
+bool Mover::tires(double t) const {
+  return kind_ == Kind::other && !fixed_ && !glides_ && (t - path_.since) * flight().rate() > farthest;
 }
+
+bool Mover::tumbles() const { return !fixed_ && flyer().turning == motion::Turning::tumbling; }
 
 Aabb Mover::box(double from, double until, double margin) const {
   Aabb box;
@@ -125,7 +129,8 @@ const motion::Flight& Mover::flight() const {
       made.steady = made.flyer;
       made.steady->turning = motion::Turning::steady;
     }
-    made.flight.emplace(glides_ ? *made.steady : made.flyer, path_.since, Pose{path_.p, path_.q}, velocity, path_.a);
+    made.flight.emplace(glides_ ? *made.steady : made.flyer, path_.since, Pose{path_.p, path_.q}, velocity, path_.a,
+                        motion::Against::said);
   }
   return *made.flight;
 }

@@ -60,8 +60,9 @@ class Mover {
   /// Moves on as a step in contact says: as fly, but with a spin that stays, whatever its inertia.
   void glide(double since, const State& state, const Vec3& acceleration, const Vec3& spin);
 
-  /// Whether doubles still know how it is turned at t: a body that tumbles near its unstable axis forgets in the end.
-  bool follows(double t) const;
+  /// Whether by t it has turned so far that doubles begin to lose how it is turned (steady_turn.h, tumble.h).
+  bool tires(double t) const;
+  bool tumbles() const;
 
   /// Holds the body from `from` to `until` (≥ since), and `margin` more on each side.
   Aabb box(double from, double until, double margin) const;

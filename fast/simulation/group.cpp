@@ -207,7 +207,7 @@ void Group::go_to(double time) {
   }
 }
 
-std::vector<Joint> Group::part(double slow) {
+std::vector<Joint> Group::part(const std::function<double(BodyId, BodyId)>& slow) {
   std::vector<bool> held(riders_.size());
   for (std::size_t i = 0; i < riders_.size(); ++i) held[i] = riders_[i].fixed();
   std::vector<Joint> near, kept, out;
@@ -219,7 +219,7 @@ std::vector<Joint> Group::part(double slow) {
     }
     for (const contact::Foot& foot : joint.feet) {
       const Strike at = strike_at(joint, foot);
-      if (at.u_n <= slow || at.touch.gap < -near_ * of_the_gap) held[index(joint.a)] = held[index(joint.b)] = true;
+      if (at.u_n <= slow(joint.a, joint.b) || at.touch.gap < -near_ * of_the_gap) held[index(joint.a)] = held[index(joint.b)] = true;
     }
     near.push_back(joint);
   }
@@ -374,15 +374,15 @@ bool Group::shorten(double least_share) {
   return plan_->h > least_share * stride_;
 }
 
-double Group::stride(double steps) {
-  double rate = 1;  // 1/s; where nothing turns and nothing pulls
+double Group::stride(double steps, double most) {
+  double rate = 0;
   for (const Rider& rider : riders_) {
     if (rider.fixed()) continue;
     const Velocity& V = rider.member.state.velocity;
     const double size = touchstone::size(rider.body->body().shape);
     rate = std::max(rate, length(V.w_WB) + length(V.v_WBcm) / size + std::sqrt(length(rider.member.pull) / size));
   }
-  return stride_ = 1 / (steps * rate);
+  return stride_ = std::min(most, 1 / (steps * rate));
 }
 
 double Group::deviation() const {

@@ -1,6 +1,7 @@
 // Bodies that hold each other: who stands on whom, and how all of them move on together.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -73,9 +74,9 @@ class Group {
   /// On to `time`: for all of the step that is planned, or for a shorter one.
   void go_to(double time);
 
-  /// Feet as the riders stand now. Whom no foot holds that parts no faster than `slow`, or is still in the other, is
-  /// let go: the joints that let go are taken out and returned.
-  std::vector<Joint> part(double slow);
+  /// Feet as the riders stand now. Whom no foot holds that parts no faster than `slow` says of its pair (m/s), or is
+  /// still in the other, is let go: the joints that let go are taken out and returned.
+  std::vector<Joint> part(const std::function<double(BodyId, BodyId)>& slow);
   /// The foot that approaches fastest.
   std::optional<Strike> foremost() const;
   /// Counts a strike now. False: so many came at this one time that each seems to wake the next.
@@ -89,8 +90,9 @@ class Group {
   bool stands(double still);
   /// J; kinetic, and of place under the pulls.
   double energy() const;
-  /// How long a step may be for so many of them while a body falls by its size, turns by a radian or goes its size (s).
-  double stride(double steps);
+  /// How long a step may be (s): so many of them while a body falls by its size, turns by a radian or goes its size;
+  /// `most`, where nobody does.
+  double stride(double steps, double most);
   /// How far bodies come from the paths that they are said to be on within the planned step, about (m): parabolas and
   /// steady turns, where forces and spin change.
   double deviation() const;

@@ -140,7 +140,9 @@ void Loop::push(const Push& push) {
   const State state = group_of_[id] ? group_of(id)->state(id) : bodies_[id].state(from);
   if (rest_[id]) release(id, state);
   pull_[id] = scene_->gravity + bodies_[id].inverse_mass() * push.force_W;
-  record({Event::Kind::push, now_, push.body, -1, Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), state, {}});
+  if (push.time > start(id)) {
+    record({Event::Kind::push, now_, push.body, -1, Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), state, {}});
+  }
   if (Group* group = group_of(id)) return group->set_pull(id, pull_[id]);
   bodies_[id].fly(from, state, pull_[id]);
   heap_.drop(id);
@@ -153,7 +155,7 @@ void Loop::begin_frame() {
   ++done_.books.frames;
   frame_end_ = std::min(end_, static_cast<double>(done_.books.frames) * options_.frame);
   for (BodyId id = 0; id < bodies_.size(); ++id) {
-    if (!bodies_[id].follows(frame_end_)) begin_anew(id);
+    if (bodies_[id].tires(frame_end_)) begin_anew(id);
     if (moves(id) || done_.books.frames == 1) file(id);
   }
   for (BodyId a = 0; a < bodies_.size(); ++a) {
@@ -292,13 +294,13 @@ double Loop::start(BodyId id) const {
   return since.empty() ? 0 : since[id];
 }
 
-/// A tumbling body's error is proved for one flight only, and grows. Before it is worth nothing the body sets out anew
-/// from where it is said to be: what was not proved then stays so.
+/// Before doubles lose how a body is turned it sets out anew from where it is said to be. For one that tumbles a frame
+/// may be too long even so.
 void Loop::begin_anew(BodyId id) {
   const double from = std::max(now_, bodies_[id].path().since);
   bodies_[id].fly(from, bodies_[id].state(from), bodies_[id].path().a);
-  if (!bodies_[id].follows(frame_end_)) {
-    done_.stopped = {now_, static_cast<int>(id), -1, "turns too wildly to be followed for a frame"};
+  if (bodies_[id].tumbles() && bodies_[id].tires(frame_end_)) {
+    done_.stopped = {now_, static_cast<int>(id), -1, "tumbles too fast to be followed for a frame"};
   }
 }
 
@@ -373,7 +375,7 @@ void Loop::set_out(BodyId id, const State& state) {
   if (bodies_[id].fixed()) return;
   if (Group* group = group_of(id)) return group->strike(id, state.velocity);
   bodies_[id].fly(now_, state, pull_[id]);
-  if (!bodies_[id].follows(frame_end_)) begin_anew(id);
+  if (bodies_[id].tires(frame_end_)) begin_anew(id);
   heap_.drop(id);
   file(id);
 }

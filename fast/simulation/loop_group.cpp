@@ -170,7 +170,7 @@ void Loop::arrive(BodyId key) {
 /// strikes; else they rest, stand, or take a step.
 void Loop::begin(BodyId key) {
   Group& group = groups_.at(key);
-  const std::vector<Joint> parted = group.part(lets_go * least_hop(group));
+  const std::vector<Joint> parted = group.part([&](BodyId a, BodyId b) { return lets_go * hop_of(a, b); });
   std::vector<Group> left = group.components();
   std::vector<Rider> riders = group.riders();
   groups_.erase(key);
@@ -255,7 +255,7 @@ bool Loop::rests_alone(Group& group) {
 }
 
 void Loop::take_step(Group& group) {
-  const double stride = group.stride(options_.contact_steps);
+  const double stride = group.stride(options_.contact_steps, end_);
   const double h = std::clamp(group.longest, shortest * stride, stride);
   group.link_parts(h);
   group.until = std::max(now_ + group.plan((now_ + h) - now_), std::nextafter(now_, never));

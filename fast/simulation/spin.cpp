@@ -9,7 +9,7 @@ namespace touchstone::fast::world {
 
 Quaternion turned(const Quaternion& q, const Vec3& angle) {
   const double size = length(angle);
-  if (!(size > 0)) return q;
+  if (!(size > 0 && size < 0x1p50)) return q;
   const auto [sine, c] = motion::sine_cosine(size / 2);
   const Vec3 s = sine / size * angle;
   const double w = c * q.w - (s.x() * q.x + s.y() * q.y + s.z() * q.z);

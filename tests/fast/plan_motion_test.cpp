@@ -34,6 +34,8 @@ TEST_CASE("plan of a flight: counts pairs and bodies") {
   CHECK(why(gas.left_out, "later frames")->starts_with("6 bodies "));
   CHECK(why(gas.left_out, "attitudes of balls")->starts_with("64 balls"));
   CHECK(why(gas.used, "conservative advancement") == nullptr);
+  CHECK(why(gas.used, "contact mode") == nullptr);  // no gravity
+  CHECK(why(gas.left_out, "contact mode")->starts_with("2400 pairs "));
 
   const Plan polytopes = plan_of(named("polytopes"));  // 8 and six walls
   CHECK(why(polytopes.used, "conservative advancement")->starts_with("76 pairs "));
@@ -45,6 +47,15 @@ TEST_CASE("plan of a flight: counts pairs and bodies") {
 
   const Plan stack = plan_of(named("stack_1_to_100"));
   CHECK(why(stack.left_out, "Euler's equations")->starts_with("2 bodies "));
+  CHECK(why(stack.used, "contact mode")->starts_with("3 pairs "));
+  CHECK(why(stack.left_out, "contact mode") == nullptr);
+}
+
+TEST_CASE("plan of a flight: a push lets bodies stay in contact as gravity does") {
+  Scene scene = named("gas");
+  scene.flight->force_bound = 1;
+  scene.flight->pushes = {{0.5, 0, Vec3(1, 0, 0)}};
+  CHECK(why(plan_of(scene).used, "contact mode")->starts_with("2400 pairs "));
 }
 
 /// One frame, so that the boxes over it are as long as the paths: all pairs that could ever meet are asked.

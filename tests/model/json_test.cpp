@@ -92,7 +92,7 @@ TEST_CASE("answers survive text") {
   Event push;
   push.kind = Event::Kind::push;
   push.after_a = state;
-  const Trajectory trajectory{{{state, State{}}, {State{}, state}}, std::vector{impact, push}, 0.75};
+  const Trajectory trajectory{{{state, State{}}, {State{}, state}}, std::vector{impact, push}, 0.75, "why"};
   CHECK(through_text(trajectory) == trajectory);
   CHECK(through_text(Trajectory{}) == Trajectory{});
 }

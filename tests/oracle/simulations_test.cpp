@@ -45,7 +45,7 @@ void expect(const Scene& scene, const Vec3& p_WB, const Velocity& velocity, cons
     const Answer<Trajectory> answer = subject->simulation(scene);
     if (std::holds_alternative<Abstains>(answer)) continue;
     REQUIRE(std::holds_alternative<Trajectory>(answer));
-    const auto& [states, events, complete_until] = std::get<Trajectory>(answer);
+    const auto& [states, events, complete_until, gave_up] = std::get<Trajectory>(answer);
     if (complete_until) continue;  // the reference does not follow what rests, and says so
     REQUIRE(states.size() == scene.flight->times.size());
     REQUIRE(states.back().size() == scene.bodies.size());
