@@ -60,27 +60,29 @@ Examples:
   touchstone ask distance scene.json
   touchstone import part.stl --out part.json && touchstone ask mass part.json --json
 
-Bodies 0 and 1 are A and B. Numbers are read as the exact rationals that they are; "exact" is a rational number,
-"nearest" the double next to it, an interval [lo, hi] holds the exact value. Exit code: 0 done, 2 bad input.)";
+Bodies 0 and 1 are A and B; where there are more, the answer begins with their names. Numbers are read as the exact
+rationals that they are; "exact" is a rational number, "nearest" the double next to it, an interval [lo, hi] holds the
+exact value. Exit code: 0 done, 2 bad input.)";
 
 constexpr const char* plan_footer = R"(
 Examples:
   touchstone plan docs/scenes/swarm.json
+  touchstone plan dominoes                                        a scene by name: `touchstone list motions`
   touchstone plan scene.json --json
 
 Few bodies are compared each with each, spheres and boxes have no vertices to climb, a scene that stands needs no memory.
-Leaving out changes no pair. Exit code: 0 done, 2 bad input.)";
+Leaving out changes no pair. Of a scene in motion: what a simulation of it needs. Exit code: 0 done, 2 bad input.)";
 
 constexpr const char* simulate_footer = R"(
 Examples:
   touchstone simulate bouncing_ball                               a scene by name: `touchstone list motions`
-  touchstone simulate docs/scenes/motion_turntable.json --engine bullet.simulation --until 3
+  touchstone simulate docs/scenes/motion_turntable.json --engine bullet --until 3
   touchstone simulate pool_break --out events.jsonl --replay replay.html
   touchstone simulate scene.json --engine "exec:python3 my_engine.py"
 
 The table has energy and momentum of all bodies that are not fixed; potential energy is 0 at the world's origin. Where a
-scene's future is known, the greatest error is told. The replay page fetches nothing and needs three.js to be made
-(Debian: libjs-three).
+scene's future is known, the greatest error is told, and until when. The replay page fetches nothing and needs three.js
+to be made (Debian: libjs-three). Bodies that overlap at the start are bad input, whatever the engine.
 Exit code: 0 done, 1 the engine broke, 2 bad input or the engine does not answer this, 130 interrupted; files and table
 then go as far as is known.)";
 
@@ -180,12 +182,11 @@ void add_run_options(CLI::App& command, RunOptions& options) {
   command.add_option("--properties", options.properties, "Ids (see `list properties`). Default: all of the stems")
       ->delimiter(',');
   command
-      .add_option(
-          "--effort", options.effort,
-          "How many scenes, how long a failing one is cut down. standard: 4,000 a stem; of one subject by "
-          "itself 100,000, and 1,356,000 impacts more for the properties that need one answer. Of simulation and "
-          "constraint at most 30 scenes at quick, 1,000 at standard, 10,000 at soak; of simulation by itself "
-          "four times as many from standard on")
+      .add_option("--effort", options.effort,
+                  "How many scenes, how long a failing one is cut down. standard: 4,000 a stem; of one subject by "
+                  "itself 100,000, but 1,456,000 impacts under the properties that need one answer. Of simulation and "
+                  "constraint at most 30 scenes at quick, 1,000 at standard, 10,000 at soak; of simulation by itself "
+                  "four times as many from standard on")
       ->check(CLI::IsMember(effort_names()))
       ->capture_default_str();
   command.add_option("--cases", options.cases, "Drawn scenes a stem, instead of the effort's own number")
@@ -258,7 +259,8 @@ void add_ask(CLI::App& program, Options& options) {
 void add_plan(CLI::App& program, Options& options) {
   auto* command =
       program.add_subcommand("plan", "What the optimised broad phase does about a scene, what it leaves out, and why");
-  command->add_option("SCENE", options.plan.scene, "A scene file (docs/scene.schema.json)")->required();
+  command->add_option("SCENE", options.plan.scene, "A scene file (docs/scene.schema.json), or a name of `list motions`")
+      ->required();
   command->add_flag("--json", options.plan.json, "As JSON");
   command->footer(plan_footer);
   command->callback([&options] {
@@ -274,7 +276,10 @@ void add_simulate(CLI::App& program, Options& options) {
   SimulateCommand& words = options.simulate;
   command->add_option("SCENE", words.scene, "A scene file, or a name of `list motions`")->required();
   command
-      ->add_option("--engine", words.engine, "A subject, as under check --subjects; constraint: fast's own alternative")
+      ->add_option(
+          "--engine", words.engine,
+          "fast; constraint (fast's own alternative); reference; bullet, bullet.tuned, ode, ode.quick, simbody "
+          "(if they are built); exec:COMMAND LINE; inproc:fast, inproc:reference")
       ->capture_default_str();
   command->add_option("--until", words.until, "Seconds. Default: the end of the scene's flight")->check(within_an_age);
   command->add_option("--out", words.out, "Write the events to this file, a JSON object a line");

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -18,6 +17,7 @@
 #include "app/report_junit.h"
 #include "app/roster.h"
 #include "app/trial.h"
+#include "app/writable.h"
 #include "model/input_error.h"
 #include "model/json.h"
 #include "properties/property.h"
@@ -85,11 +85,6 @@ TrialPlan plan_of(const RunOptions& options) {
 
 MeshSet meshes_of(const RunOptions& options) { return read_meshes(options.meshes, options.effort == "quick"); }
 
-void refuse_unless_writable(const fs::path& folder, const std::string& place) {
-  if (!fs::is_directory(folder)) throw InputError(place, "its folder does not exist");
-  if (access(folder.c_str(), W_OK) != 0) throw InputError(place, "its folder is not ours to write in");
-}
-
 /// Before a run of minutes, not after it.
 void prepare_places(const RunOptions& options) {
   if (!options.out.empty()) {
@@ -97,13 +92,11 @@ void prepare_places(const RunOptions& options) {
     std::error_code error;
     fs::create_directories(cases, error);
     if (error) throw InputError(options.out, error.message());
-    refuse_unless_writable(cases, options.out);
-    refuse_unless_writable(options.out, options.out);
+    require_writable_folder(cases, options.out);
+    require_writable_folder(options.out, options.out);
   }
   for (const std::string& file : {options.json, options.junit}) {
-    if (file.empty()) continue;
-    if (fs::is_directory(file)) throw InputError(file, "is a folder; expected a file's name");
-    refuse_unless_writable(fs::absolute(file).parent_path(), file);
+    if (!file.empty()) require_writable_file(file);
   }
 }
 

@@ -1,5 +1,7 @@
 #include "app/roster.h"
 
+#include <algorithm>
+
 #include "app/program_folder.h"
 #include "model/input_error.h"
 #include "oracle/subjects/touchstone_fast.h"
@@ -39,6 +41,14 @@ std::vector<std::string> roster(const std::vector<std::string>& asked_for) {
   for (const std::string& words : asked_for) add_names(words, names);
   if (asked_for.empty()) names = oracle::subjects_beside(subjects_folder());
   if (names.empty()) throw InputError("subjects", "none stand beside the program in " + subjects_folder());
+  return names;
+}
+
+std::vector<std::string> answering(const std::string& query) {
+  std::vector<std::string> names = roster({});
+  std::erase_if(names, [&](const std::string& name) {
+    return std::ranges::count(connect(name, {})->card().answers, query) == 0;
+  });
   return names;
 }
 

@@ -21,6 +21,9 @@ std::unique_ptr<oracle::Subject> connect(const std::string& connectable, oracle:
 /// they belong to the command line.
 std::vector<std::string> roster(const std::vector<std::string>& asked_for);
 
+/// Those beside the program whose cards claim the query.
+std::vector<std::string> answering(const std::string& query);
+
 /// Whatever the subject remembers is gone: a fresh process, if it has one.
 void start_afresh(oracle::Subject& subject);
 

@@ -1,23 +1,31 @@
 #include "app/simulate.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <filesystem>
-#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
 
+#include "app/body_name.h"
+#include "app/given_scene.h"
 #include "app/interruption.h"
 #include "app/motion_books.h"
 #include "app/motion_run.h"
 #include "app/motion_scenes.h"
+#include "app/overlap.h"
 #include "app/replay_page.h"
 #include "app/roster.h"
+#include "app/writable.h"
 #include "model/input_error.h"
 #include "model/json.h"
 #include "model/limits.h"
-#include "reference/validity.h"
 
 namespace touchstone::app {
 namespace {
@@ -25,53 +33,93 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t rows_printed = 24;
-constexpr int looks_of_a_scene_without_any = 20;
+constexpr int looks_beyond = 20;  // the scene's own end
+constexpr const char* constraint = "constraint";
+constexpr double constraint_steps = 4096;  // a flight, at least (fast/constraint.h)
+
+struct ShortName {
+  std::string_view name, subject;
+};
+
+/// As `bench simulation` says them.
+constexpr std::array<ShortName, 5> short_names = {{{"bullet", "bullet.simulation"},
+                                                   {"bullet.tuned", "bullet.simulation_tuned"},
+                                                   {"ode", "ode.simulation"},
+                                                   {"ode.quick", "ode.simulation_quick"},
+                                                   {"simbody", "simbody.simulation"}}};
 
 /// In the order of Event::Kind.
 constexpr std::array<const char*, 6> kinds = {"impact", "micro_collision", "completed", "contact", "release", "push"};
 
-Scene named_or_file(const std::string& name) {
-  for (const MotionScene& known : motion_scenes()) {
-    if (known.scene.name == name) return known.scene;
-  }
-  if (!fs::exists(name)) {
-    throw InputError(name, "is neither a file nor a scene of that name (`touchstone list motions` names them)");
-  }
-  try {
-    return reference::completed(read_scene(name));
-  } catch (const InputError& error) {
-    throw InputError(name, error.what());
-  }
-}
-
-/// Looks are those of the scene, up to `until` and at it.
+/// Looks are those of the scene, some beyond its own end, and the last is at `until`.
 void end_at(Scene& scene, double until) {
-  if (!scene.flight) {
-    scene.flight = Flight{};
-    for (int k = 1; k < looks_of_a_scene_without_any; ++k) {
-      scene.flight->times.push_back(until * k / looks_of_a_scene_without_any);
-    }
-  }
+  if (!scene.flight) scene.flight = Flight{};
   std::vector<double>& times = scene.flight->times;
+  const double own_end = times.empty() ? 0 : times.back();
   std::erase_if(times, [until](double time) { return time >= until; });
+  for (int k = 1; own_end < until && k < looks_beyond; ++k) {
+    times.push_back(own_end + (until - own_end) * k / looks_beyond);
+  }
   times.push_back(until);
+  const auto equal = std::ranges::unique(times);  // doubles may have no room for all between
+  times.erase(equal.begin(), equal.end());
 }
 
 Scene scene_of(const SimulateCommand& command) {
-  Scene scene = named_or_file(command.scene);
+  Scene scene = given_scene(command.scene);
   if (!scene.flight && !command.until) {
     throw InputError(command.scene, "has no flight: say with --until how many seconds to follow it");
   }
   if (command.until) end_at(scene, *command.until);
-  validate(scene);
+  try {
+    validate(scene);
+    refuse_overlap(scene);
+  } catch (const InputError& error) {
+    throw InputError(command.scene, error.what());
+  }
   return scene;
 }
 
-/// What would spoil the end of a long run is told before it.
-void require_folder_of(const std::string& option, const std::string& path) {
-  if (path.empty()) return;
-  const fs::path folder = fs::absolute(path).parent_path();
-  if (!fs::is_directory(folder)) throw InputError(option, folder.string() + " is no folder");
+void require_places(const SimulateCommand& command) {
+  for (const std::string& file : {command.out, command.replay}) {
+    if (!file.empty()) require_writable_file(file);
+  }
+  if (command.out.empty() || command.replay.empty()) return;
+  if (fs::weakly_canonical(fs::absolute(command.out)) == fs::weakly_canonical(fs::absolute(command.replay))) {
+    throw InputError("--replay", command.replay + " is the file of --out too; name two");
+  }
+}
+
+/// The subject that an engine's word stands for.
+std::string subject_of(const std::string& engine) {
+  if (engine == constraint) return "fast";
+  const auto known = std::ranges::find(short_names, engine, &ShortName::name);
+  return known == short_names.end() ? engine : std::string(known->subject);
+}
+
+/// All that answer, with their short names.
+std::string engines() {
+  std::vector<std::string> words = {constraint};
+  for (const std::string& subject : answering("simulation")) {
+    const auto known = std::ranges::find(short_names, subject, &ShortName::subject);
+    words.push_back(known == short_names.end() ? subject : fmt::format("{} ({})", known->name, subject));
+  }
+  return fmt::format("{}", fmt::join(words, ", "));
+}
+
+std::unique_ptr<oracle::Subject> connect_to(const SimulateCommand& command) {
+  oracle::PipeLimits limits = limits_of(command.time_limit);
+  limits.flights = 1;
+  limits.longest_line = std::size_t{1} << 30;
+  limits.given_up = interrupted;
+  const std::string subject = subject_of(command.engine);
+  try {
+    return connect(subject, limits);
+  } catch (const InputError&) {
+    if (subject.find(':') != std::string::npos || std::ranges::count(roster({}), subject) > 0) throw;
+    throw InputError("engine \"" + command.engine + '"',
+                     "unknown; those that answer `simulation` are " + engines() + ", exec:COMMAND LINE");
+  }
 }
 
 std::size_t impacts_until(const Trajectory& trajectory, double time) {
@@ -133,7 +181,9 @@ void print_truth(const Scene& scene, const MotionRun& run) {
   const MotionScene* known = known_motion(scene);
   if (known == nullptr) return;
   const Trajectory answer = at_looks_of(known->scene, run);
-  if (!answer.states.empty()) fmt::print("truth      {}: off by {:.3g}\n", known->truth, known->error(answer));
+  if (answer.states.empty()) return;
+  fmt::print("truth      {}: off by {:.3g} until {} s\n", known->truth, known->error(answer),
+             known->scene.flight->times[answer.states.size() - 1]);
 }
 
 /// The table's looks alone.
@@ -154,15 +204,22 @@ std::string lines_of(const std::vector<Event>& events) {
   return lines;
 }
 
-void write(const SimulateCommand& command, const Scene& scene, const MotionRun& run) {
-  if (!command.out.empty()) {
-    if (!run.trajectory.events) throw InputError(command.engine, "tells no events: there is nothing to write to --out");
-    write_text(command.out, lines_of(*run.trajectory.events));
-    fmt::print("written    {}\n", command.out);
-  }
-  if (!command.replay.empty()) {
-    write_text(command.replay, replay_page(scene, run.times, run.trajectory));
-    fmt::print("written    {}\n", command.replay);
+void write(const std::string& file, const std::string& text) {
+  write_text(file, text);
+  fmt::print("written    {}\n", file);
+}
+
+/// Where gravity brings a body farther than its size in a step, it passes through others between two looks at them.
+void warn_of_long_steps(const Scene& scene) {
+  const double step = scene.flight->times.back() / constraint_steps, fall = scene.gravity.norm() * step * step / 2;
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    const Body& body = scene.bodies[i];
+    if (std::holds_alternative<Fixed>(body.mass) || fall <= size(body.shape)) continue;
+    fmt::print(stderr,
+               "touchstone: in a step of {:.3g} s gravity moves {} by {:.3g} m, more than its size: contacts are "
+               "missed; ask for a shorter flight (--until)\n",
+               step, body_name(scene, static_cast<int>(i)), fall);
+    return;
   }
 }
 
@@ -179,7 +236,11 @@ int told_end(const Scene& scene, const MotionRun& run) {
                known, end);
     return 1;
   }
-  if (known < end) fmt::print(stderr, "touchstone: the engine gave up at {} s of {} s\n", known, end);
+  if (known < end) {
+    const std::string& why = run.trajectory.gave_up;
+    fmt::print(stderr, "touchstone: the engine gave up at {} s of {} s{}{}\n", known, end, why.empty() ? "" : ": ",
+               why);
+  }
   return 0;
 }
 
@@ -187,31 +248,34 @@ int told_end(const Scene& scene, const MotionRun& run) {
 
 int simulate(const SimulateCommand& command) {
   const Scene scene = scene_of(command);
-  require_folder_of("--out", command.out);
-  require_folder_of("--replay", command.replay);
+  require_places(command);
   Scene asked = scene;
   if (!command.replay.empty()) {
     require_replay_library();
     asked.flight->times = with_frames(scene);
   }
-  oracle::PipeLimits limits = limits_of(command.time_limit);
-  limits.flights = 1;
-  limits.longest_line = std::size_t{1} << 30;
-  limits.given_up = interrupted;
-  const bool constraint = command.engine == "constraint";
-  const auto subject = connect(constraint ? "fast" : command.engine, limits);
-  const MotionRun run = run_motion(asked, *subject, constraint);
+  const auto subject = connect_to(command);
+  const bool by_constraint = command.engine == constraint;
+  const MotionRun run = run_motion(asked, *subject, by_constraint);
 
   fmt::print("scene      {}: {} bodies, {} s\n", scene.name.empty() ? command.scene : scene.name, scene.bodies.size(),
              scene.flight->times.back());
-  fmt::print("engine     {} {}{}\n", subject->card().name, subject->card().version, constraint ? ", constraint" : "");
+  fmt::print("engine     {} {}{}\n", subject->card().name, subject->card().version,
+             by_constraint ? ", constraint" : "");
   const MotionRun looks = without_frames(scene, run);
   print_books(scene, looks);
   print_events(run.trajectory);
   print_truth(scene, looks);
-  write(command, scene, run);
+  const std::optional<std::vector<Event>>& events = run.trajectory.events;
+  if (!command.replay.empty()) write(command.replay, replay_page(scene, run.times, run.trajectory));
+  if (!command.out.empty() && events) write(command.out, lines_of(*events));
   std::fflush(stdout);
-  return told_end(scene, run);
+  if (by_constraint) warn_of_long_steps(scene);
+  const int code = told_end(scene, run);
+  if (code == 0 && !command.out.empty() && !events) {
+    throw InputError(command.engine, "tells no events: there is nothing to write to --out");
+  }
+  return code;
 }
 
 }  // namespace touchstone::app

@@ -8,7 +8,7 @@ namespace touchstone::app {
 
 struct SimulateCommand {
   std::string scene;            ///< a file, or the name of a scene in motion
-  std::string engine = "fast";  ///< as under check --subjects; "constraint" is fast's constraint query
+  std::string engine = "fast";  ///< as under check --subjects or in `bench simulation`; "constraint": fast's query
   std::optional<double> until;  ///< s; none: the scene's own end
   std::string out;              ///< JSON lines of the events
   std::string replay;           ///< a page that shows the bodies
@@ -17,7 +17,8 @@ struct SimulateCommand {
 
 /// Prints the books over time and how many events of each kind there were; writes the files. The exit code: 0, or 1 if
 /// the engine breaks, or interrupted_exit_code; then what is known until some earlier time is printed and written.
-/// Throws InputError, also if the engine abstains.
+/// Throws InputError, also if the engine abstains, or tells no events where they are to be written; before anything is
+/// asked where bodies overlap at the start (app/overlap.h), or a file could not be written.
 int simulate(const SimulateCommand& command);
 
 }  // namespace touchstone::app

@@ -52,10 +52,10 @@ for line in sys.stdin:
                 pass
             if trick == "short":
                 result["states"].pop()
-            if trick == "gives_up":
+            if trick in ("gives_up", "silent_gives_up"):
                 result["states"] = [row for t, row in zip(message["scene"]["flight"]["times"], result["states"]) if t <= 1]
                 result["complete_until"] = 1
-            if trick == "silent":
+            if trick.startswith("silent"):
                 del result["events"]
         said = {"result": result}
     print(json.dumps({"seq": message["seq"], **said}), flush=True)

@@ -62,6 +62,9 @@ class Simulate(Test):
         self.drop(times=[0.25, 0.75, 1.75])
         found = rows(self.succeeds("simulate", "drop.json", "--engine", engine("right"), "--until", 1))
         self.assertEqual([row[0] for row in found], [0, 0.25, 0.75, 1])
+        found = rows(self.succeeds("simulate", "drop.json", "--engine", engine("right"), "--until", 21.75))
+        self.assertEqual([row[0] for row in found], [0, 0.25, 0.75, *(k + 0.75 for k in range(1, 22))])
+        self.succeeds("simulate", "drop.json", "--engine", engine("right"), "--until", math.nextafter(1.75, 2))
 
     def test_a_known_scene_tells_the_error(self):
         out = self.succeeds("simulate", "bouncing_ball_forever", "--engine", engine("right"))
@@ -71,6 +74,30 @@ class Simulate(Test):
         self.assertLess(float(re.search(r"truth .* off by (\S+)", out)[1]), 1e-12)
         out = self.succeeds("simulate", "bouncing_ball", "--engine", engine("right"))  # whose e is 1/2
         self.assertGreater(float(re.search(r"truth .* off by (\S+)", out)[1]), 0.5)
+
+    def test_the_error_is_told_with_its_time(self):
+        looks = json.loads((SOURCE / "docs/scenes/motion_bouncing_ball_forever.json").read_text())["flight"]["times"]
+        for until, known in ((looks[0], looks[0]), (2 * looks[-1], looks[-1])):
+            out = self.succeeds("simulate", "bouncing_ball_forever", "--engine", engine("right"), "--until", until)
+            self.assertEqual(float(re.search(r"truth .* off by \S+ until (\S+) s", out)[1]), known)
+
+    def test_engines_by_the_names_that_bench_gives_them(self):
+        self.drop(times=[1])
+        built = re.findall(r"(?m)^(\S+) +\S+ +answers .*simulation", self.succeeds("list", "subjects"))
+        for name, subject in [("bullet", "bullet.simulation"), ("bullet.tuned", "bullet.simulation_tuned"),
+                              ("ode", "ode.simulation"), ("ode.quick", "ode.simulation_quick"),
+                              ("simbody", "simbody.simulation")]:
+            if subject in built:
+                self.assertIn(f"engine     {subject} ", self.succeeds("simulate", "newtons_cradle", "--engine", name))
+                self.assertIn(f"{name} ({subject})", self.refused("simulate", "drop.json", "--engine", "nobody", says=name))
+
+    def test_constraint_says_where_its_steps_are_too_long(self):
+        self.drop(times=[1])
+        self.assertEqual(self.run_program("simulate", "drop.json", "--engine", "constraint").stderr, "")
+        self.drop(times=[1e6])  # steps of 244 s
+        done = self.run_program("simulate", "drop.json", "--engine", "constraint")
+        self.assertEqual(done.returncode, 0)
+        self.assertIn("gravity moves bodies[0] by", done.stderr)
 
     def test_an_engine_that_does_not_get_to_the_end(self):
         looks = [k / 16 for k in range(1, 65)]  # asked about until 1/16, 1/4, 1 and 4 s
@@ -100,20 +127,77 @@ class Simulate(Test):
         self.assertIn("tells no events", done.stderr)
         self.assertFalse((self.folder / "events.jsonl").exists())
 
+    def test_an_engine_without_events_that_gives_up_says_so_first(self):
+        self.drop(times=[0.5, 4])
+        done = self.run_program("simulate", "drop.json", "--engine", engine("silent_gives_up"), "--out", "events.jsonl",
+                                "--replay", "replay.html")
+        self.assertEqual(done.returncode, 2)
+        self.assertLess(done.stderr.index("gave up at 1 s of 4 s"), done.stderr.index("tells no events"))
+        self.assertEqual([path.name for path in self.files()], ["drop.json", "replay.html"])
+
+    def test_places_that_cannot_be_written(self):
+        name = self.drop(times=[1])
+        (self.folder / "place").mkdir()
+        words = ["simulate", name, "--engine", engine("right")]
+        for option in ("--out", "--replay"):
+            self.refused(*words, option, "place", says=["place", "is a folder"])
+            self.refused(*words, option, "no_folder/x", says="no_folder")
+        self.refused(*words, "--out", "both.txt", "--replay", "place/../both.txt", says=["--replay", "--out"])
+        self.succeeds(*words, "--out", "/dev/null")
+
+    @unittest.skipIf(is_root(), "root may write everywhere")
+    def test_a_folder_that_is_not_ours(self):
+        (self.folder / "locked").mkdir(mode=0o500)
+        self.refused("simulate", self.drop(times=[1]), "--engine", engine("right"), "--out", "locked/x", says="locked")
+
+    def overlapping(self, first, second, p=(0, 0, 0), **flight):
+        """The second is fixed at the origin."""
+        one = scene(body(first, p), body(second, mass={"type": "fixed"}))
+        one["flight"] = {"times": [1], **flight}
+        return one
+
+    def test_overlap_at_the_start_is_bad_input(self):
+        named = self.overlapping(ball(1), ball(2), (0, 2.5, 0))
+        named["bodies"][0]["name"], named["bodies"][1]["name"] = "ball", "table"
+        union = {"type": "compound", "parts": [{"shape": shape, "X_BP": {"p": [x, 0, 0], "q": NO_TURN}}
+                                               for shape, x in ((ball(1), 0), (box(1, 1, 1), 5))]}
+        for content, names, depth in [
+                (named, ["bodies[0] (ball)", "bodies[1] (table)"], "0.5 m"),
+                (self.overlapping(box(1, 1, 1), box(1, 1, 1), (0, 0, 1.75)), ["bodies[0]", "bodies[1]"], "0.25 m"),
+                (self.overlapping(box(1, 1, 1), union, (6.5, 0, 0)), ["bodies[0]", "bodies[1]"], "0.5 m"),
+                (self.overlapping(ball(1), ball(1), (0, 1, 0), since=[0.5, 0]), ["bodies[0]", "bodies[1]"], "1 m")]:
+            self.file("overlap.json", content)
+            for who in (engine("right"), "inproc:fast", "inproc:reference", "constraint"):
+                with self.subTest(names=names, depth=depth, engine=who):
+                    error = self.refused("simulate", "overlap.json", "--engine", who, "--out", "events.jsonl",
+                                         says=["overlap.json", *names, "at the start by " + depth])
+                    self.assertEqual(error.count("overlap.json"), 1, error)
+
+    def test_what_touches_is_no_overlap(self):
+        for first, second, p in [(ball(1), ball(2), (0, 3, 0)), (ball(0.1), ball(0.2), (0, 0, 0.3)),  # 0.1 + 0.2 > 0.3
+                                 (box(1, 1, 1), box(1, 1, 1), (0, 0, 2))]:
+            self.file("touching.json", self.overlapping(first, second, p))
+            self.succeeds("simulate", "touching.json", "--engine", "inproc:fast")
+        self.file("rounding.json", self.overlapping(box(1, 1, 0.1), box(1, 1, 0.2), (0, 0, 0.3)))
+        self.refused("simulate", "rounding.json", says="at the start by 2.77556e-17 m")
+        walls = [body(box(4, 4, 1), (0, 0, -1), mass={"type": "fixed"}), body(box(1, 4, 4), mass={"type": "fixed"})]
+        self.file("walls.json", {**scene(*walls, body(ball(1), (5, 0, 1))), "flight": {"times": [1]}})
+        self.succeeds("simulate", "walls.json", "--engine", "inproc:fast")
+
     def test_bad_input(self):
         name = self.drop(times=[1])
         self.refused("simulate", "no_such_scene", says=["no_such_scene", "list motions"])
         self.refused("simulate", name, "--engine", engine("abstains"), says="not on Sundays")
-        self.refused("simulate", name, "--engine", "nobody", says="nobody")
-        self.refused("simulate", name, "--out", "no_folder/x.jsonl", says="no_folder")
-        self.refused("simulate", name, "--replay", "no_folder/x.html", says="no_folder")
+        error = self.refused("simulate", name, "--engine", "nobody", says=["nobody", "constraint", "fast", "reference"])
+        self.assertNotIn("sweep_and_prune", error)  # a subject that answers no simulation
         for until in ("-1", "0", "nan", "inf", "soon"):
             self.refused("simulate", name, f"--until={until}", says="--until")
         self.drop(times=[1, 0.5])
         self.refused("simulate", name, says="flight.times")
         one = json.loads((self.folder / self.drop(times=[1])).read_text())
         self.file("broken.json", {**one, "flight": {"times": []}})
-        self.refused("simulate", "broken.json", says="broken.json")
+        error = self.refused("simulate", "broken.json", says=["broken.json", "flight.times"])
+        self.assertEqual(error.count("broken.json"), 1, error)
 
     def test_ctrl_c_leaves_what_is_known(self):
         self.drop(times=[k / 16 for k in range(1, 65)])

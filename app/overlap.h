@@ -1,0 +1,18 @@
+// Do solids share space before anything has moved? That is no scene to follow, whoever follows it.
+#pragma once
+
+#include "model/scene.h"
+
+namespace touchstone::app {
+
+/// Throws InputError naming the two bodies that overlap most as they set out, and the depth (m; of compounds that of
+/// the two parts that overlap most). Touching is fine, within rounding where one is no box or polytope, and fixed
+/// bodies may overlap each other.
+///
+/// Pairs are asked whose poses stand in the scene: both set out at once, or who sets out first stands still. Cost:
+/// boxes first (fast/broad_phase.h), then an exact question (reference/penetration.h) a pair whose boxes meet.
+///
+/// Requires a completed scene.
+void refuse_overlap(const Scene& scene);
+
+}  // namespace touchstone::app
