@@ -2,21 +2,12 @@
 
 #include <fmt/format.h>
 
+#include "app/given_scene.h"
 #include "fast/plan.h"
-#include "model/input_error.h"
 #include "model/json.h"
-#include "reference/validity.h"
 
 namespace touchstone::app {
 namespace {
-
-Scene completed(const std::string& path) {
-  try {
-    return reference::completed(read_scene(path));
-  } catch (const InputError& error) {
-    throw InputError(path, error.what());
-  }
-}
 
 /// A flight is about another question than a film.
 fast::Plan plan_of(const Scene& scene) {
@@ -40,8 +31,8 @@ void print(const char* title, const std::vector<fast::Choice>& choices) {
 
 }  // namespace
 
-void plan(const std::string& scene_path, bool as_json) {
-  const Scene scene = completed(scene_path);
+void plan(const std::string& name_or_file, bool as_json) {
+  const Scene scene = given_scene(name_or_file);
   const fast::Plan plan = plan_of(scene);
   if (as_json) {
     Json json = {{"scene", scene.name}};

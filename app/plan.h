@@ -5,7 +5,7 @@
 
 namespace touchstone::app {
 
-/// Reads the scene, prints the plan to stdout, as words or as JSON. Throws InputError.
-void plan(const std::string& scene_path, bool as_json);
+/// Reads the scene (app/given_scene.h), prints the plan to stdout, as words or as JSON. Throws InputError.
+void plan(const std::string& name_or_file, bool as_json);
 
 }  // namespace touchstone::app

@@ -77,7 +77,7 @@ void choose_bounds(const Scene& scene, Plan& plan) {
   note(plan.used, small + once, "a scan of all vertices", "with fewer than " + least + " vertices or placed only once");
   note(plan.used, climbing, "hill climbing on six extremal vertices",
        "with " + least + " vertices or more, placed again and again");
-  note(plan.left_out, plain, "vertices", "made of spheres and boxes: their extent is a formula");
+  note(plan.left_out, plain, "vertices", "made of spheres and boxes, whose extent is a formula");
   note(plan.left_out, small, "hill climbing", "with fewer than " + least + " vertices: looking at all costs no more");
   note(plan.left_out, once, "hill climbing", "placed only once: no frame before to climb from");
 }

@@ -44,6 +44,22 @@ Sorts sorts_of(const Scene& scene) {
   return sorts;
 }
 
+bool pulls(const Scene& scene) { return !scene.gravity.isZero(0) || !scene.flight->pushes.empty(); }
+
+/// Contact mode is for what meets no faster than a hop within the envelope; where nothing pulls there is no hop, unless
+/// a body's own turning would press it back (fast/simulation/loop_group.cpp).
+void plan_contact(const Scene& scene, const Sorts& sorts, Plan& plan) {
+  const std::size_t may = pulls(scene) ? sorts.pairs() : sorts.pairs() - sorts.closed();
+  note(
+      plan.used, may, "pair", "pairs", "contact mode",
+      " may come to stay in contact: rest, slip and rolling in closed form on a face, else steps until they part; each "
+      "hand-over is an event");
+  note(plan.left_out, sorts.pairs() - may, "pair", "pairs", "contact mode",
+       " of balls and blocks that nothing presses together");
+  const std::string whole = "each body flies in one piece from event to event";
+  plan.left_out.push_back({"time steps", may > 0 ? whole + ", but in contact" : whole});
+}
+
 }  // namespace
 
 void plan_motion(const Scene& scene, Plan& plan) {
@@ -51,22 +67,21 @@ void plan_motion(const Scene& scene, Plan& plan) {
   const std::size_t closed = sorts.closed();
   const auto turning = [&](Turning how) { return sorts.turning[static_cast<std::size_t>(how)]; };
   note(plan.used, closed, "pair", "pairs", "meetings in closed form",
-       " of balls, or of a ball and a block that stands");
+       " of balls, or of a ball and a block that does not turn");
   note(plan.used, sorts.pairs() - closed, "pair", "pairs", "conservative advancement",
        " of other shapes: steps on certified distances");
   note(plan.used, turning(Turning::tumbling), "body", "bodies", "Euler's equations",
        " with three different moments of inertia");
-  plan.left_out.push_back({"time steps", "each body flies in one piece from event to event"});
-  note(plan.left_out, sorts.fixed_pairs(), "pair", "pairs", "pairs of fixed bodies",
-       ": nothing becomes of their meeting");
+  plan_contact(scene, sorts, plan);
+  note(plan.left_out, sorts.fixed_pairs(), "pair", "pairs", "pairs of fixed bodies", ": nothing becomes of a meeting");
   note(plan.left_out, sorts.pairs(), "pair", "pairs", "all pairs",
-       " would be asked after every event: only those whose boxes over a frame meet are");
+       " would be asked after every event; now only where boxes over a frame meet");
   note(plan.left_out, sorts.still, "body", "bodies", "later frames",
-       " that stand: filed once, never asked first again");
+       " standing still: filed once, never asked first again");
   note(plan.left_out, sorts.balls - sorts.fixed_balls, "ball", "balls", "attitudes of balls",
-       ": whatever they spin, no point of the space that they fill moves");
+       ": whatever the spin, no point of the space that a ball fills moves");
   note(plan.left_out, turning(Turning::steady) + turning(Turning::precessing), "body", "bodies", "Euler's equations",
-       " with two equal moments of inertia or more: they turn in closed form");
+       " with two equal moments of inertia or more, turning in closed form");
 }
 
 }  // namespace touchstone::fast
