@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <stdexcept>
 
+#include "app/body_name.h"
 #include "model/input_error.h"
 #include "model/json.h"
 #include "oracle/words.h"
@@ -256,9 +258,19 @@ void print(const Json& json, const std::string& indent) {
   for (const auto& [key, value] : json.items()) print(key, value, indent);
 }
 
+/// Whoever asks about many bodies is told that two were looked at.
+Json with_pair(const std::string& query, const Scene& scene, const Json& answer) {
+  static const std::set<std::string> about_two = {"distance", "penetration", "time_of_impact"};
+  if (scene.bodies.size() == 2 || !about_two.contains(query)) return answer;
+  const std::string pair = body_name(scene, 0) + " and " + body_name(scene, 1);
+  Json with_names = {{"pair", fmt::format("{}, of {} bodies", pair, scene.bodies.size())}};
+  with_names.update(answer);
+  return with_names;
+}
+
 /// What only geometry shows to be wrong with a scene has its file's name before it too.
 Json answered(const std::string& query, const Scene& scene, const std::string& path) try {
-  return shows().at(query)(reference::completed(scene));
+  return with_pair(query, scene, shows().at(query)(reference::completed(scene)));
 } catch (const InputError& error) {
   throw InputError(path, error.what());
 }

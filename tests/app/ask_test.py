@@ -108,6 +108,16 @@ class Ask(Test):
         self.assertEqual(said(0.5), {"meeting": "miss", "apart_before": 3})
 
 
+    def test_of_many_bodies_the_pair_is_named(self):
+        near_far = [body(ball(1), name="near"), body(ball(1), (3, 0, 0)), body(ball(1), (9, 0, 0))]
+        for query in ("distance", "penetration"):
+            said = self.ask(query, *near_far)
+            self.assertEqual(said["pair"], "bodies[0] (near) and bodies[1], of 3 bodies")
+            self.assertNotIn("pair", self.ask(query, *near_far[:2]))
+        self.file("scene.json", {**scene(*near_far), "flight": {"times": [3]}})
+        self.assertRegex(self.succeeds("ask", "time_of_impact", "scene.json"), r"^pair +bodies\[0\] \(near\) and bodies\[1\]")
+
+
 def stl_text(triangles):
     facets = "".join("facet normal 0 0 0\nouter loop\n" + "".join(f"vertex {x} {y} {z}\n" for x, y, z in t) +
                      "endloop\nendfacet\n" for t in triangles)
