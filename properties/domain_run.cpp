@@ -131,11 +131,14 @@ Scene tops(Random& random) {
   return run(random, std::move(bodies), flight_until(1, 2));
 }
 
-/// Forces that begin and change on the way.
+/// Forces that begin and change on the way; or one that acts from the start, which is no event, one at the end, and one
+/// after it, which nobody sees.
 Scene pushed(Random& random) {
   Scene scene = run(random, converging(random, random.between(2, 3), true), flight_until(2, 4));
   scene.flight->force_bound = 64;
-  for (const double time : {0.25, 0.5, 1.0}) {
+  std::vector<double> times = {0.25, 0.5, 1};
+  if (random.one_in(4)) times = {0, 1, 2, 4};
+  for (const double time : times) {
     const int body = random.below(static_cast<int>(scene.bodies.size()));
     scene.flight->pushes.push_back({time, body, small_vector(random, 16)});
   }

@@ -35,6 +35,11 @@ double start_of(const Scene& pair) {
 
 double end_of(const Scene& scene) { return scene.flight->times.back(); }
 
+// A thousandth of the body: what is left to see of it is still its shape.
+bool tells(const Body& body, double slack) { return slack * 1024 < size(body.shape); }
+
+bool tells(const Scene& pair, double slack) { return tells(pair.bodies[0], slack) && tells(pair.bodies[1], slack); }
+
 FlightCase::FlightCase(const Scene& pair, oracle::Precision in)
     : scene(pair),
       precision(in),
@@ -44,10 +49,7 @@ FlightCase::FlightCase(const Scene& pair, oracle::Precision in)
       slack(oracle::tolerance::meeting(pair, truth.meeting == Meeting::hit ? truth.time.hi : end, in)),
       moment(slack / speed(pair, end)) {}
 
-// A thousandth of the smaller body: what is left to see of it is still its shape.
-bool FlightCase::sure() const {
-  return slack * 1024 < std::min(size(scene.bodies[0].shape), size(scene.bodies[1].shape));
-}
+bool FlightCase::sure() const { return tells(scene, slack); }
 
 double FlightCase::gap(double time) const {
   const Scene there = oracle::pair_at(scene, time);

@@ -15,6 +15,14 @@ namespace touchstone::properties {
 double start_of(const Scene& pair);
 double end_of(const Scene& scene);
 
+/// Is a pose that is right to `slack` (m) right enough to tell where the body is, and of bodies 0 and 1 whether they
+/// meet?
+bool tells(const Body& body, double slack);
+bool tells(const Scene& pair, double slack);
+
+/// What a property says where they are not: a bound as wide as the bodies lets any answer through.
+inline constexpr const char* too_far_to_tell = "rounding moves the bodies too far to tell";
+
 /// Bodies 0 and 1 in flight. A computation whose poses are right to `slack` (m) cannot put their meeting where the two
 /// are farther apart than that at all times before, nor later than a time at which they overlap by more.
 class FlightCase {
@@ -28,8 +36,7 @@ class FlightCase {
   double slack = 0;   ///< m; tolerance::meeting at the meeting, else at the end
   double moment = 0;  ///< s: it takes the two at least so long to move by the slack against each other
 
-  /// Is the slack small against the bodies, so that a meeting can be told from none?
-  bool sure() const;
+  bool sure() const;  ///< does its slack tell?
   /// m: how far apart the two are at a time of their flights; below 0: how deep they overlap, at least.
   double gap(double time) const;
   /// m: 0, or below it the least gap from the truth's meeting until `until` that times which close in on the meeting
@@ -57,7 +64,7 @@ oracle::Finding of_flight(const Scene& scene, const oracle::Subject& subject, Ju
   return of_pair(scene, subject, [&] {
     const std::optional<FlightCase> asked = flight_case(scene, subject.card().precision);
     if (!asked) return oracle::judge::outside("they overlap at the start");
-    return asked->sure() ? judge_it(*asked) : oracle::judge::outside("rounding moves the bodies too far to tell");
+    return asked->sure() ? judge_it(*asked) : oracle::judge::outside(too_far_to_tell);
   });
 }
 

@@ -41,7 +41,7 @@ Finding ordered(const Scene& scene, Subject& subject) {
 // Where a look falls into a flight. At an event's own time the state before and the one after are both there.
 Finding flights(const Scene& scene, Subject& subject) {
   return of_course(scene, subject, [&](const TrajectoryCase& asked, const Course& course) {
-    Finding worst;
+    Finding worst = judge::outside("no look in flight");
     for (const std::vector<Leg>& legs : course) {
       for (const Leg& leg : legs) {
         for (std::size_t look = 0; look < asked.looks(); ++look) {
@@ -60,7 +60,7 @@ Finding flights(const Scene& scene, Subject& subject) {
 // An impact leaves bodies where they are, a push their velocities too, and a fixed body is left alone.
 Finding event_states(const Scene& scene, Subject& subject) {
   return of_course(scene, subject, [&](const TrajectoryCase& asked, const Course& course) {
-    Finding worst;
+    Finding worst = judge::outside("no event in flight");
     for (std::size_t e = 0; e < asked.events(); ++e) {
       const Event& event = (*asked.said.events)[e];
       if (!is_struck(event) && event.kind != Kind::push) continue;
@@ -98,7 +98,7 @@ bool of_flights_together(const Scene& scene, const std::vector<Leg>& of_a, const
 /// Of all pairs that are not fixed.
 template <class JudgeIt>
 Finding of_pairs_in_flight(const TrajectoryCase& asked, const Course& course, JudgeIt&& judge_it) {
-  Finding worst;
+  Finding worst = judge::outside("no two in flight");
   for (std::size_t i = 0; i < course.size(); ++i) {
     for (std::size_t j = i + 1; j < course.size(); ++j) {
       if (asked.is_fixed(i) && asked.is_fixed(j)) continue;
@@ -123,6 +123,7 @@ Finding none_missed(const Scene& scene, Subject& subject) {
     return of_pairs_in_flight(asked, course, [&](const Scene& pair, double from, double until) {
       if (stay_apart(pair, until)) return judge::holds();
       const double slack = tolerance::meeting(pair, until, asked.precision);
+      if (!tells(pair, slack)) return judge::outside(too_far_to_tell);
       const auto overlap = [&](double depth) {
         return judge::at_most(
             depth, in_ulps_of_place(asked, slack), Defect::missed,
@@ -157,36 +158,53 @@ Real overlap_along(const Point& n, const Body& A, const Body& B) {
   return farthest(B, n) + farthest(A, -n);
 }
 
-// The two are within the envelope, C is within it of both, and the normal's plane parts them as far as they are convex.
+/// The two are within the envelope, C is within it of both, and the normal's plane parts them as far as they are
+/// convex: of poses that are right to `slack` (m).
+Finding in_contact(const TrajectoryCase& asked, const Event& event, const Scene& there, double slack) {
+  const double near = envelope(asked.scene) + slack, apart = truth::distance(there).distance.hi;
+  const auto within = [&](double off, double allowed, Defect defect, const char* law) {
+    return judge::at_most(
+        off, in_ulps_of_place(asked, allowed), defect, [&] { return text(event); },
+        [law] { return std::string(law); });
+  };
+  Finding worst;
+  if (worse(worst, within(apart, near, Defect::phantom, "an impact within the envelope"))) return worst;
+  for (const Body& body : there.bodies) {
+    if (worse(worst,
+              within(judge::off_body(body, event.p_WC), near, Defect::wrong_witness, "C within the envelope"))) {
+      return worst;
+    }
+  }
+  const Point n = event.nhat_BA_W.cast<Real>();
+  if (std::abs(n.norm() - 1) > tolerance::unit_length(asked.precision)) {
+    return judge::wrong(Defect::wrong_normal, text(event), "a unit normal");
+  }
+  const auto convex = [](const Body& body) { return !std::holds_alternative<Compound>(body.shape); };
+  if (!std::ranges::all_of(there.bodies, convex)) return worst;
+  const double size = tolerance::size(there.bodies[0]) + tolerance::size(there.bodies[1]);
+  const double allowed = near + 2 * size * tolerance::normal(there, apart, asked.precision);
+  const Real overlap = overlap_along(n, there.bodies[0], there.bodies[1]);
+  worse(worst, within(static_cast<double>(std::max<Real>(0, overlap)), allowed, Defect::wrong_normal,
+                      "a normal whose plane parts the two"));
+  return worst;
+}
+
+Scene as_told(Scene there, const Event& event) {
+  there.bodies[0].X_WB = event.after_a.X_WB;
+  there.bodies[1].X_WB = event.after_b.X_WB;
+  return there;
+}
+
+// Where they are told to be, whatever brought them there; and where their flights bring them, if that can be told.
 Finding contacts(const Scene& scene, Subject& subject) {
   return of_struck_pairs(
       scene, subject, [&](const TrajectoryCase& asked, const Event& event, const Scene& pair, const Scene& there) {
-        const double slack = tolerance::meeting(pair, event.time, asked.precision), near = envelope(scene) + slack;
-        const double apart = truth::distance(there).distance.hi;
-        const auto said = [&] { return text(event); };
-        const auto within = [&](double off, double allowed, Defect defect, const char* law) {
-          return judge::at_most(off, in_ulps_of_place(asked, allowed), defect, said,
-                                [law] { return std::string(law); });
-        };
-        Finding worst;
-        if (worse(worst, within(apart, near, Defect::phantom, "an impact within the envelope"))) return worst;
-        for (const Body& body : there.bodies) {
-          if (worse(worst,
-                    within(judge::off_body(body, event.p_WC), near, Defect::wrong_witness, "C within the envelope"))) {
-            return worst;
-          }
+        const Scene told = as_told(there, event);
+        Finding worst = in_contact(asked, event, told, tolerance::distance(told, asked.precision));
+        const double slack = tolerance::meeting(pair, event.time, asked.precision);
+        if (worst.outcome == Outcome::holds && tells(pair, slack)) {
+          worse(worst, in_contact(asked, event, there, slack));
         }
-        const Point n = event.nhat_BA_W.cast<Real>();
-        if (std::abs(n.norm() - 1) > tolerance::unit_length(asked.precision)) {
-          return judge::wrong(Defect::wrong_normal, text(event), "a unit normal");
-        }
-        const auto convex = [](const Body& body) { return !std::holds_alternative<Compound>(body.shape); };
-        if (!std::ranges::all_of(there.bodies, convex)) return worst;
-        const double size = tolerance::size(there.bodies[0]) + tolerance::size(there.bodies[1]);
-        const double allowed = near + 2 * size * tolerance::normal(there, apart, asked.precision);
-        const Real overlap = overlap_along(n, there.bodies[0], there.bodies[1]);
-        worse(worst, within(static_cast<double>(std::max<Real>(0, overlap)), allowed, Defect::wrong_normal,
-                            "a normal whose plane parts the two"));
         return worst;
       });
 }
@@ -208,11 +226,14 @@ Point exact(const reference::ExactVec3& v) {
 Finding impulses(const Scene& scene, Subject& subject) {
   return of_struck_pairs(
       scene, subject, [&](const TrajectoryCase& asked, const Event& event, const Scene& pair, const Scene& there) {
+        if (!tells(pair, tolerance::meeting(pair, event.time, asked.precision))) {
+          return judge::outside(too_far_to_tell);
+        }
         const Scene question = impact_of(there, event, scene.flight->law);
         const ImpactCase impact(question, asked.precision);
         const bool in_domain = tolerance::impact_in_range(impact.impact, asked.precision) &&
                                tolerance::impact_is_sure(impact.impact, asked.precision);
-        if (!in_domain) return judge::holds();
+        if (!in_domain) return judge::outside("an impact whose law rounding may change");
         const Impulse answer{{event.after_a.velocity, event.after_b.velocity}, event.P_A_W, {}, {}};
         const SaidImpact said(impact, answer);
         const std::array<tolerance::FlightBound, 2> before = {tolerance::flight(pair, 0, event.time, asked.precision),

@@ -52,11 +52,11 @@ Finding lockstep(const Scene& scene, Subject& subject) {
       of_impacts(scene, subject, [&](const TrajectoryCase& asked, const Event& event, const std::vector<Leg>& legs) {
         const Scene flying = in_flight(scene, legs, asked.end);
         const std::optional<FlightCase> pair = flight_case(flying, asked.precision);
-        if (!pair) return judge::holds();
+        if (!pair) return judge::outside("pairs that set out overlapping");
+        if (!pair->sure()) return judge::outside(too_far_to_tell);
         ++impacts;
         return in_enclosure(*pair, envelope(scene), event);
       });
-  if (impacts == 0 && worst.outcome == oracle::Outcome::holds) return judge::outside("pairs that set out overlapping");
   worst.impacts = impacts;
   return worst;
 }

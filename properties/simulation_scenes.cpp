@@ -61,7 +61,7 @@ Finding alone(const Scene& scene, Subject& subject) {
     });
     if (!apart) return judge::outside("bodies that meet");
     if (asked.events() > 0) return judge::wrong(Defect::phantom, text(asked.said.events->front()), "no event");
-    Finding worst;
+    Finding worst = judge::outside("no look");
     for (std::size_t look = 0; look < asked.looks(); ++look) {
       for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
         const State& said = asked.said.states[look][i];
@@ -89,7 +89,7 @@ std::optional<FirstImpact> first_impact(const Scene& scene, const Trajectory& sa
   const auto legs = from_the_start(scene, static_cast<std::size_t>(event->a), static_cast<std::size_t>(event->b));
   const Scene flying = in_flight(scene, legs, end_of(scene));
   const std::optional<FlightCase> pair = flight_case(flying, precision);
-  if (!pair) return std::nullopt;
+  if (!pair || !pair->sure()) return std::nullopt;
   const auto near = oracle::truth::time_of_distance(flying, envelope(scene) + pair->slack);
   const std::optional<double> latest = pair->latest();
   if (near.meeting != Meeting::hit || !latest) return std::nullopt;
@@ -201,6 +201,7 @@ Finding reversible(const Scene& scene, Subject& subject) {
     back.flight->times = {end};
     const Scene pair = in_flight(scene, from_the_start(scene, 0, 1), end);
     const double slack = tolerance::meeting(pair, end, asked.precision);
+    if (!tells(pair, slack)) return judge::outside(too_far_to_tell);
     const double allowed = back_home(scene, asked.said.events->front(), end, slack);
     if (std::isinf(allowed)) return judge::outside("a grazing impact");
     return judge::given(subject.simulation(back), [&](const Trajectory& said) {
@@ -347,7 +348,8 @@ Finding bounces(const Scene& scene, Subject& subject) {
     const Bounces ball{*start, V.v_WBcm.z(), -scene.gravity.z(),
                        std::min(moving->material.restitution, table->material.restitution)};
     const Scene pair = in_flight(scene, from_the_start(scene, 0, 1), end_of(scene));
-    const double eps = envelope(scene) + tolerance::meeting(pair, end_of(scene), asked.precision);
+    const double slack = tolerance::meeting(pair, end_of(scene), asked.precision), eps = envelope(scene) + slack;
+    if (!tells(pair, slack)) return judge::outside(too_far_to_tell);
     const auto which = static_cast<std::size_t>(moving - scene.bodies.begin());
     Finding worst;
     for (std::size_t look = 0; look < asked.looks(); ++look) {

@@ -11,6 +11,7 @@
 #include "oracle/tolerance_motion.h"
 #include "oracle/words.h"
 #include "oracle/world_points.h"
+#include "properties/flight_case.h"
 
 namespace touchstone::properties {
 namespace {
@@ -61,10 +62,29 @@ bool in_order(const std::vector<Event>& events, std::size_t k) {
   return false;
 }
 
-bool told(const Push& push, const Trajectory& said) {
-  return std::ranges::any_of(*said.events, [&](const Event& e) {
-    return e.kind == Event::Kind::push && e.a == push.body && e.time == push.time;
-  });
+bool tells_of(const Event& event, const Push& push) {
+  return event.kind == Event::Kind::push && event.a == push.body && event.time == push.time;
+}
+
+/// On its body's way: one that acts from the start is part of the question.
+bool comes_on_the_way(const Push& push, const Flight& flight) {
+  return push.time > (flight.since.empty() ? 0 : flight.since[static_cast<std::size_t>(push.body)]);
+}
+
+std::string fault_in_pushes(const Flight& flight, const std::vector<Event>& events, double end) {
+  for (const Push& push : flight.pushes) {
+    const bool told = std::ranges::any_of(events, [&](const Event& event) { return tells_of(event, push); });
+    if (comes_on_the_way(push, flight) && push.time < end && !told) {
+      return "a push that is not told, at " + words::text(push.time) + " s";
+    }
+  }
+  for (const Event& event : events) {
+    const bool there = std::ranges::any_of(flight.pushes, [&](const Push& push) {
+      return tells_of(event, push) && comes_on_the_way(push, flight);
+    });
+    if (event.kind == Event::Kind::push && !there) return "a push that does not come on the way: " + text(event);
+  }
+  return {};
 }
 
 // m: how far the points of a body are from where they should be, at most.
@@ -111,17 +131,18 @@ std::string text(const Pose& pose) {
 }  // namespace
 
 oracle::Finding stands(const TrajectoryCase& asked, const Scene& flying, std::size_t k, double time, const Pose& said) {
+  const double allowed = allowance(flying, k, time, asked.precision).place;
+  if (!tells(flying.bodies[k], allowed)) return oracle::judge::outside(too_far_to_tell);
   const Pose expected = oracle::flown(flying, k, time).X_WB;
   return oracle::judge::at_most(
-      displacement(flying.bodies[k], said, expected),
-      in_ulps_of_place(asked, allowance(flying, k, time, asked.precision).place), oracle::Defect::wrong_motion,
+      displacement(flying.bodies[k], said, expected), in_ulps_of_place(asked, allowed), oracle::Defect::wrong_motion,
       [&] { return text(said); }, [&] { return text(expected); });
 }
 
 oracle::Finding arrives(const TrajectoryCase& asked, const Scene& flying, std::size_t k, double time,
                         const State& said) {
   oracle::Finding worst = stands(asked, flying, k, time, said.X_WB);
-  if (worst.outcome != oracle::Outcome::fails) worse(worst, moves(asked, flying, k, time, said.velocity));
+  if (worst.outcome == oracle::Outcome::holds) worse(worst, moves(asked, flying, k, time, said.velocity));
   return worst;
 }
 
@@ -139,19 +160,15 @@ std::string fault_in_form(const Scene& scene, const Trajectory& said) {
     if (const std::string fault = fault_in_event(scene, event, end); !fault.empty()) return fault + ": " + text(event);
     if (!in_order(*said.events, k)) return "not in the order of (time, a, b): " + text(event);
   }
-  for (const Push& push : scene.flight->pushes) {
-    const double since = scene.flight->since.empty() ? 0 : scene.flight->since[static_cast<std::size_t>(push.body)];
-    if (push.time > since && push.time < end && !told(push, said)) {
-      return "a push that is not told, at " + words::text(push.time) + " s";
-    }
-  }
-  return {};
+  return fault_in_pushes(*scene.flight, *said.events, end);
 }
 
 bool worse(oracle::Finding& worst, oracle::Finding next) {
   const auto excess = [](const oracle::Finding& f) { return f.allowed > 0 ? f.error / f.allowed : f.error; };
-  const bool failed = next.outcome == oracle::Outcome::fails;
-  if (failed || excess(next) > excess(worst)) worst = std::move(next);
+  const bool failed = next.outcome == oracle::Outcome::fails, judged = next.outcome != oracle::Outcome::outside;
+  if (worst.outcome == oracle::Outcome::outside || (judged && (failed || excess(next) > excess(worst)))) {
+    worst = std::move(next);
+  }
   return failed;
 }
 

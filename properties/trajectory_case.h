@@ -13,7 +13,8 @@
 namespace touchstone::properties {
 
 /// What is wrong with the form of a trajectory; "" for nothing: a state for each body at each time that is whole,
-/// events in the order of (time, a, b), of bodies that are there, a < b, not after the end; each push told at its time.
+/// events in the order of (time, a, b), of bodies that are there, a < b, not after the end; each push on the way told at
+/// its time, and no other.
 std::string fault_in_form(const Scene& scene, const Trajectory& said);
 
 struct TrajectoryCase {
@@ -53,7 +54,8 @@ oracle::Finding of_course(const Scene& scene, oracle::Subject& subject, JudgeIt&
   });
 }
 
-/// Keeps the finding with the greatest error against its bound; a failure at once ends the search: true.
+/// Keeps the finding with the greatest error against its bound; what is outside gives way to whatever is judged. A
+/// failure at once ends the search: true.
 bool worse(oracle::Finding& worst, oracle::Finding next);
 
 /// Of answers with events, each impact of bodies in flight: judge_it(const TrajectoryCase&, const Event&, the legs that
@@ -67,7 +69,6 @@ oracle::Finding of_impacts(const Scene& scene, oracle::Subject& subject, JudgeIt
       if (event.kind != Event::Kind::impact) continue;
       const std::vector<Leg> legs = legs_into(course, asked.said, e);
       if (!std::ranges::all_of(legs, &Leg::flies)) continue;
-      if (worst.outcome == oracle::Outcome::outside) worst = oracle::judge::holds();
       if (worse(worst, judge_it(asked, event, legs))) break;
     }
     return worst;

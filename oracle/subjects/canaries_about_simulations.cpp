@@ -4,6 +4,7 @@
 #include <functional>
 #include <utility>
 
+#include "model/limits.h"
 #include "oracle/flown.h"
 #include "oracle/subjects/lie.h"
 
@@ -137,6 +138,20 @@ void gains(Event& event, const Scene&) {
 
 void nudged(Event& event, const Scene&) { event.after_a.X_WB.p_WB += 1e-6 * event.nhat_BA_W; }
 
+// As if a flight that is hard to follow were enclosed so widely, and its lower end taken for the meeting.
+void lower_end(Event& event, const Scene& scene) {
+  const auto a = static_cast<std::size_t>(event.a), b = static_cast<std::size_t>(event.b);
+  const auto speed = [&](std::size_t body) {
+    const Velocity V = flown(scene, body, event.time).velocity;
+    return V.v_WBcm.norm() + size(scene.bodies[body].shape) * V.w_WB.norm();
+  };
+  const double early = 0x1p14 * envelope(scene) / (speed(a) + speed(b));
+  if (!(early < event.time)) return;
+  event.time -= early;
+  event.after_a.X_WB = flown(scene, a, event.time).X_WB;
+  event.after_b.X_WB = flown(scene, b, event.time).X_WB;
+}
+
 // One ball too many, and its neighbours move.
 void crowded(Subject&, const Scene& scene, Trajectory& said) {
   if (scene.bodies.size() < 3) return;
@@ -218,6 +233,8 @@ std::vector<Canary> canaries_about_simulations() {
             [] { return first_impact_with(gains); }),
       lying("canary.impact_moves", "moves a body when it is hit", [] { return first_impact_with(nudged); }),
       lying("canary.overdue", "tells the last event a microsecond late", [] { return runs(overdue); }),
+      lying("canary.lower_end", "takes the lower end of a wide enclosure: thousands of envelopes early",
+            [] { return first_impact_with(lower_end); }),
       lying("canary.contact_elsewhere", "tells an impact at the body's centre",
             [] { return first_impact_with([](Event& event, const Scene&) { event.p_WC = event.after_a.X_WB.p_WB; }); }),
       lying("canary.crowded", "moves others once there are three bodies", [] { return runs(crowded); }),

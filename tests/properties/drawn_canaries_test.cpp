@@ -37,6 +37,7 @@ const std::vector<Caught> caught = {
     {"canary.impact_gains", "simulation.elastic_energy", "runs.cradle", 0},
     {"canary.impact_moves", "simulation.angular_momentum", "runs.balls", 0},
     {"canary.overdue", "simulation.lockstep", "runs.one_impact", 0},
+    {"canary.lower_end", "simulation.lockstep", "runs.one_impact", 0},
     {"canary.contact_elsewhere", "simulation.contacts", "runs.cradle", 0},
     {"canary.crowded", "simulation.bystanders", "runs.on_a_table", 0},
     {"canary.explicit_steps", "simulation.bounces", "runs.bouncing", 0},
