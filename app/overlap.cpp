@@ -1,9 +1,6 @@
 #include "app/overlap.h"
 
-#include <algorithm>
-#include <cmath>
 #include <optional>
-#include <utility>
 #include <variant>
 #include <vector>
 
@@ -11,6 +8,7 @@
 #include "fast/bounds.h"
 #include "fast/broad_phase.h"
 #include "fast/motion/quaternion.h"
+#include "fast/simulation/meeting.h"
 #include "model/input_error.h"
 #include "reference/exact_pose.h"
 #include "reference/penetration.h"
@@ -63,45 +61,48 @@ bool asked(const Scene& scene, int a, int b) {
   return a != b && !(is_fixed(scene.bodies[i]) && is_fixed(scene.bodies[j])) && stand_as_written(scene, i, j);
 }
 
-/// Bodies with vertices alone, whose poses are not ours: what they are is what is written, and flat faces can be
-/// written to touch exactly.
-bool is_exact(const Body& body) {
-  return std::holds_alternative<Box>(body.shape) || std::holds_alternative<Polytope>(body.shape);
-}
+bool is_compound(const Body& body) { return std::holds_alternative<Compound>(body.shape); }
 
 double greatest_sum(const Aabb& box) { return box.lo.cwiseAbs().cwiseMax(box.hi.cwiseAbs()).sum(); }
 
-/// How deep two others may be that are meant to touch (m). Who places a ball rounds a few times in each coordinate, by
-/// u = 2⁻⁵³ of it; 32u of all of them is no less than what `fast` grants a ball (fast/simulation/meeting.h).
-double rounding(const Aabb& a, const Aabb& b) { return 0x1p-48 * (greatest_sum(a) + greatest_sum(b)); }
+/// How deep two bodies may be and still only touch (m). Who means balls to touch rounds a few times in each coordinate,
+/// by u = 2⁻⁵³ of it, and so do we where a part stands in the world: 32u of all coordinates, which is no less than the
+/// clearance of `fast` where it has closed forms. Elsewhere any depth is overlap, as `fast` and `reference` say.
+double touching(const Body& A, const Aabb& box_A, const Body& B, const Aabb& box_B) {
+  using fast::world::Mover;
+  const bool as_written =
+      !is_compound(A) && !is_compound(B) && !has_closed_form(Mover(A, 0, Vec3::Zero()), Mover(B, 0, Vec3::Zero()));
+  return as_written ? 0 : 0x1p-48 * (greatest_sum(box_A) + greatest_sum(box_B));
+}
 
 struct Overlap {
   int a, b;
   double depth;
 };
 
-std::optional<Overlap> deepest(const Scene& scene) {
+/// Of the first two bodies that overlap, by the deepest of their parts.
+std::optional<Overlap> first_overlap(const Scene& scene) {
   const Parts parts = parts_of(scene);
   const Bounds boxes = fast::bounds(parts.scene);
-  std::optional<Overlap> most;
+  std::optional<Overlap> first;
   Scene pair;
   for (const auto& [p, q] : fast::overlapping_pairs(boxes)) {
     const auto i = static_cast<std::size_t>(p), j = static_cast<std::size_t>(q);
     const int a = parts.owner[i], b = parts.owner[j];
-    if (!asked(scene, a, b)) continue;
-    const Body &A = scene.bodies[static_cast<std::size_t>(a)], &B = scene.bodies[static_cast<std::size_t>(b)];
-    const double touching = is_exact(A) && is_exact(B) ? 0 : rounding(boxes[i], boxes[j]);
+    if (!asked(scene, a, b) || (first && (a != first->a || b != first->b))) continue;
     pair.bodies = {parts.scene.bodies[i], parts.scene.bodies[j]};
     const double depth = reference::penetration(pair).depth.lo;
-    if (depth > touching && (!most || depth > most->depth)) most = {a, b, depth};
+    if (!(depth > (first ? first->depth : 0))) continue;
+    const Body &A = scene.bodies[static_cast<std::size_t>(a)], &B = scene.bodies[static_cast<std::size_t>(b)];
+    if (depth > touching(A, boxes[i], B, boxes[j])) first = {a, b, depth};
   }
-  return most;
+  return first;
 }
 
 }  // namespace
 
 void refuse_overlap(const Scene& scene) {
-  const std::optional<Overlap> found = deepest(scene);
+  const std::optional<Overlap> found = first_overlap(scene);
   if (!found) return;
   throw InputError(body_name(scene, found->a), fmt::format("overlaps {} at the start by {:.6g} m: move them apart",
                                                            body_name(scene, found->b), found->depth));

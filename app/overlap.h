@@ -5,9 +5,9 @@
 
 namespace touchstone::app {
 
-/// Throws InputError naming the two bodies that overlap most as they set out, and the depth (m; of compounds that of
-/// the two parts that overlap most). Touching is fine, within rounding where one is no box or polytope, and fixed
-/// bodies may overlap each other.
+/// Throws InputError naming the first two bodies that overlap as they set out, and the depth (m; of compounds that of
+/// the two parts that overlap most). Touching is fine, within rounding between balls, between a ball and a fixed
+/// box that does not turn, and of compounds; and fixed bodies may overlap each other.
 ///
 /// Pairs are asked whose poses stand in the scene: both set out at once, or who sets out first stands still. Cost:
 /// boxes first (fast/broad_phase.h), then an exact question (reference/penetration.h) a pair whose boxes meet.

@@ -178,8 +178,11 @@ class Simulate(Test):
                                  (box(1, 1, 1), box(1, 1, 1), (0, 0, 2))]:
             self.file("touching.json", self.overlapping(first, second, p))
             self.succeeds("simulate", "touching.json", "--engine", "inproc:fast")
-        self.file("rounding.json", self.overlapping(box(1, 1, 0.1), box(1, 1, 0.2), (0, 0, 0.3)))
-        self.refused("simulate", "rounding.json", says="at the start by 2.77556e-17 m")
+        for first, mass in [(box(1, 1, 0.1), {"type": "fixed"}), (ball(0.1), {"type": "density", "density": 1})]:
+            rounded = self.overlapping(first, box(1, 1, 0.2), (0, 0, 0.3))
+            rounded["bodies"][1]["mass"] = mass
+            self.file("rounded.json", rounded)
+            self.refused("simulate", "rounded.json", says="at the start by 2.77556e-17 m")
         walls = [body(box(4, 4, 1), (0, 0, -1), mass={"type": "fixed"}), body(box(1, 4, 4), mass={"type": "fixed"})]
         self.file("walls.json", {**scene(*walls, body(ball(1), (5, 0, 1))), "flight": {"times": [1]}})
         self.succeeds("simulate", "walls.json", "--engine", "inproc:fast")
