@@ -138,14 +138,16 @@ Stand Flight::stand(double t, const Origin& O) const {
       now.q_WB = product(q_WP, conjugate(flyer_->inertia.q_BP));
       now.w_WB = rotation(q_WP) * tumbled.w_P;
       const bool is_exact = against_ == Against::exact;
-      now.turn_error = (is_exact ? tumbled.error : Tumble::error_of_a_step) + 140 * u;
-      now.w_error = rate_ * (now.turn_error + 64 * u) + (is_exact ? tumbled.w_error : rate_ * Tumble::error_of_a_step);
+      now.turn_error = (is_exact ? tumbled.error : tumbled.said_error) + 140 * u;
+      now.w_error = rate_ * (now.turn_error + 64 * u) + (is_exact ? tumbled.w_error : rate_ * tumbled.said_error);
     }
   }
   now.R_WB = rotation(now.q_WB);
   if (turning_ != Turning::steady && turns()) now.alpha_WB = spin_up(flyer_->inertia, now.q_WB, now.w_WB);
   return now;
 }
+
+bool Flight::follows(double t) const { return turning_ != Turning::tumbling || tumble_.follows(t - since_); }
 
 State Flight::state(double t) const {
   if (t == since_) return {start_, velocity_};

@@ -62,6 +62,9 @@ class Flight {
   Pose pose(double t) const { return state(t).X_WB; }
   Velocity velocity(double t) const { return state(t).velocity; }
 
+  /// Whether what is said at t is a flight's turning at all (tumble.h).
+  bool follows(double t) const;
+
   Centre centre(double t, const Origin& O = {}) const;
   Stand stand(double t, const Origin& O = {}) const;
 

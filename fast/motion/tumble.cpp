@@ -125,7 +125,7 @@ Tumble::Now Tumble::within(double time) {
   const auto after = [](double t, const Step& s) { return t < s.from; };
   const Step& now = *std::prev(std::upper_bound(steps_.begin() + 1, steps_.end(), time, after));
   const Terms x = sum(now, (time - now.from) / now.length);
-  return {{x[0], x[1], x[2], x[3]}, {x[4], x[5], x[6]}, now.error, now.w_error};
+  return {{x[0], x[1], x[2], x[3]}, {x[4], x[5], x[6]}, now.error, now.w_error, 0};
 }
 
 /// By squares: twice the error with each, and 16u; and 16u for each that is taken.
@@ -161,7 +161,14 @@ Tumble::Now Tumble::at(double tau) {
     w_error += periods * 1.25 * rate * rate * period_.error;
   }
   if (!(error < 0x1p-10)) error = w_error = nothing_known;
-  return {now.q_P0P, scale_ * now.w_P, error, scale_ * w_error};
+  // What is new in a step of 8 units, twice, for who looks across the end of one; what time rounds by; and what another
+  // order of multiplying the turns of whole periods does.
+  const double said_error = 128 * u + 2 * late + 48 * u * periods;
+  return {now.q_P0P, scale_ * now.w_P, error, scale_ * w_error, said_error};
+}
+
+bool Tumble::follows(double tau) const {
+  return std::isfinite(period_.error) || tau * scale_ <= period_.length;
 }
 
 }  // namespace touchstone::fast::motion

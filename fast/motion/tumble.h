@@ -29,14 +29,12 @@ namespace touchstone::fast::motion {
 /// |L| and the energy are kept in any case.
 class Tumble {
  public:
-  /// Of q, and relative of ω: what is new in a step of 8 units, twice, for who looks across the end of one.
-  static constexpr double error_of_a_step = 128 * u;
-
   struct Now {
     Quaternion q_P0P;
     Vec3 w_P = Vec3::Zero();  ///< rad/s
     double error = 0;         ///< rad
     double w_error = 0;       ///< rad/s
+    double said_error = 0;    ///< rad; of what is said now against what was said a moment ago. Of ω: relative
   };
 
   Tumble() = default;
@@ -45,6 +43,8 @@ class Tumble {
 
   /// Requires tau ≥ 0 (s).
   Now at(double tau);
+  /// Whether what is said at tau (s) is the body's own turning at all: the period is known, or not over.
+  bool follows(double tau) const;
 
  private:
   static constexpr int order = 20;

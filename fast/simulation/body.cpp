@@ -88,7 +88,7 @@ bool Mover::tires(double t) const {
   return kind_ == Kind::other && !fixed_ && !glides_ && (t - path_.since) * flight().rate() > farthest;
 }
 
-bool Mover::tumbles() const { return !fixed_ && flyer().turning == motion::Turning::tumbling; }
+bool Mover::follows(double t) const { return kind_ != Kind::other || flight().follows(t); }
 
 Aabb Mover::box(double from, double until, double margin) const {
   Aabb box;

@@ -62,7 +62,7 @@ class Mover {
 
   /// Whether by t it has turned so far that doubles begin to lose how it is turned (steady_turn.h, tumble.h).
   bool tires(double t) const;
-  bool tumbles() const;
+  bool follows(double t) const;  ///< doubles tell at all how it is turned at t (motion/tumble.h)
 
   /// Holds the body from `from` to `until` (≥ since), and `margin` more on each side.
   Aabb box(double from, double until, double margin) const;

@@ -12,11 +12,15 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-constexpr double sliver = 0x1p-10;           // of a frame, or of the flight if that is shorter
-constexpr std::int64_t patience = 4'000;     // turns in a sliver
-constexpr int looks_of_a_turn = 64;          // where a pair takes more, each so many count as a turn
+// When a run is given up: nothing derives these, they end what would not end, and a run that meets them says so.
+constexpr double sliver = 0x1p-10;        // of a frame, or of the flight if that is shorter
+constexpr std::int64_t patience = 4'000;  // turns in a sliver
+constexpr int looks_of_a_turn = 64;       // where a pair takes more, each so many count as a turn: it costs about one
 constexpr std::int64_t lost_patience = 512;  // turns that one counts for in which contact changes faster than time can
-constexpr double parts_slowly = 32;          // hops: what is held and parts no faster stays so, until it is apart
+
+// Hops: what is held and parts no faster stays so, until it is apart. Half of what lets go (loop_group.cpp), so that
+// nobody is let go by one rule and held by the other.
+constexpr double parts_slowly = 32;
 
 Vec3 on_grid(const Vec3& P, double grid) {
   return grid * (P / grid).unaryExpr([](double x) { return std::floor(x + 0.5); });
@@ -299,7 +303,7 @@ double Loop::start(BodyId id) const {
 void Loop::begin_anew(BodyId id) {
   const double from = std::max(now_, bodies_[id].path().since);
   bodies_[id].fly(from, bodies_[id].state(from), bodies_[id].path().a);
-  if (bodies_[id].tumbles() && bodies_[id].tires(frame_end_)) {
+  if (!bodies_[id].follows(frame_end_)) {
     done_.stopped = {now_, static_cast<int>(id), -1, "tumbles too fast to be followed for a frame"};
   }
 }

@@ -2,6 +2,7 @@
 #include "fast/constraint.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 
 #include "model/input_error.h"
@@ -100,6 +101,33 @@ TEST_CASE("constraint: stacks stand, also with a hundredfold and a millionfold m
     }
     CHECK(said.events->size() <= 12);
   }
+}
+
+long count(const Trajectory& said, Event::Kind kind) { return std::ranges::count(*said.events, kind, &Event::kind); }
+
+TEST_CASE("constraint: a ball that has bounced its last stays in contact: it is told once") {
+  Scene scene = ball_on_table(Vec3::Zero(), Vec3::Zero(), 3.0);
+  scene.bodies[0].X_WB.p_WB.z() += 0.5;
+  scene.bodies[0].material.restitution = scene.bodies[1].material.restitution = 0.5;
+  const Trajectory said = fast::constrained(scene);
+  CHECK(count(said, Event::Kind::impact) >= 5);
+  CHECK(count(said, Event::Kind::contact) == 1);
+  CHECK(count(said, Event::Kind::release) == 0);
+}
+
+TEST_CASE("constraint: pushes on the way are told, where they begin to act") {
+  Scene scene = ball_on_table(Vec3::Zero(), Vec3::Zero(), 1.0);
+  scene.gravity.setZero();
+  scene.bodies.resize(1);
+  scene.flight->force_bound = 8;
+  scene.flight->pushes = {{0, 0, {0, 0, 1}}, {0.5, 0, {0, 1, 0}}, {2, 0, {1, 0, 0}}};
+  const Trajectory said = fast::constrained(scene, {.step = 1.0 / 256});
+  REQUIRE(said.events->size() == 1);
+  const Event& push = said.events->front();
+  CHECK(push.kind == Event::Kind::push);
+  CHECK(push.time == 0.5);
+  CHECK(push.after_a.velocity.v_WBcm.z() > 0);
+  CHECK(push.after_a.velocity.v_WBcm.y() == 0);
 }
 
 // Spun about its axis a needle turns by more than a radian in a step; its axis leads energy 2¹⁷ times as easily as the
