@@ -1,8 +1,6 @@
 #include "fast/constraint/active_set.h"
 
-#include <Eigen/Geometry>
 #include <Eigen/QR>
-#include <cmath>
 
 #include "fast/constraint/cross_matrix.h"
 

@@ -1,6 +1,5 @@
 #include "fast/constraint/mover.h"
 
-#include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>

@@ -1,11 +1,6 @@
 #include "fast/constraint/pair_watch.h"
 
 namespace touchstone::fast::constraint {
-namespace {
-
-constexpr double explained_by_weight = 4;  // steps: a contact's normal velocity is noise of a step's weight
-
-}  // namespace
 
 std::optional<Event::Kind> PairWatch::see(const PairStep& step, double weight) {
   if (!step.pushes()) {

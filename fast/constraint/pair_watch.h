@@ -2,11 +2,13 @@
 #pragma once
 
 #include <optional>
-#include <vector>
 
 #include "model/answers.h"
 
 namespace touchstone::fast::constraint {
+
+/// Steps of free fall: an approach that so many explain is noise of a contact that holds, no impact.
+inline constexpr double explained_by_weight = 4;
 
 /// A pair in one step: its impulse, 0 if it does not push.
 struct PairStep {
@@ -19,7 +21,7 @@ struct PairStep {
   bool pushes() const { return !P_A_W.isZero(0); }
 };
 
-/// The first impulse of a pair is an `impact` if it approached faster than a few steps of free fall explain; a push in
+/// The first impulse of a pair is an `impact` if weight does not explain its approach; a push in
 /// the next step begins a `contact`. A contact that begins or ends to slip is told as `contact` again; the first step
 /// without a push as `release`.
 class PairWatch {

@@ -1,8 +1,6 @@
 #include "fast/constraint/stepper.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
 #include <string>
 
 #include "model/input_error.h"
@@ -119,6 +117,17 @@ void Stepper::meet(double h) {
   first_step_ = false;
 }
 
+/// A push acts from the first step that does not begin before it; one that is there from the start is no event.
+void Stepper::tell_pushes(double time) {
+  const std::vector<Push>& pushes = scene_.flight->pushes;
+  for (; begun_ < pushes.size() && pushes[begun_].time <= time; ++begun_) {
+    const Push& push = pushes[begun_];
+    if (push.time <= 0) continue;
+    events_.push_back({Event::Kind::push, time, push.body, -1, Vec3::Zero(), Vec3::Zero(), Vec3::Zero(),
+                       movers_[index(push.body)].state(), {}});
+  }
+}
+
 std::vector<Twist> Stepper::free_twists(double time, double h) const {
   std::vector<Twist> twists;
   for (const Mover& body : movers_) {
@@ -133,8 +142,9 @@ std::vector<Twist> Stepper::free_twists(double time, double h) const {
   return twists;
 }
 
-/// Once without restitution, to learn who is hit; then, if somebody is, with it.
-void Stepper::push(std::vector<Twist>& twists) {
+/// Once without restitution, to learn who is hit; then, if somebody is, with it. Who only rests does not bounce: it would
+/// for ever, by the velocity that weight adds in a step.
+void Stepper::push(std::vector<Twist>& twists, double weight) {
   const std::vector<Twist> free = twists;
   solve(touches_, mobilities_, twists, {.sweeps = sweeps_});
   bool bounces = false;
@@ -143,7 +153,7 @@ void Stepper::push(std::vector<Twist>& twists) {
     const double e = std::min(scene_.bodies[index(touch.a)].material.restitution,
                               scene_.bodies[index(touch.b)].material.restitution);
     const double parting = -e * u_n_[i];
-    if (touch.P.isZero(0) || !(parting > 0)) continue;
+    if (touch.P.isZero(0) || !(parting > 0) || -u_n_[i] <= explained_by_weight * weight) continue;
     touch.least_u_n = std::max(touch.least_u_n, parting);
     bounces = true;
   }
@@ -185,8 +195,7 @@ PairStep Stepper::told(const Met& met, double slow) const {
   return step;
 }
 
-void Stepper::tell(double h, double until) {
-  const double weight = h * scene_.gravity.norm();
+void Stepper::tell(double weight, double until) {
   const auto tell = [&](int a, int b, PairWatch& watch, const PairStep& step) {
     const auto kind = watch.see(step, weight);
     if (!kind) return;
@@ -215,12 +224,14 @@ void Stepper::tell(double h, double until) {
 }
 
 void Stepper::step(double time, double h, double until) {
+  const double weight = h * scene_.gravity.norm();
+  tell_pushes(time);
   meet(h);
   std::vector<Twist> now, twists = free_twists(time, h);
   for (const Mover& body : movers_) now.push_back(body.twist());
   u_n_.clear();
   for (const Touch& touch : touches_) u_n_.push_back(touch.n.dot(relative_velocity(touch, now)));
-  push(twists);
+  push(twists, weight);
   const std::vector<Twist> shift = apart(h);
   slip_.clear();
   for (const Touch& touch : touches_) {
@@ -235,7 +246,7 @@ void Stepper::step(double time, double h, double until) {
     movers_[i].advance(h, twists[i], touched[i], shift[i]);
     if (!movers_[i].is_fixed() || movers_[i].moves()) boxes_.move(static_cast<BodyId>(i), around(movers_[i]));
   }
-  tell(h, until);
+  tell(weight, until);
 }
 
 std::vector<State> Stepper::states() const {

@@ -19,7 +19,7 @@ class Stepper {
  public:
   Stepper(const Scene& scene, double longest_step, int sweeps);
 
-  /// From `time` by h; events are told at the end of the step, `until`.
+  /// From `time` by h; events are told at the end of the step, `until`, pushes at its beginning.
   void step(double time, double h, double until);
 
   std::vector<State> states() const;
@@ -50,10 +50,11 @@ class Stepper {
   void meet(int a, int b, double h);
   void guess(const Met& met);
   Aabb around(const Mover& body) const;
+  void tell_pushes(double time);
   std::vector<Twist> free_twists(double time, double h) const;
-  void push(std::vector<Twist>& twists);
+  void push(std::vector<Twist>& twists, double weight);  ///< weight: what gravity adds in a step, m/s
   std::vector<Twist> apart(double h);
-  void tell(double h, double until);
+  void tell(double weight, double until);
   PairStep told(const Met& met, double slow) const;
 
   const Scene& scene_;
@@ -71,6 +72,7 @@ class Stepper {
   std::vector<ContactPoint> points_;  ///< of the touches
   std::vector<double> u_n_;           ///< of the touches, before the step
   std::vector<double> slip_;          ///< of the touches, after it
+  std::size_t begun_ = 0;             ///< pushes
   std::vector<Event> events_;
 };
 
