@@ -8,6 +8,7 @@
 #include "oracle/tolerance.h"
 #include "oracle/tolerance_motion.h"
 #include "oracle/words.h"
+#include "properties/flight_case.h"
 #include "properties/stems.h"
 #include "properties/trajectory_case.h"
 
@@ -207,11 +208,12 @@ Finding energy_from_look_to_look(const TrajectoryCase& asked, bool kept) {
   Sum<Real> before = energy_of(asked, bodies);
   Real off = pose_error(asked, bodies);
   const Real lifted = lift(asked, bodies);
-  Finding worst;
+  Finding worst = judge::outside("no look");
   for (std::size_t look = 0; look < asked.looks(); ++look) {
     bodies = bodies_at(asked.scene, asked.said.states[look]);
     const Sum<Real> now = energy_of(asked, bodies);
     off = std::max(off, pose_error(asked, bodies));
+    if (!(off * 1024 < 1)) return judge::outside(too_far_to_tell);
     const Real gain = now.value - before.value, size = before.size + now.size;
     judge::Allowance allowed = of_sum(asked, size, "ulps of the energies");
     allowed.bound += 2 * static_cast<double>(off * size + lifted);
