@@ -20,8 +20,10 @@ constexpr const char* head = R"(# Simulations: error and time
 ![error against time, log-log, a panel a scene, a point for each step](simulation.svg)
 
 A scene is simulated to its end, each run in a process of its own; CPU time, short runs repeated, on a machine that others were using too. The error is that of the
-scene's own truth, the worst of all its looks: a share of a length or an energy. *impacts*: those that `fast` resolved one by one. Engines that step were
-run with several steps a second; here stands the run with the least error. An empty cell: it was not run.
+scene's own truth, the worst of all its looks: a share of a length or an energy. *impacts*: those that were resolved one by one; *changes*: contacts that began,
+changed between stick and slip, or ended. Engines that step were run with each number of steps a second that the figures list for the scene, from 16 to 4096 (256 is
+their own), but for flights of milliseconds or hours, which have so many in a unit of their own; where one did not end, finer ones were not run. Here stands the run with
+the least error of these. An empty cell: it was not run.
 )";
 
 constexpr const char* saving_head = R"(
@@ -72,14 +74,25 @@ std::vector<std::string> peers_of(const std::vector<WorkPrecision>& rows) {
   return names;
 }
 
+/// Impacts and changes, the last two fields of one of our rows, as two cells.
+std::string counts_of(const std::string& csv, const std::string& scene, const std::string& name) {
+  std::istringstream lines(csv);
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.starts_with(scene + ",0," + name + ",")) continue;
+    const std::size_t last = line.rfind(','), before = line.rfind(',', last - 1);
+    return line.substr(before + 1, last - before - 1) + " | " + line.substr(last + 1);
+  }
+  return " | ";
+}
+
 /// One row a scene.
-std::string scene_line(const Rows& rows, const std::string& impacts, const std::vector<std::string>& peers) {
+std::string scene_line(const Rows& rows, const std::string& csv, const std::vector<std::string>& peers) {
   const std::string& scene = rows.front()->workload;
   const MotionScene* motion = motion_of(scene);
   std::string line = fmt::format("| `{}`: {} ", scene, motion != nullptr ? in_cell(motion->truth) : "");
   for (const std::string name : {"fast", "fast.constraint"}) {
     const Rows some = named(rows, name);
-    line += "| " + (some.empty() ? "" : figure(best(some))) + (name == "fast" ? " | " + impacts : "") + " ";
+    line += "| " + (some.empty() ? "" : figure(best(some))) + " | " + counts_of(csv, scene, name) + " ";
   }
   for (const std::string& peer : peers) {
     const Rows some = named(rows, peer);
@@ -110,23 +123,14 @@ std::string saving(const Rows& rows) {
   return fmt::format("| `{}` | {:.3g} | {:.3g} | {:.2g}x |\n", few.front()->workload, with, without, without / with);
 }
 
-/// The ninth field of fast's row of each scene.
-std::string impacts_of(const std::string& csv, const std::string& scene) {
-  std::istringstream lines(csv);
-  for (std::string line; std::getline(lines, line);) {
-    if (line.starts_with(scene + ",0,fast,")) return line.substr(line.rfind(',') + 1);
-  }
-  return "";
-}
-
 }  // namespace
 
 std::string simulation_page(const std::string& csv) {
   const std::vector<WorkPrecision> rows = work_precision_rows(csv);
   const std::vector<std::string> peers = peers_of(rows);
-  std::string table = "| scene: what is known | `fast` | impacts | `constraint` ";
+  std::string table = "| scene: what is known | `fast` | impacts | changes | `constraint` | impacts | changes ";
   for (const std::string& peer : peers) table += "| " + peer + " ";
-  table += "|\n|" + std::string("---|---|---:|---|");
+  table += "|\n|" + std::string("---|---|---:|---:|---|---:|---:|");
   for (std::size_t k = 0; k < peers.size(); ++k) table += "---|";
   table += "\n";
   std::string lost, saved;
@@ -134,7 +138,7 @@ std::string simulation_page(const std::string& csv) {
     Rows of_scene;
     const std::string scene = rows[k].workload;
     for (; k < rows.size() && rows[k].workload == scene; ++k) of_scene.push_back(&rows[k]);
-    table += scene_line(of_scene, impacts_of(csv, scene), peers);
+    table += scene_line(of_scene, csv, peers);
     lost += losses(of_scene);
     saved += saving(of_scene);
   }

@@ -1,8 +1,10 @@
 // Simulators side by side: CSV of the CPU time of a whole scene and the error that it buys.
 //
 // Workloads are the scenes of app/motion_scenes.h; each says what its error is. Sizes: steps a second of those that
-// step; ours have none. Each run is a process of its own; the figure is the fastest of the rounds.
+// step; ours have none. 256 is the engines' own (oracle/subjects/). Flights of milliseconds or hours have as many steps
+// a unit of their own. Each run is a process of its own; the figure is the fastest of the rounds.
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include "app/motion_scenes.h"
@@ -32,12 +34,12 @@ std::string field(std::string text) {
   return text;
 }
 
-void print(const std::string& scene, int steps, const std::string& name, const char* whose, const Outcome& outcome) {
-  std::printf("%s,%d,%s,%s,", scene.c_str(), steps, name.c_str(), whose);
+void print(const std::string& scene, double steps, const std::string& name, const char* whose, const Outcome& outcome) {
+  std::printf("%s,%.8g,%s,%s,", scene.c_str(), steps, name.c_str(), whose);
   if (outcome.left_out.empty()) {
-    std::printf("%.0f,,%.3g,,%.0f\n", 1e9 * outcome.seconds, outcome.error, outcome.impacts);
+    std::printf("%.0f,,%.3g,,%.0f,%.0f\n", 1e9 * outcome.seconds, outcome.error, outcome.impacts, outcome.changes);
   } else {
-    std::printf(",,,%s,\n", field(outcome.left_out).c_str());
+    std::printf(",,,%s,,\n", field(outcome.left_out).c_str());
   }
   std::fflush(stdout);
 }
@@ -77,6 +79,12 @@ const std::vector<Stepper>& steppers() {
   return all;
 }
 
+/// s: a second, or for a flight far from that the power of two below its duration.
+double unit(const Flight& flight) {
+  const double duration = flight.times.back();
+  return duration > 1.0 / 16 && duration < 64 ? 1 : std::exp2(std::floor(std::log2(duration)));
+}
+
 void compare(const app::MotionScene& motion, const Options& options) {
   const std::string& scene = motion.scene.name;
   print(scene, 0, "fast", "ours", trial(motion, make_fast, &oracle::Subject::simulation, options.rounds));
@@ -84,15 +92,21 @@ void compare(const app::MotionScene& motion, const Options& options) {
         trial(motion, make_one_frame, &oracle::Subject::simulation, options.rounds));
   print(scene, 0, "fast.constraint", "ours", trial(motion, make_fast, &oracle::Subject::constraint, options.rounds));
   for (const Stepper& stepper : steppers()) {
-    for (const int steps : options.sizes) {
-      const Maker maker = [&stepper, steps] { return stepper.make(1.0 / steps); };
-      print(scene, steps, stepper.name, "peer", trial(motion, maker, &oracle::Subject::simulation, options.rounds));
+    bool ends = true;
+    for (const int size : options.sizes) {
+      // Finer steps would not end either.
+      if (!ends) break;
+      const double steps = size / unit(*motion.scene.flight);
+      const Maker maker = [&stepper, steps] { return stepper.make(1 / steps); };
+      const Outcome outcome = trial(motion, maker, &oracle::Subject::simulation, options.rounds);
+      print(scene, steps, stepper.name, "peer", outcome);
+      ends = outcome.ends;
     }
   }
 }
 
 void run(const Options& options) {
-  std::printf("workload,size,name,whose,ns,median_error,worst_error,left_out,impacts\n");
+  std::printf("workload,size,name,whose,ns,median_error,worst_error,left_out,impacts,changes\n");
   for (const app::MotionScene& motion : app::motion_scenes()) {
     if (std::ranges::count(options.workloads, motion.scene.name) > 0) compare(motion, options);
   }
@@ -106,7 +120,7 @@ int main(int argc, char** argv) {
   return run_comparison(argc, argv,
                         {"Simulators of named scenes, and the error that their time buys.",
                          "steps a second",
-                         {{64, 1024}, names(), 3},
+                         {{16, 64, 256, 1024, 4096}, names(), 3},
                          names()},
                         run);
 }
