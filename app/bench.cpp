@@ -46,7 +46,7 @@ Comparison of_errors(const std::string& program, int sizes, int workloads, const
 Comparison of_simulations() {
   const int scenes = static_cast<int>(motion_scenes().size());
   Comparison comparison =
-      of_errors("touchstone_simulation_bench", 3, scenes,
+      of_errors("touchstone_simulation_bench", 6, scenes,
                 {"steps a second (0: ours, which have none)", "relative, as each scene says", false});
   comparison.page = simulation_page;
   return comparison;
