@@ -5,7 +5,7 @@
 
 namespace touchstone::app {
 
-/// Throws InputError naming the first two bodies that overlap as they set out, and the depth (m; of compounds that of
+/// Throws InputError naming two bodies that overlap as they set out, and the depth (m; of compounds that of
 /// the two parts that overlap most). Touching is fine, within rounding between balls, between a ball and a fixed
 /// box that does not turn, and of compounds; and fixed bodies may overlap each other.
 ///

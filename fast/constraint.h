@@ -17,9 +17,9 @@ struct ConstraintOptions {
 /// A time-stepper at the level of velocities (Moreau; Stewart and Trinkle 1996). In a step h, for all contacts within
 /// its reach at once, with u = the relative velocity at a contact after the step and φ its gap before:
 ///   0 ≤ P_n ⟂ u_n + φ/h ≥ 0,     |P_t| ≤ μ P_n, and P_t = −μ P_n u_t/|u_t| where it slips.
-/// A contact that is hit (P_n > 0, and before the step u_n < 0 by more than four steps of free fall explain) has to part
-/// with u_n ≥ −e u_n before. Bodies that nothing touches move on their parabolas exactly; others with their velocity
-/// after the step: first order in h.
+/// A contact that is hit (P_n > 0, and before the step u_n < 0 by more than four steps of free fall explain) has to
+/// part with u_n ≥ −e u_n before. Bodies that nothing touches move on their parabolas exactly; others with their
+/// velocity after the step: first order in h.
 ///
 /// Bodies rest half an envelope apart, so that each contact's normal is that of a distance (fast/distance.h); what
 /// overlaps all the same is moved apart without a velocity. Events are told at the ends of steps: a pair's first

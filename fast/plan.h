@@ -35,9 +35,9 @@ struct Plan {
 /// The thresholds are measured (docs/design/broad_phase.md). Requires a valid scene.
 Plan plan(const Scene& scene);
 
-/// Adds what a simulation of the scene's flight needs, and what it can do without: no state changes a bit where meetings
-/// have closed forms. Else each impact is still one within the envelope, but at another bit of it, and what follows it
-/// may grow apart as all motion does. Throws InputError where a shape is no solid.
+/// Adds what a simulation of the scene's flight needs, and what it can do without: no state changes a bit where
+/// meetings have closed forms. Else each impact is still one within the envelope, but at another bit of it, and what
+/// follows it may grow apart as all motion does. Throws InputError where a shape is no solid.
 void plan_motion(const Scene& scene, Plan& plan);
 
 /// Nothing left out: every shape that has vertices climbs, and the strategy is the default for many bodies.

@@ -44,9 +44,7 @@ std::vector<Body> converging(Random& random, int count, bool balls) {
 
 Scene balls(Random& random) { return run(random, converging(random, random.between(2, 5), true), flight_until(2, 4)); }
 
-Scene solids(Random& random) {
-  return run(random, converging(random, 2, false), flight_until(1, 2));
-}
+Scene solids(Random& random) { return run(random, converging(random, 2, false), flight_until(1, 2)); }
 
 Scene elastic_balls(Random& random) {
   std::vector<Body> bodies = converging(random, random.between(3, 6), true);

@@ -23,6 +23,12 @@ bool tells(const Scene& pair, double slack);
 /// What a property says where they are not: a bound as wide as the bodies lets any answer through.
 inline constexpr const char* too_far_to_tell = "rounding moves the bodies too far to tell";
 
+/// What fails fails; what holds where nothing is told is outside.
+inline oracle::Finding counted(bool told, oracle::Finding found) {
+  const bool says_nothing = !told && found.outcome == oracle::Outcome::holds;
+  return says_nothing ? oracle::judge::outside(too_far_to_tell) : found;
+}
+
 /// Bodies 0 and 1 in flight. A computation whose poses are right to `slack` (m) cannot put their meeting where the two
 /// are farther apart than that at all times before, nor later than a time at which they overlap by more.
 class FlightCase {

@@ -123,12 +123,12 @@ Finding none_missed(const Scene& scene, Subject& subject) {
     return of_pairs_in_flight(asked, course, [&](const Scene& pair, double from, double until) {
       if (stay_apart(pair, until)) return judge::holds();
       const double slack = tolerance::meeting(pair, until, asked.precision);
-      if (!tells(pair, slack)) return judge::outside(too_far_to_tell);
       const auto overlap = [&](double depth) {
-        return judge::at_most(
-            depth, in_ulps_of_place(asked, slack), Defect::missed,
-            [&] { return "no impact of the pair until " + oracle::words::text(until) + " s"; },
-            [&] { return std::string("an impact before they overlap"); });
+        return counted(tells(pair, slack),
+                       judge::at_most(
+                           depth, in_ulps_of_place(asked, slack), Defect::missed,
+                           [&] { return "no impact of the pair until " + oracle::words::text(until) + " s"; },
+                           [&] { return std::string("an impact before they overlap"); }));
       };
       const Scene at_first = oracle::pair_at(pair, from);
       if (truth::distance(at_first).verdict == Verdict::overlapping) return overlap(judge::margin(at_first).lo);
@@ -164,14 +164,12 @@ Finding in_contact(const TrajectoryCase& asked, const Event& event, const Scene&
   const double near = envelope(asked.scene) + slack, apart = truth::distance(there).distance.hi;
   const auto within = [&](double off, double allowed, Defect defect, const char* law) {
     return judge::at_most(
-        off, in_ulps_of_place(asked, allowed), defect, [&] { return text(event); },
-        [law] { return std::string(law); });
+        off, in_ulps_of_place(asked, allowed), defect, [&] { return text(event); }, [law] { return std::string(law); });
   };
   Finding worst;
   if (worse(worst, within(apart, near, Defect::phantom, "an impact within the envelope"))) return worst;
   for (const Body& body : there.bodies) {
-    if (worse(worst,
-              within(judge::off_body(body, event.p_WC), near, Defect::wrong_witness, "C within the envelope"))) {
+    if (worse(worst, within(judge::off_body(body, event.p_WC), near, Defect::wrong_witness, "C within the envelope"))) {
       return worst;
     }
   }
@@ -197,16 +195,16 @@ Scene as_told(Scene there, const Event& event) {
 
 // Where they are told to be, whatever brought them there; and where their flights bring them, if that can be told.
 Finding contacts(const Scene& scene, Subject& subject) {
-  return of_struck_pairs(
-      scene, subject, [&](const TrajectoryCase& asked, const Event& event, const Scene& pair, const Scene& there) {
-        const Scene told = as_told(there, event);
-        Finding worst = in_contact(asked, event, told, tolerance::distance(told, asked.precision));
-        const double slack = tolerance::meeting(pair, event.time, asked.precision);
-        if (worst.outcome == Outcome::holds && tells(pair, slack)) {
-          worse(worst, in_contact(asked, event, there, slack));
-        }
-        return worst;
-      });
+  return of_struck_pairs(scene, subject,
+                         [&](const TrajectoryCase& asked, const Event& event, const Scene& pair, const Scene& there) {
+                           const Scene told = as_told(there, event);
+                           Finding worst = in_contact(asked, event, told, tolerance::distance(told, asked.precision));
+                           const double slack = tolerance::meeting(pair, event.time, asked.precision);
+                           if (worst.outcome == Outcome::holds) {
+                             worse(worst, counted(tells(pair, slack), in_contact(asked, event, there, slack)));
+                           }
+                           return worst;
+                         });
 }
 
 /// The impact that an event tells of, from the velocities that the flights bring: e and mu are the lesser ones.
@@ -273,7 +271,7 @@ bool spheres_apart(const Body& a, const State& at, const Body& b, const State& b
 // Whoever looks sees no two bodies in each other beyond the envelope.
 Finding solid(const Scene& scene, Subject& subject) {
   return of_trajectory(scene, subject, [&](const TrajectoryCase& asked) {
-    Finding worst;
+    Finding worst = asked.looks() > 0 ? judge::holds() : judge::outside("no look");
     for (std::size_t look = 0; look < asked.looks(); ++look) {
       const std::vector<State>& states = asked.said.states[look];
       for (std::size_t i = 0; i < states.size(); ++i) {

@@ -103,7 +103,7 @@ Finding momentum(const Scene& scene, Subject& subject) {
       mass += first[i].mass;
       off = std::max(off, mass_error(asked, i, first[i]));
     }
-    Finding worst;
+    Finding worst = judge::outside("no look");
     for (std::size_t look = 0; look < asked.looks(); ++look) {
       const Real seconds = asked.time(look) - start_of_all(scene);
       const Sum<Point> now = momentum_of(bodies_at(scene, asked.said.states[look]));
@@ -150,7 +150,7 @@ Finding angular_momentum(const Scene& scene, Subject& subject) {
       const Real I = tolerance::mass(scene.bodies[i], asked.precision).inertia / first[i].moments[0];
       off = std::max({off, mass_error(asked, i, first[i]), I});
     }
-    Finding worst;
+    Finding worst = judge::outside("no look");
     for (std::size_t look = 0; look < asked.looks(); ++look) {
       const Sum<Point> now = angular_momentum_of(bodies_at(scene, asked.said.states[look]));
       judge::Allowance allowed = of_sum(asked, before.size + now.size, "ulps of the angular momenta");
@@ -213,15 +213,15 @@ Finding energy_from_look_to_look(const TrajectoryCase& asked, bool kept) {
     bodies = bodies_at(asked.scene, asked.said.states[look]);
     const Sum<Real> now = energy_of(asked, bodies);
     off = std::max(off, pose_error(asked, bodies));
-    if (!(off * 1024 < 1)) return judge::outside(too_far_to_tell);
     const Real gain = now.value - before.value, size = before.size + now.size;
     judge::Allowance allowed = of_sum(asked, size, "ulps of the energies");
     allowed.bound += 2 * static_cast<double>(off * size + lifted);
     const Real error = kept ? std::abs(gain) : std::max<Real>(0, gain);
     const auto told = [](const Sum<Real>& sum) { return oracle::words::text(static_cast<double>(sum.value)) + " J"; };
-    if (worse(worst, judge::at_most(
-                         static_cast<double>(error), allowed, Defect::wrong_energy, [&] { return told(now); },
-                         [&] { return told(before) + ", as before"; }))) {
+    if (worse(worst,
+              counted(off * 1024 < 1, judge::at_most(
+                                          static_cast<double>(error), allowed, Defect::wrong_energy,
+                                          [&] { return told(now); }, [&] { return told(before) + ", as before"; })))) {
       return worst;
     }
     before = now;

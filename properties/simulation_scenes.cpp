@@ -201,7 +201,6 @@ Finding reversible(const Scene& scene, Subject& subject) {
     back.flight->times = {end};
     const Scene pair = in_flight(scene, from_the_start(scene, 0, 1), end);
     const double slack = tolerance::meeting(pair, end, asked.precision);
-    if (!tells(pair, slack)) return judge::outside(too_far_to_tell);
     const double allowed = back_home(scene, asked.said.events->front(), end, slack);
     if (std::isinf(allowed)) return judge::outside("a grazing impact");
     return judge::given(subject.simulation(back), [&](const Trajectory& said) {
@@ -209,8 +208,10 @@ Finding reversible(const Scene& scene, Subject& subject) {
       Finding worst;
       for (std::size_t i = 0; i < 2; ++i) {
         const Vec3 p = said.states.back()[i].X_WB.p_WB, home = scene.bodies[i].X_WB.p_WB;
-        if (worse(worst, judge::at_most((p - home).norm(), in_ulps_of_place(asked, allowed), Defect::inconsistent,
-                                        [&] { return words::text(p); }, [&] { return words::text(home); }))) {
+        if (worse(worst,
+                  counted(tells(pair, slack),
+                          judge::at_most((p - home).norm(), in_ulps_of_place(asked, allowed), Defect::inconsistent,
+                                         [&] { return words::text(p); }, [&] { return words::text(home); })))) {
           return worst;
         }
       }
@@ -349,17 +350,17 @@ Finding bounces(const Scene& scene, Subject& subject) {
                        std::min(moving->material.restitution, table->material.restitution)};
     const Scene pair = in_flight(scene, from_the_start(scene, 0, 1), end_of(scene));
     const double slack = tolerance::meeting(pair, end_of(scene), asked.precision), eps = envelope(scene) + slack;
-    if (!tells(pair, slack)) return judge::outside(too_far_to_tell);
     const auto which = static_cast<std::size_t>(moving - scene.bodies.begin());
     Finding worst;
     for (std::size_t look = 0; look < asked.looks(); ++look) {
       const Bounces::Now now = ball.at(asked.time(look));
       const double raised = asked.said.states[look][which].X_WB.p_WB.z() - moving->X_WB.p_WB.z() + *start;
-      if (worse(worst, judge::at_most(
-                           static_cast<double>(std::abs(raised - now.height)),
-                           in_ulps_of_place(asked, freedom_of(ball, now.impacts, eps)), Defect::wrong_motion,
-                           [&] { return words::text(raised) + " m high at " + words::text(asked.time(look)) + " s"; },
-                           [&] { return words::text(static_cast<double>(now.height)) + " m"; }))) {
+      const auto said = [&] { return words::text(raised) + " m high at " + words::text(asked.time(look)) + " s"; };
+      if (worse(worst, counted(tells(pair, slack),
+                               judge::at_most(static_cast<double>(std::abs(raised - now.height)),
+                                              in_ulps_of_place(asked, freedom_of(ball, now.impacts, eps)),
+                                              Defect::wrong_motion, said,
+                                              [&] { return words::text(static_cast<double>(now.height)) + " m"; })))) {
         return worst;
       }
     }

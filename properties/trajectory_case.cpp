@@ -79,9 +79,8 @@ std::string fault_in_pushes(const Flight& flight, const std::vector<Event>& even
     }
   }
   for (const Event& event : events) {
-    const bool there = std::ranges::any_of(flight.pushes, [&](const Push& push) {
-      return tells_of(event, push) && comes_on_the_way(push, flight);
-    });
+    const bool there = std::ranges::any_of(
+        flight.pushes, [&](const Push& push) { return tells_of(event, push) && comes_on_the_way(push, flight); });
     if (event.kind == Event::Kind::push && !there) return "a push that does not come on the way: " + text(event);
   }
   return {};
@@ -132,11 +131,11 @@ std::string text(const Pose& pose) {
 
 oracle::Finding stands(const TrajectoryCase& asked, const Scene& flying, std::size_t k, double time, const Pose& said) {
   const double allowed = allowance(flying, k, time, asked.precision).place;
-  if (!tells(flying.bodies[k], allowed)) return oracle::judge::outside(too_far_to_tell);
   const Pose expected = oracle::flown(flying, k, time).X_WB;
-  return oracle::judge::at_most(
-      displacement(flying.bodies[k], said, expected), in_ulps_of_place(asked, allowed), oracle::Defect::wrong_motion,
-      [&] { return text(said); }, [&] { return text(expected); });
+  return counted(tells(flying.bodies[k], allowed),
+                 oracle::judge::at_most(
+                     displacement(flying.bodies[k], said, expected), in_ulps_of_place(asked, allowed),
+                     oracle::Defect::wrong_motion, [&] { return text(said); }, [&] { return text(expected); }));
 }
 
 oracle::Finding arrives(const TrajectoryCase& asked, const Scene& flying, std::size_t k, double time,

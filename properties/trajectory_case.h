@@ -13,8 +13,8 @@
 namespace touchstone::properties {
 
 /// What is wrong with the form of a trajectory; "" for nothing: a state for each body at each time that is whole,
-/// events in the order of (time, a, b), of bodies that are there, a < b, not after the end; each push on the way told at
-/// its time, and no other.
+/// events in the order of (time, a, b), of bodies that are there, a < b, not after the end; each push on the way told
+/// at its time, and no other.
 std::string fault_in_form(const Scene& scene, const Trajectory& said);
 
 struct TrajectoryCase {

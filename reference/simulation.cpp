@@ -39,7 +39,8 @@ class Course {
   Course(const Scene& scene, const SimulationLimits& limits) : now_(scene), limits_(limits) {
     now_.flight->since.resize(now_.bodies.size());
     for (const Push& push : scene.flight->pushes) {
-      if (push.time > since(push.body) && push.time <= scene.flight->times.back()) pushes_.push_back({push.time, push.body, -1, true});
+      if (push.time > since(push.body) && push.time <= scene.flight->times.back())
+        pushes_.push_back({push.time, push.body, -1, true});
     }
     trajectory_.events.emplace();
   }

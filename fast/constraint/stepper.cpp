@@ -123,8 +123,15 @@ void Stepper::tell_pushes(double time) {
   for (; begun_ < pushes.size() && pushes[begun_].time <= time; ++begun_) {
     const Push& push = pushes[begun_];
     if (push.time <= 0) continue;
-    events_.push_back({Event::Kind::push, time, push.body, -1, Vec3::Zero(), Vec3::Zero(), Vec3::Zero(),
-                       movers_[index(push.body)].state(), {}});
+    events_.push_back({Event::Kind::push,
+                       time,
+                       push.body,
+                       -1,
+                       Vec3::Zero(),
+                       Vec3::Zero(),
+                       Vec3::Zero(),
+                       movers_[index(push.body)].state(),
+                       {}});
   }
 }
 
@@ -142,8 +149,8 @@ std::vector<Twist> Stepper::free_twists(double time, double h) const {
   return twists;
 }
 
-/// Once without restitution, to learn who is hit; then, if somebody is, with it. Who only rests does not bounce: it would
-/// for ever, by the velocity that weight adds in a step.
+/// Once without restitution, to learn who is hit; then, if somebody is, with it. Who only rests does not bounce: it
+/// would for ever, by the velocity that weight adds in a step.
 void Stepper::push(std::vector<Twist>& twists, double weight) {
   const std::vector<Twist> free = twists;
   solve(touches_, mobilities_, twists, {.sweeps = sweeps_});

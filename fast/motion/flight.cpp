@@ -139,7 +139,7 @@ Stand Flight::stand(double t, const Origin& O) const {
       now.w_WB = rotation(q_WP) * tumbled.w_P;
       const bool is_exact = against_ == Against::exact;
       now.turn_error = (is_exact ? tumbled.error : tumbled.said_error) + 140 * u;
-      now.w_error = rate_ * (now.turn_error + 64 * u) + (is_exact ? tumbled.w_error : rate_ * tumbled.said_error);
+      now.w_error = rate_ * (now.turn_error + 64 * u) + (is_exact ? tumbled.w_error : tumbled.said_w_error);
     }
   }
   now.R_WB = rotation(now.q_WB);

@@ -125,7 +125,7 @@ Tumble::Now Tumble::within(double time) {
   const auto after = [](double t, const Step& s) { return t < s.from; };
   const Step& now = *std::prev(std::upper_bound(steps_.begin() + 1, steps_.end(), time, after));
   const Terms x = sum(now, (time - now.from) / now.length);
-  return {{x[0], x[1], x[2], x[3]}, {x[4], x[5], x[6]}, now.error, now.w_error, 0};
+  return {{x[0], x[1], x[2], x[3]}, {x[4], x[5], x[6]}, now.error, now.w_error, 0, 0};
 }
 
 /// By squares: twice the error with each, and 16u; and 16u for each that is taken.
@@ -149,12 +149,14 @@ Tumble::Now Tumble::at(double tau) {
   const double periods = std::min(std::floor(time / period_.length), most);
   Now now = within(periods < most ? std::max(0.0, time - periods * period_.length) : 0);
   double error = now.error + 2 * late, w_error = now.w_error + 2 * late;
+  constexpr double moments = 16;  // two steps, and what a body turns by from one look to the next
+  if (time + moments > period_.length && turns_.empty()) {
+    const Now whole = within(period_.length);
+    turns_.push_back(unit(whole.q_P0P));
+    turn_error_ = whole.error + 48 * u;
+    jump_ = (whole.w_P - Vec3(start_[4], start_[5], start_[6])).norm();
+  }
   if (periods > 0) {
-    if (turns_.empty()) {
-      const Now whole = within(period_.length);
-      turns_.push_back(unit(whole.q_P0P));
-      turn_error_ = whole.error + 48 * u;
-    }
     now.q_P0P = product(turn_in(periods), now.q_P0P);
     const double rate = Vec3(start_[4], start_[5], start_[6]).norm();
     error += periods * (turn_error_ + 3 * rate * period_.error);
@@ -163,12 +165,10 @@ Tumble::Now Tumble::at(double tau) {
   if (!(error < 0x1p-10)) error = w_error = nothing_known;
   // What is new in a step of 8 units, twice, for who looks across the end of one; what time rounds by; and what another
   // order of multiplying the turns of whole periods does.
-  const double said_error = 128 * u + 2 * late + 48 * u * periods;
-  return {now.q_P0P, scale_ * now.w_P, error, scale_ * w_error, said_error};
+  const double said_error = 128 * u + 2 * late + 48 * u * periods, said_w_error = 2 * said_error + jump_;
+  return {now.q_P0P, scale_ * now.w_P, error, scale_ * w_error, said_error, scale_ * said_w_error};
 }
 
-bool Tumble::follows(double tau) const {
-  return std::isfinite(period_.error) || tau * scale_ <= period_.length;
-}
+bool Tumble::follows(double tau) const { return std::isfinite(period_.error) || tau * scale_ <= period_.length; }
 
 }  // namespace touchstone::fast::motion

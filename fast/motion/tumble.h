@@ -34,7 +34,9 @@ class Tumble {
     Vec3 w_P = Vec3::Zero();  ///< rad/s
     double error = 0;         ///< rad
     double w_error = 0;       ///< rad/s
-    double said_error = 0;    ///< rad; of what is said now against what was said a moment ago. Of ω: relative
+    /// Of what is said now against what is said a moment before or after it.
+    double said_error = 0;    ///< rad
+    double said_w_error = 0;  ///< rad/s
   };
 
   Tumble() = default;
@@ -75,6 +77,7 @@ class Tumble {
   Period period_;
   std::vector<Quaternion> turns_;  ///< in 1, 2, 4, ... periods
   double turn_error_ = 0;          ///< in one
+  double jump_ = 0;                ///< of ω as the next begins
 };
 
 }  // namespace touchstone::fast::motion

@@ -11,7 +11,8 @@
 namespace touchstone::fast::world {
 namespace {
 
-/// rad. 2^-33 is what the turn rounds by then (flight.cpp), and half of the time that a tumble follows in one piece (tumble.h).
+/// rad. 2^-33 is what the turn rounds by then (flight.cpp), and half of the time that a tumble follows in one piece
+/// (tumble.h).
 constexpr double farthest = 0x1p13;
 
 bool is_multiple_of_one(const Mat3& I) { return I == I(0, 0) * Mat3::Identity(); }

@@ -219,7 +219,8 @@ std::vector<Joint> Group::part(const std::function<double(BodyId, BodyId)>& slow
     }
     for (const contact::Foot& foot : joint.feet) {
       const Strike at = strike_at(joint, foot);
-      if (at.u_n <= slow(joint.a, joint.b) || at.touch.gap < -near_ * of_the_gap) held[index(joint.a)] = held[index(joint.b)] = true;
+      if (at.u_n <= slow(joint.a, joint.b) || at.touch.gap < -near_ * of_the_gap)
+        held[index(joint.a)] = held[index(joint.b)] = true;
     }
     near.push_back(joint);
   }

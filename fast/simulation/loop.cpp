@@ -102,7 +102,10 @@ Simulated Loop::run() {
     look_until(frame_end_, true);
     now_ = frame_end_;
   }
-  if (done_.stopped) done_.trajectory.complete_until = now_;
+  if (done_.stopped) {
+    look_until(now_, true);
+    done_.trajectory.complete_until = now_;
+  }
   done_.momentum = std::move(momentum_);
   return std::move(done_);
 }
@@ -149,6 +152,7 @@ void Loop::push(const Push& push) {
   }
   if (Group* group = group_of(id)) return group->set_pull(id, pull_[id]);
   bodies_[id].fly(from, state, pull_[id]);
+  if (bodies_[id].tires(frame_end_)) begin_anew(id);
   heap_.drop(id);
   file(id);
   watch_all(id, id);

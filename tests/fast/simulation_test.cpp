@@ -340,13 +340,12 @@ TEST_CASE("a rough ball turns what it loses into spin") {
 }
 
 TEST_CASE("a ball that spins faster than doubles can tell stays as it is turned") {
-  for (const double spin : {1e15, 1e22, 1e30, 1e150}) {
+  for (const double spin : {1e22, 1e30, 1e150}) {
     Scene scene = flight({ball(0.5, Vec3(0, 0, 5), Vec3::Zero(), {1, 0})}, down, {1});
     scene.bodies[0].velocity.w_WB = Vec3(spin, 0, 0);
     const Simulated done = simulate(scene);
     CHECK(last(done).X_WB.p_WB == Vec3(0, 0, 0));
-    const Quaternion& q = last(done).X_WB.q_WB;
-    CHECK(std::abs(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z - 1) < 1e-15);
+    CHECK(last(done).X_WB.q_WB == scene.bodies[0].X_WB.q_WB);
   }
 }
 

@@ -58,9 +58,8 @@ std::vector<std::string> conversation(const std::vector<std::string>& command) {
   };
   protocol::Seq seq = 0;
   exchange(protocol::start(++seq));
-  for (const char* query :
-       {"mass", "bounds", "broad_phase", "pair_history", "distance", "penetration", "impulse", "pixel", "time_of_impact",
-        "simulation", "constraint"}) {
+  for (const char* query : {"mass", "bounds", "broad_phase", "pair_history", "distance", "penetration", "impulse",
+                            "pixel", "time_of_impact", "simulation", "constraint"}) {
     exchange(protocol::ask(++seq, query, json_of(scene()).dump()));
   }
   lines.push_back(protocol::stop(++seq));

@@ -23,8 +23,8 @@ std::vector<Family> all_families() {
 
 bool is_for(const Family& family, const std::string& stem) { return std::ranges::count(family.stems, stem) > 0; }
 
-const std::vector<std::string> stems = {"mass", "bounds", "broad_phase", "distance", "penetration", "pixel", "impulse",
-                                        "constraint", "time_of_impact", "simulation"};
+const std::vector<std::string> stems = {"mass",  "bounds",  "broad_phase", "distance",       "penetration",
+                                        "pixel", "impulse", "constraint",  "time_of_impact", "simulation"};
 
 TEST_CASE("Every family has an id of its own, a sentence, and known stems") {
   std::set<std::string> ids;
