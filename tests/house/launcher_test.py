@@ -1,0 +1,91 @@
+"""Usage: launcher_test.py ROOT CMAKE. The launcher and what it says, with stand-ins for the tools that take long."""
+
+import fcntl
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+ROOT, CMAKE = pathlib.Path(sys.argv[1]), sys.argv[2]
+STAND_INS = {
+    "dpkg-query": "echo installed",
+    "apt-get": "exit 1",
+    # Configures the folder after -B.
+    "cmake": 'while [ "$1" != -B ]; do shift; done; touch "$2/build.ninja"; echo "-- Not on trial: ode (not found)"',
+    # Builds a program that says where it stands.
+    "ninja": 'mkdir -p "$2/bin"; printf "#!/bin/sh\\necho \\$0 \\$*\\n" >"$2/bin/touchstone"; chmod +x "$2/bin/touchstone"',
+}
+TOOLS = ["awk", "bash", "cat", "dirname", "dpkg-deb", "env", "flock", "id", "mkdir", "mktemp", "nproc", "readlink",
+         "realpath", "rm", "sed", "sh", "touch", "chmod"]
+
+
+class Launcher(unittest.TestCase):
+    """A source folder with nothing but the launcher; beside it the build folder and the tools."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory(prefix="touchstone_")
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        self.source, self.build, self.tools = (self.folder / name for name in ["source", "elsewhere", "tools"])
+        self.source.mkdir()
+        self.tools.mkdir()
+        shutil.copy(ROOT / "touchstone", self.source)
+        for tool in TOOLS:
+            (self.tools / tool).symlink_to(shutil.which(tool))
+        for tool, script in STAND_INS.items():
+            (self.tools / tool).write_text(f"#!/bin/sh\n{script}\n")
+            (self.tools / tool).chmod(0o755)
+
+    def started(self, *words):
+        return subprocess.Popen([self.source / "touchstone", *words], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+                                env={"PATH": str(self.tools), "TOUCHSTONE_BUILD": str(self.build)})
+
+    def run_launcher(self, *words):
+        process = self.started(*words)
+        output, errors = process.communicate(timeout=60)
+        return process.returncode, output, errors
+
+    def test_another_build_folder_leaves_the_source_alone(self):
+        code, output, errors = self.run_launcher("list", "subjects")
+        self.assertEqual((code, output), (0, f"{self.build}/bin/touchstone list subjects\n"), errors)
+        self.assertEqual([p.name for p in self.source.iterdir()], ["touchstone"])
+        self.assertIn("Not on trial: ode", errors)
+
+    def test_a_folder_that_cannot_be_made_is_named(self):
+        (self.folder / "elsewhere").write_text("a file")
+        code, output, errors = self.run_launcher("list")
+        self.assertEqual((code, output), (3, ""))
+        self.assertIn(f"{self.build}; name one that can be written: TOUCHSTONE_BUILD=FOLDER", errors)
+
+    def test_it_says_which_process_it_waits_for(self):
+        self.build.mkdir()
+        with open(self.build / ".lock", "w") as lock:
+            fcntl.flock(lock, fcntl.LOCK_EX)
+            lock.write("4711\n")
+            lock.flush()
+            process = self.started("list")
+            said = process.stderr.readline()
+        output, errors = process.communicate(timeout=60)
+        self.assertIn(f"waiting for process 4711, which sets up or builds in {self.build}", said)
+        self.assertEqual((process.returncode, (self.build / ".lock").read_text()), (0, f"{process.pid}\n"), errors)
+
+    def test_tools_that_are_missing_are_named(self):
+        for tool in ["apt-get", "cmake", "ninja"]:
+            (self.tools / tool).unlink()
+        code, output, errors = self.run_launcher("list")
+        self.assertEqual((code, output), (3, ""))
+        for what in ["a C++20 compiler", "CMake 3.25", "Ninja", "pkg-config"]:
+            self.assertIn(what, errors)
+
+    def test_libraries_that_are_missing_are_named_all_at_once(self):
+        done = subprocess.run([CMAKE, "-G", "Ninja", "-S", ROOT, "-B", self.build, "-DCMAKE_IGNORE_PREFIX_PATH=/usr;/usr/local",
+                               "-DTOUCHSTONE_TESTS=ON"], capture_output=True, text=True)
+        self.assertNotEqual(done.returncode, 0)
+        for what in ["Eigen 3.4", "CGAL 5 or 6", "MPFI", "CLI11", "Catch2 2 or 3", "Debian's package libfmt-dev"]:
+            self.assertIn(what, done.stderr)
+
+
+unittest.main(argv=sys.argv[:1])
