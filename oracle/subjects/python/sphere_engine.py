@@ -24,9 +24,11 @@ def cross(a, b):
 
 
 def rotated(q, v, sign=1):
-    """R(q/|q|) v; with sign -1, the inverse rotation. Any q but 0 is a rotation."""
-    norm = math.hypot(q["w"], q["x"], q["y"], q["z"])
-    w, axis = q["w"] / norm, [sign * q[k] / norm for k in "xyz"]
+    """R(q/|q|) v; with sign -1, the inverse rotation. Any q but 0 is a rotation, however large or small."""
+    largest = max(map(abs, q.values()))
+    w, x, y, z = (q[k] / largest for k in "wxyz")
+    norm = math.hypot(w, x, y, z)
+    w, axis = w / norm, [sign * c / norm for c in (x, y, z)]
     t = scaled(2, cross(axis, v))
     return add(add(v, scaled(w, t)), cross(axis, t))
 
@@ -49,10 +51,12 @@ def distance(scene):
     p_WB, r_B = nearest_on(B, A["X_WB"]["p"])
     between = sub(p_WA, p_WB)
     length = math.hypot(*between)
+    if not math.isfinite(length):
+        return {"abstains": "coordinates whose differences overflow"}
     gap = length - r_A - r_B
     if gap <= 0:
         return {"result": {"verdict": "overlapping", "distance": 0.0}}
-    nhat_BA_W = scaled(1 / length, between)
+    nhat_BA_W = [x / length for x in between]  # 1 / length may overflow
     return {"result": {"verdict": "separated", "distance": gap,
                        "p_WCa": sub(p_WA, scaled(r_A, nhat_BA_W)), "p_WCb": add(p_WB, scaled(r_B, nhat_BA_W))}}
 
