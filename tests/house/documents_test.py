@@ -1,4 +1,5 @@
-"""Usage: documents_test.py ROOT. Every link in our documents leads somewhere, and every cited source is in the list."""
+"""Usage: documents_test.py ROOT. Every link in our documents leads somewhere, every cited source is in the list, and a
+folder's README links to every page beside it."""
 
 import pathlib
 import re
@@ -39,6 +40,15 @@ def broken_links(root, documents):
                 yield f"{document.relative_to(root)}: no heading for {link}"
 
 
+def pages_left_out(root, documents):
+    for document, text in documents.items():
+        if document.name != "README.md" or document.parent == root:
+            continue
+        for page in sorted(document.parent.glob("*.md")):
+            if page != document and page.name not in links(text):
+                yield f"{document.relative_to(root)}: does not link to {page.name}"
+
+
 def broken_sources(root, documents):
     listed = set(re.findall(r"^@\w+\{(\w+),", (root / "docs/sources.bib").read_text(), re.MULTILINE))
     for document, text in documents.items():
@@ -59,7 +69,7 @@ def main(root):
     ours = (p for p in sorted(root.rglob("*.md")) if not p.relative_to(root).parts[0].startswith(("build", ".")))
     documents = {p: p.read_text() for p in ours}
     assert documents, "no documents found"
-    sys.exit("\n".join([*broken_links(root, documents), *broken_sources(root, documents)]) or 0)
+    sys.exit("\n".join([*broken_links(root, documents), *pages_left_out(root, documents), *broken_sources(root, documents)]) or 0)
 
 
 main(pathlib.Path(sys.argv[1]).resolve())
