@@ -37,7 +37,7 @@ struct Due {
 class Course {
  public:
   Course(const Scene& scene, const SimulationLimits& limits) : now_(scene), limits_(limits) {
-    now_.flight->since.resize(now_.bodies.size());
+    now_.flight.value().since.resize(now_.bodies.size());  // g++ 14 takes -> for one that may be missing
     for (const Push& push : scene.flight->pushes) {
       if (push.time > since(push.body) && push.time <= scene.flight->times.back())
         pushes_.push_back({push.time, push.body, -1, true});
