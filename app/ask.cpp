@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "app/body_name.h"
+#include "app/given_scene.h"
 #include "model/input_error.h"
 #include "model/json.h"
 #include "oracle/words.h"
@@ -20,7 +21,6 @@
 #include "reference/penetration.h"
 #include "reference/pixel.h"
 #include "reference/time_of_impact.h"
-#include "reference/validity.h"
 
 namespace touchstone::app {
 namespace {
@@ -268,9 +268,9 @@ Json with_pair(const std::string& query, const Scene& scene, const Json& answer)
   return with_names;
 }
 
-/// What only geometry shows to be wrong with a scene has its file's name before it too.
+/// What only the query shows to be wrong with a scene has its file's name before it too.
 Json answered(const std::string& query, const Scene& scene, const std::string& path) try {
-  return with_pair(query, scene, shows().at(query)(reference::completed(scene)));
+  return with_pair(query, scene, shows().at(query)(scene));
 } catch (const InputError& error) {
   throw InputError(path, error.what());
 }
@@ -283,9 +283,9 @@ const std::vector<std::string>& queries() {
   return all;
 }
 
-void ask(const std::string& query, const std::string& scene_path, bool as_json) {
-  const Scene scene = read_scene(scene_path);
-  const Json answer = answered(query, scene, scene_path);
+void ask(const std::string& query, const std::string& name_or_file, bool as_json) {
+  const Scene scene = given_scene(name_or_file);
+  const Json answer = answered(query, scene, name_or_file);
   if (as_json) {
     fmt::print("{}", touchstone::text_of(answer));
   } else {

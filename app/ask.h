@@ -9,7 +9,7 @@ namespace touchstone::app {
 /// "mass", "bounds", "broad_phase", "distance", "penetration", "pixel".
 const std::vector<std::string>& queries();
 
-/// Reads the scene, asks the reference, prints words or JSON to stdout. Throws InputError.
-void ask(const std::string& query, const std::string& scene_path, bool as_json);
+/// Reads the scene (app/given_scene.h), asks the reference, prints words or JSON to stdout. Throws InputError.
+void ask(const std::string& query, const std::string& name_or_file, bool as_json);
 
 }  // namespace touchstone::app

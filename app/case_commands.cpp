@@ -66,6 +66,12 @@ void print_words(const Case& a_case, const Property& property, const oracle::Car
   print_line("note", a_case.note);
 }
 
+/// Beside the case; a case from stdin stands nowhere.
+std::string smaller_name(const std::string& path) {
+  if (path == "-") return "smaller.json";
+  return std::filesystem::path(path).replace_extension("smaller.json").string();
+}
+
 }  // namespace
 
 int replay(const CaseCommand& command) {
@@ -92,9 +98,7 @@ int minimise(const CaseCommand& command) {
   }
   Case smaller = smallest_case(example, property, *subject, a_case.seed, command.budget);
   smaller.subject = name_of_subject(command, a_case);
-  const std::string out = command.out.empty()
-                              ? std::filesystem::path(command.path).replace_extension("smaller.json").string()
-                              : command.out;
+  const std::string out = command.out.empty() ? smaller_name(command.path) : command.out;
   oracle::write_case(smaller, out);
   fmt::print("{}: {}\n", out, text_of(oracle::size_of(smaller.scene)));
   return 0;

@@ -8,7 +8,7 @@ namespace touchstone::app {
 struct CaseCommand {
   std::string path;
   std::string subject;  ///< a connectable; the case's own subject if empty
-  std::string out;      ///< of minimise: where the smaller case goes; beside the old one if empty
+  std::string out;  ///< of minimise: where the smaller case goes; beside the old one if empty, smaller.json for stdin
   int budget = 1500;
   bool json = false;
   double time_limit = 2;  ///< as in RunOptions

@@ -5,99 +5,37 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cstdint>
 #include <functional>
+#include <limits>
+#include <set>
+#include <sstream>
 #include <string>
 #include <vector>
 
 #include "app/ask.h"
 #include "app/bench.h"
 #include "app/case_commands.h"
+#include "app/completion.h"
 #include "app/effort.h"
+#include "app/help_texts.h"
 #include "app/import.h"
 #include "app/list.h"
+#include "app/motion_scenes.h"
+#include "app/option_values.h"
 #include "app/plan.h"
+#include "app/program_folder.h"
 #include "app/report_command.h"
 #include "app/simulate.h"
 #include "app/soak.h"
 #include "app/version.h"
+#include "model/input_error.h"
+#include "model/near_names.h"
+#include "oracle/pipe.h"
+#include "properties/property.h"
 
 namespace touchstone::app {
 namespace {
-
-constexpr const char* program_footer = R"(
-Examples:
-  touchstone report                        every engine beside the program; then open report/index.html
-  touchstone check --subjects bullet.double,fcl.libccd --stems distance --junit junit.xml
-  touchstone check --subjects "exec:python3 my_engine.py"     your own engine, over JSON lines (docs/protocol.md)
-  touchstone replay report/cases/distance.value.bullet.float.json
-  touchstone ask distance scene.json       the exact answer, as a rational, with its proof
-
-Exit codes:
-  0    done; check: every property holds; replay: the case does not fail
-  1    check or replay saw a failure
-  2    bad input or usage
-  3    our own fault
-  130  interrupted: what was asked until then is written, and says that it is partial)";
-
-constexpr const char* run_footer = R"(
-Examples:
-  touchstone report --effort standard --out nightly
-  touchstone check --subjects bullet.double --stems distance,penetration --seed 7
-  touchstone check --properties distance.symmetric --cases 5000 --junit junit.xml
-  touchstone check --subjects "exec:my_engine --flag a,b" --subjects inproc:reference
-
-A run has one row a property and subject. Exit codes of check: 0 every row holds or abstains, 1 a row fails.
-The exit code of report is 0 whatever it found: a report that names failures is a good report.)";
-
-constexpr const char* case_footer = R"(
-A case file holds one scene, one property, one subject, and what came of it. Exit code of replay: 1 the case fails
-(again), 0 it does not. The subject is asked in a fresh process.)";
-
-constexpr const char* plain_footer = "\nExit code: 0 done, 2 bad input.";
-
-constexpr const char* ask_footer = R"(
-Examples:
-  touchstone ask distance scene.json
-  touchstone import part.stl --out part.json && touchstone ask mass part.json --json
-
-Bodies 0 and 1 are A and B; where there are more, the answer begins with their names. Numbers are read as the exact
-rationals that they are; "exact" is a rational number, "nearest" the double next to it, an interval [lo, hi] holds the
-exact value. Exit code: 0 done, 2 bad input.)";
-
-constexpr const char* plan_footer = R"(
-Examples:
-  touchstone plan docs/scenes/swarm.json
-  touchstone plan dominoes                                        a scene by name: `touchstone list motions`
-  touchstone plan scene.json --json
-
-Few bodies are compared each with each, spheres and boxes have no vertices to climb, a scene that stands needs no memory.
-Leaving out changes no pair. Of a scene in motion: what a simulation of it needs. Exit code: 0 done, 2 bad input.)";
-
-constexpr const char* simulate_footer = R"(
-Examples:
-  touchstone simulate bouncing_ball                               a scene by name: `touchstone list motions`
-  touchstone simulate docs/scenes/motion_turntable.json --engine bullet --until 3
-  touchstone simulate pool_break --out events.jsonl --replay replay.html
-  touchstone simulate scene.json --engine "exec:python3 my_engine.py"
-
-The table has energy and momentum of all bodies that are not fixed; potential energy is 0 at the world's origin. Where a
-scene's future is known, the greatest error is told, and until when. The replay page fetches nothing and needs three.js
-to be made (Debian: libjs-three). Bodies that overlap at the start are bad input, whatever the engine.
-Exit code: 0 done, 1 the engine broke, 2 bad input or the engine does not answer this, 130 interrupted; files and table
-then go as far as is known.)";
-
-constexpr const char* bench_footer = R"(
-Examples:
-  ./touchstone bench broad_phase                                  everything: several minutes
-  ./touchstone bench broad_phase --sizes 1000,10000 --workloads coherent,settled --rounds 9 --out coherent
-  ./touchstone bench distance                                     and the error that each engine's time buys
-  ./touchstone bench impulse                                      work and precision of ways to compute an impact
-  ./touchstone bench pixel                                        masks, and what sampling misses
-  ./touchstone bench simulation --workloads bouncing_ball,gas     simulators; scenes: `touchstone list motions`
-
-Ours and others' run in turn, in slices of CPU time; a figure is the median of the rounds. Who cannot play one frame
-within the budget is left out, and named. Written to the folder: the CSV, the table (.txt) and a plot (.svg).
-Exit code: 0 done, 2 bad input, or the comparison was not built.)";
 
 constexpr int largest_count = 1'000'000'000;
 
@@ -136,8 +74,13 @@ struct Options {
   std::string list;
   Soaked soak;
   BenchOptions bench;
+  std::string help;        ///< a command; empty: all
+  std::string completion;  ///< a shell
   std::function<int()> chosen;
 };
+
+constexpr const char* scene_help =
+    "A scene: a file (docs/scene.schema.json), - for stdin, or a name of `touchstone list motions`";
 
 std::string listed(const std::vector<std::string>& words) { return fmt::format("{}", fmt::join(words, ", ")); }
 
@@ -148,106 +91,138 @@ std::vector<std::string> effort_names() {
 }
 
 void add_seed(CLI::App& command, std::uint64_t& seed) {
-  command.add_option("--seed", seed, "The same seed, the same result, byte for byte")
-      ->check(CLI::NonNegativeNumber)
+  add_whole_number(command, "--seed", seed, std::uint64_t{0}, std::numeric_limits<std::uint64_t>::max(),
+                   "Chooses the scenes, 0 to 2^64-1; the same seed gives the same result, byte for byte")
+      ->default_str(std::to_string(seed));
+}
+
+CLI::Option* add_jobs(CLI::App& command, int& jobs, const std::string& description) {
+  return add_whole_number(command, "--jobs", jobs, 1, 1024, description);
+}
+
+void add_time_limit(CLI::App& command, double& seconds, const std::string& description) {
+  command.add_option("--time-limit", seconds, description)
+      ->check(seconds_up_to(86400))
+      ->type_name("SECONDS")
       ->capture_default_str();
 }
 
-/// CLI11's own ranges let NaN pass.
-std::string seconds_up_to(double most, const std::string& word) {
-  double seconds = 0;
-  const bool right = CLI::detail::lexical_cast(word, seconds) && seconds > 0 && seconds <= most;
-  return right ? "" : fmt::format("expected seconds, above 0 and at most {}, found {}", most, word);
+void add_limit_of_a_question(CLI::App& command, double& seconds) {
+  add_time_limit(command, seconds,
+                 "CPU time that a subject may take for one question; it may take ten times as long for one of "
+                 "simulation or constraint");
 }
 
-std::string within_a_day(const std::string& word) { return seconds_up_to(86400, word); }
-std::string within_an_age(const std::string& word) { return seconds_up_to(1e9, word); }
+CLI::Option* add_file(CLI::App& command, const std::string& option, std::string& file, const std::string& description) {
+  return command.add_option(option, file, description)->type_name("FILE");
+}
 
-void add_time_limit(CLI::App& command, double& seconds,
-                    const std::string& what =
-                        "CPU seconds that a subject may take for one question; ten times as many "
-                        "for one of simulation or constraint") {
-  command.add_option("--time-limit", seconds, what)->check(within_a_day)->capture_default_str();
+CLI::Option* add_folder(CLI::App& command, const std::string& option, std::string& folder,
+                        const std::string& description) {
+  return command.add_option(option, folder, description)->type_name("FOLDER");
+}
+
+/// The help shows a positional argument by its name alone.
+CLI::Option* add_argument(CLI::App& command, const std::string& name, std::string& word,
+                          const std::string& description) {
+  return command.add_option(name, word, description)->type_name("");
 }
 
 void add_run_options(CLI::App& command, RunOptions& options) {
-  command.add_option("--subjects", options.subjects,
-                     "Who is on trial: names (see `list subjects`), exec:COMMAND LINE, inproc:reference, inproc:fast. "
-                     "Default: all that stand beside the program");
+  command
+      .add_option("--subjects", options.subjects,
+                  "What to test: names of `touchstone list subjects`, \"exec:COMMAND LINE\" for a program of your own, "
+                  "inproc:reference, inproc:fast. Default: all subjects that stand beside the program")
+      ->type_name("SUBJECT");
   command
       .add_option("--stems", options.stems,
-                  "mass, bounds, broad_phase, distance, penetration, pixel, impulse; and time_of_impact, simulation, "
-                  "constraint, which are asked when they are named only")
-      ->delimiter(',');
-  command.add_option("--properties", options.properties, "Ids (see `list properties`). Default: all of the stems")
-      ->delimiter(',');
+                  "The queries to ask: mass, bounds, broad_phase, distance, penetration, pixel, impulse; and "
+                  "time_of_impact, simulation, constraint, which are asked only if they are named")
+      ->delimiter(',')
+      ->type_name("QUERIES");
+  command
+      .add_option("--properties", options.properties,
+                  "The properties to test: ids of `touchstone list properties`. Default: all of these queries")
+      ->delimiter(',')
+      ->type_name("PROPERTY");
   command
       .add_option("--effort", options.effort,
-                  "How many scenes, how long a failing one is cut down. standard: 4,000 a stem; of one subject by "
-                  "itself 100,000, but 1,456,000 impacts under the properties that need one answer. Of simulation and "
-                  "constraint at most 30 scenes at quick, 1,000 at standard, 10,000 at soak; of simulation by itself "
-                  "four times as many from standard on")
-      ->check(CLI::IsMember(effort_names()))
+                  "quick, standard or soak: how many scenes are asked, and how long a failing one is made smaller. "
+                  "standard asks 4,000 scenes of each query. One subject by itself is asked 100,000, and 1,456,000 "
+                  "impacts for the properties that need one answer each. Of simulation and constraint, quick asks at "
+                  "most 30 scenes, standard 1,000 and soak 10,000; of simulation of one subject by itself, standard "
+                  "and soak ask four times as many")
+      ->check(one_of(effort_names()))
+      ->type_name("EFFORT")
       ->capture_default_str();
-  command.add_option("--cases", options.cases, "Drawn scenes a stem, instead of the effort's own number")
-      ->check(CLI::Range(1, largest_count));
+  add_whole_number(command, "--cases", options.cases, 1, largest_count,
+                   "How many scenes of each query to draw, instead of the effort's own number");
   add_seed(command, options.seed);
-  command.add_option("--jobs", options.jobs, "Threads; they change no byte of the result. Default: one a processor")
-      ->check(CLI::Range(1, 1024));
-  add_time_limit(command, options.time_limit);
-  command.add_option("--out", options.out, "Folder of the report")->capture_default_str();
-  command.add_option("--json", options.json, "Write report.json to this file too");
-  command.add_option("--junit", options.junit, "Write JUnit XML to this file too");
-  command.add_option("--meshes", options.meshes,
-                     "Folder of STL and OBJ meshes to ask about. Default: report takes those of Debian's dart-doc");
-  command.footer(run_footer);
+  add_jobs(command, options.jobs,
+           "How many threads; the result does not depend on it. Default: one for each processor");
+  add_limit_of_a_question(command, options.time_limit);
+  CLI::Option* out = add_folder(command, "--out", options.out, "Write the report to this folder");
+  if (!options.out.empty()) out->capture_default_str();
+  add_file(command, "--json", options.json, "Write report.json to this file too");
+  add_file(command, "--junit", options.junit, "Write JUnit XML to this file too");
+  add_folder(command, "--meshes", options.meshes,
+             "Ask about the STL and OBJ meshes in this folder. Default: report takes those of Debian's dart-doc, check "
+             "takes none");
 }
 
 void add_report(CLI::App& program, Options& options) {
   options.report.out = "report";
-  auto* command = program.add_subcommand("report", "Put engines on trial; write a page, JSON, JUnit XML and the cases");
+  auto* command =
+      program.add_subcommand("report", "Test engines; write a page, JSON, JUnit XML and a case for each failure");
   add_run_options(*command, options.report);
+  command->footer(help::report);
   command->callback([&options] { options.chosen = [&] { return report(options.report); }; });
 }
 
 void add_check(CLI::App& program, Options& options) {
-  auto* command = program.add_subcommand("check", "The same for CI: terse, and exit code 1 if a property fails");
+  auto* command = program.add_subcommand("check", "The same for CI: short output, and exit code 1 if a property fails");
   add_run_options(*command, options.check);
+  command->footer(help::check);
   command->callback([&options] { options.chosen = [&] { return check(options.check); }; });
 }
 
 void add_case_options(CLI::App& command, CaseCommand& options) {
-  command.add_option("CASE", options.path, "A case file of a report")->required();
-  command.add_option("--subject", options.subject,
-                     "Ask this subject (as under check --subjects) instead of the case's");
-  add_time_limit(command, options.time_limit);
-  command.footer(case_footer);
+  add_argument(command, "CASE", options.path, "A case file of a report, or - for stdin")->required();
+  command
+      .add_option("--subject", options.subject,
+                  "Ask this subject instead of the case's own; as under --subjects of `touchstone help check`")
+      ->type_name("SUBJECT");
+  add_limit_of_a_question(command, options.time_limit);
 }
 
 void add_replay(CLI::App& program, Options& options) {
   auto* command =
-      program.add_subcommand("replay", "Ask a case again: the clause, the exact truth, the engine's answer");
+      program.add_subcommand("replay", "Ask a case again: the clause, the exact truth and the engine's answer");
   add_case_options(*command, options.replay);
-  command->add_flag("--json", options.replay.json, "The finding as JSON");
+  command->add_flag("--json", options.replay.json, "Print the finding as JSON");
+  command->footer(help::replay);
   command->callback([&options] { options.chosen = [&] { return replay(options.replay); }; });
 }
 
 void add_minimise(CLI::App& program, Options& options) {
-  auto* command = program.add_subcommand("minimise", "Cut a failing case down further");
+  auto* command = program.add_subcommand("minimise", "Make a failing case smaller");
   add_case_options(*command, options.minimise);
-  command->add_option("--budget", options.minimise.budget, "Questions that it may take")
-      ->check(CLI::Range(1, largest_count))
-      ->capture_default_str();
-  command->add_option("--out", options.minimise.out, "Where the smaller case goes. Default: CASE with .smaller.json");
+  add_whole_number(*command, "--budget", options.minimise.budget, 1, largest_count,
+                   "How many times the subject may be asked")
+      ->default_str(std::to_string(options.minimise.budget));
+  add_file(
+      *command, "--out", options.minimise.out,
+      "Write the smaller case to this file. Default: CASE with the ending .smaller.json; smaller.json if CASE is -");
+  command->footer(help::minimise);
   command->callback([&options] { options.chosen = [&] { return minimise(options.minimise); }; });
 }
 
 void add_ask(CLI::App& program, Options& options) {
-  auto* command = program.add_subcommand("ask", "The exact answer about a scene, with its proof");
-  command->add_option("QUERY", options.ask.query, listed(queries()))->required()->check(CLI::IsMember(queries()));
-  command->add_option("SCENE", options.ask.scene, "A scene file (docs/scene.schema.json)")->required();
-  command->add_flag("--json", options.ask.json, "As JSON");
-  command->footer(ask_footer);
+  auto* command = program.add_subcommand("ask", "Print the exact answer to a query about a scene, with its proof");
+  add_argument(*command, "QUERY", options.ask.query, listed(queries()))->required()->check(one_of(queries()));
+  add_argument(*command, "SCENE", options.ask.scene, scene_help)->required();
+  command->add_flag("--json", options.ask.json, "Print JSON");
+  command->footer(help::ask);
   command->callback([&options] {
     options.chosen = [&] {
       ask(options.ask.query, options.ask.scene, options.ask.json);
@@ -257,12 +232,11 @@ void add_ask(CLI::App& program, Options& options) {
 }
 
 void add_plan(CLI::App& program, Options& options) {
-  auto* command =
-      program.add_subcommand("plan", "What the optimised broad phase does about a scene, what it leaves out, and why");
-  command->add_option("SCENE", options.plan.scene, "A scene file (docs/scene.schema.json), or a name of `list motions`")
-      ->required();
-  command->add_flag("--json", options.plan.json, "As JSON");
-  command->footer(plan_footer);
+  auto* command = program.add_subcommand(
+      "plan", "Print what the optimised broad phase does about a scene, what it leaves out, and why");
+  add_argument(*command, "SCENE", options.plan.scene, scene_help)->required();
+  command->add_flag("--json", options.plan.json, "Print JSON");
+  command->footer(help::plan);
   command->callback([&options] {
     options.chosen = [&] {
       plan(options.plan.scene, options.plan.json);
@@ -272,28 +246,32 @@ void add_plan(CLI::App& program, Options& options) {
 }
 
 void add_simulate(CLI::App& program, Options& options) {
-  auto* command = program.add_subcommand("simulate", "What happens next: energies, momentum, impacts, a replay page");
+  auto* command =
+      program.add_subcommand("simulate", "Follow a scene in time: energies, momentum, impacts, a page that shows it");
   SimulateCommand& words = options.simulate;
-  command->add_option("SCENE", words.scene, "A scene file, or a name of `list motions`")->required();
+  add_argument(*command, "SCENE", words.scene, scene_help)->required();
   command
-      ->add_option(
-          "--engine", words.engine,
-          "fast; constraint (fast's own alternative); reference; bullet, bullet.tuned, ode, ode.quick, simbody "
-          "(if they are built); exec:COMMAND LINE; inproc:fast, inproc:reference")
+      ->add_option("--engine", words.engine,
+                   "fast; constraint (fast's own alternative); reference; bullet, bullet.tuned, ode, ode.quick, "
+                   "simbody (if they "
+                   "are built); \"exec:COMMAND LINE\"; inproc:fast, inproc:reference")
+      ->type_name("ENGINE")
       ->capture_default_str();
-  command->add_option("--until", words.until, "Seconds. Default: the end of the scene's flight")->check(within_an_age);
-  command->add_option("--out", words.out, "Write the events to this file, a JSON object a line");
-  command->add_option("--replay", words.replay, "Write a page that shows the bodies to this file");
-  add_time_limit(*command, words.time_limit, "CPU seconds that the engine may take");
-  command->footer(simulate_footer);
+  command->add_option("--until", words.until, "When to end. Default: the end of the scene's flight")
+      ->check(seconds_up_to(1e9))
+      ->type_name("SECONDS");
+  add_file(*command, "--out", words.out, "Write the events to this file, one JSON object a line");
+  add_file(*command, "--replay", words.replay, "Write a page that shows the bodies to this file");
+  add_time_limit(*command, words.time_limit, "CPU time that the engine may take");
+  command->footer(help::simulate);
   command->callback([&options] { options.chosen = [&] { return simulate(options.simulate); }; });
 }
 
 void add_import(CLI::App& program, Options& options) {
-  auto* command = program.add_subcommand("import", "The convex hull of a mesh (OBJ, OFF, STL, PLY) as a scene");
-  command->add_option("MESH", options.import.mesh, "A mesh file")->required();
-  command->add_option("--out", options.import.out, "The scene file. Default: stdout");
-  command->footer(plain_footer);
+  auto* command = program.add_subcommand("import", "Turn the convex hull of a mesh (OBJ, OFF, STL, PLY) into a scene");
+  add_argument(*command, "MESH", options.import.mesh, "A mesh file")->required();
+  add_file(*command, "--out", options.import.out, "Write the scene to this file. Default: stdout");
+  command->footer(help::import);
   command->callback([&options] {
     options.chosen = [&] {
       import_mesh(options.import.mesh, options.import.out);
@@ -303,9 +281,9 @@ void add_import(CLI::App& program, Options& options) {
 }
 
 void add_list(CLI::App& program, Options& options) {
-  auto* command = program.add_subcommand("list", "What there is: " + listed(listable()));
-  command->add_option("WHAT", options.list, listed(listable()))->required()->check(CLI::IsMember(listable()));
-  command->footer(plain_footer);
+  auto* command = program.add_subcommand("list", "Print what there is: " + listed(listable()));
+  add_argument(*command, "LIST", options.list, listed(listable()))->required()->check(one_of(listable()));
+  command->footer(help::list);
   command->callback([&options] {
     options.chosen = [&] {
       list(options.list);
@@ -315,39 +293,53 @@ void add_list(CLI::App& program, Options& options) {
 }
 
 void add_soak(CLI::App& program, Options& options) {
-  auto* command =
-      program.add_subcommand("soak", "The reference against itself: three exact routes over all families of pairs");
-  command->add_option("--pairs", options.soak.pairs, "How many, at least")
-      ->check(CLI::Range(1, largest_count))
-      ->capture_default_str();
+  auto* command = program.add_subcommand(
+      "soak", "Compare the reference with itself: distances of many pairs of bodies, in three exact ways");
+  add_whole_number(*command, "--pairs", options.soak.pairs, 1, largest_count, "How many pairs, at least")
+      ->default_str(std::to_string(options.soak.pairs));
   add_seed(*command, options.soak.seed);
-  command->add_option("--jobs", options.soak.jobs, "Threads")->check(CLI::Range(1, 1024))->capture_default_str();
-  command->footer("\nExit code 3 if two routes disagree: that is our own fault.");
+  add_jobs(*command, options.soak.jobs, "How many threads")->default_str(std::to_string(options.soak.jobs));
+  command->footer(help::soak);
   command->callback(
       [&options] { options.chosen = [&] { return soak(options.soak.pairs, options.soak.seed, options.soak.jobs); }; });
 }
 
 void add_bench(CLI::App& program, Options& options) {
-  auto* command = program.add_subcommand("bench", "Our speed beside that of other libraries: a table, CSV and a plot");
-  command->add_option("WHAT", options.bench.name, listed(benches()))->required()->check(CLI::IsMember(benches()));
+  auto* command = program.add_subcommand(
+      "bench", "Compare our speed with that of other libraries (use the launcher: ./touchstone bench)");
+  add_argument(*command, "COMPARISON", options.bench.name, listed(benches()))->required()->check(one_of(benches()));
   command
       ->add_option("--sizes", options.bench.sizes,
-                   "broad_phase: bodies; distance: vertices a body; impulse: impacts a class; pixel: pixels a metre; "
-                   "simulation: steps a second. "
-                   "Default: the comparison's own")
-      ->delimiter(',');
+                   "broad_phase: bodies; distance: vertices of a body; impulse: impacts of a class; pixel: pixels for "
+                   "a metre; simulation: steps for a second. Default: the comparison's own")
+      ->delimiter(',')
+      ->type_name("NUMBER");
   command
       ->add_option("--workloads", options.bench.workloads,
                    "broad_phase: coherent, settled, ratio, clustered, teleport, still; distance: coherent, cold; "
                    "impulse: generic, tiny_slip, friction_to_10, rods, levers, spheres, no_slip; pixel: masks, boxes, "
-                   "triangles, 16-gons; simulation: `list motions`. Default: all")
-      ->delimiter(',');
-  command->add_option("--rounds", options.bench.rounds, "Of which the median is taken")
-      ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
-  command->add_option("--out", options.bench.out, "Folder of what is written")->capture_default_str();
-  command->footer(bench_footer);
+                   "triangles, 16-gons; simulation: names of `touchstone list motions`. Default: all")
+      ->delimiter(',')
+      ->type_name("WORKLOAD");
+  add_whole_number(*command, "--rounds", options.bench.rounds, 1, 1000, "How many times; the median is printed")
+      ->default_str(std::to_string(options.bench.rounds));
+  add_folder(*command, "--out", options.bench.out, "Write the files to this folder")->capture_default_str();
+  command->footer(help::bench);
   command->callback([&options] { options.chosen = [&] { return bench(options.bench); }; });
+}
+
+/// The launcher does it. That the program was asked instead is a slip that deserves more than "unknown".
+void add_test(CLI::App& program, Options& options) {
+  auto* command = program.add_subcommand("test", "Build and run the test suite (use the launcher: ./touchstone test)");
+  command->prefix_command();
+  command->footer(help::test);
+  command->callback([&options] {
+    options.chosen = []() -> int {
+      throw InputError("test",
+                       "this program has no tests in it; the launcher at the root of the source tree builds "
+                       "and runs them: ./touchstone test (see `touchstone help test`)");
+    };
+  });
 }
 
 std::vector<std::string> command_names(const CLI::App& program) {
@@ -358,9 +350,93 @@ std::vector<std::string> command_names(const CLI::App& program) {
   return names;
 }
 
-/// CLI11 would only say that a subcommand is required.
-bool names_no_command(const CLI::App& program, const std::string& word) {
-  return !word.starts_with('-') && std::ranges::count(command_names(program), word) == 0;
+void add_help(CLI::App& program, Options& options) {
+  auto* command = program.add_subcommand("help", "Print the help of a command");
+  add_argument(*command, "COMMAND", options.help, "Default: what all commands are for")
+      ->check([&program](const std::string& word) { return one_of(command_names(program))(word); });
+  command->footer(help::help);
+  command->callback([&program, &options] {
+    options.chosen = [&] {
+      // program.help() would be the help of this command, which has been chosen
+      fmt::print("{}", options.help.empty() ? program.get_formatter()->make_help(&program, program.get_name(),
+                                                                                 CLI::AppFormatMode::Normal)
+                                            : program.get_subcommand(options.help)->help(program.get_name()));
+      return 0;
+    };
+  });
+}
+
+ValueWords words_of_values(const CLI::App& program) {
+  std::vector<std::string> properties, motions;
+  std::set<std::string> tested_queries;
+  for (const properties::Property& property : properties::all()) {
+    properties.push_back(property.id);
+    tested_queries.insert(property.stem);
+  }
+  for (const MotionScene& motion : motion_scenes()) motions.push_back(motion.scene.name);
+  return {{"COMMAND", command_names(program)},
+          {"COMPARISON", benches()},
+          {"EFFORT", effort_names()},
+          {"ENGINE", engine_names()},
+          {"LIST", listable()},
+          {"PROPERTY", properties},
+          {"QUERIES", {tested_queries.begin(), tested_queries.end()}},
+          {"QUERY", queries()},
+          {"SCENE", motions},
+          {"SHELL", completion_shells()},
+          {"SUBJECT", oracle::subjects_beside(subjects_folder())}};
+}
+
+void add_completion(CLI::App& program, Options& options) {
+  auto* command = program.add_subcommand("completion", "Print a script that completes commands and options in a shell");
+  add_argument(*command, "SHELL", options.completion, listed(completion_shells()))
+      ->required()
+      ->check(one_of(completion_shells()));
+  command->footer(help::completion);
+  command->callback([&program, &options] {
+    options.chosen = [&] {
+      fmt::print("{}", completion_script(program, words_of_values(program), options.completion));
+      return 0;
+    };
+  });
+}
+
+/// Broken between words. The help indents the lines that follow.
+std::string wrapped(const std::string& text) {
+  constexpr std::size_t width = 86;  // 120 columns less CLI11's own 30, and some
+  std::istringstream words(text);
+  std::string lines, word;
+  std::size_t column = 0;
+  while (words >> word) {
+    const bool fits = column + 1 + word.size() <= width;
+    if (column > 0) lines += fits ? ' ' : '\n';
+    column = column > 0 && fits ? column + 1 + word.size() : word.size();
+    lines += word;
+  }
+  return lines;
+}
+
+void wrap_descriptions(CLI::App& program) {
+  for (CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; })) {
+    command->get_help_ptr()->description("Print this help");
+    for (CLI::Option* option : command->get_options()) option->description(wrapped(option->get_description()));
+  }
+}
+
+std::string see_help(const std::string& command) {
+  return fmt::format("; see `touchstone help{}{}`", command.empty() ? "" : " ", command);
+}
+
+/// CLI11 complains of what is missing first, which may be so because an option is misspelt.
+InputError usage_error(const CLI::App& program, const CLI::ParseError& error) {
+  const std::vector<CLI::App*> chosen = program.get_subcommands();
+  const CLI::App& command = chosen.empty() ? program : *chosen.front();
+  const std::string help = see_help(chosen.empty() ? "" : command.get_name());
+  for (const std::string& word : command.remaining()) {
+    const std::string option = word.substr(0, word.find('='));
+    if (option.starts_with('-')) return {option, unknown_among(option, option_names(command)) + help};
+  }
+  return {"", error.what() + help};
 }
 
 }  // namespace
@@ -370,25 +446,29 @@ int run_command(int argc, const char* const* argv) {
                    "touchstone");
   Options options;
   for (const auto add : {add_report, add_check, add_replay, add_minimise, add_ask, add_plan, add_simulate, add_import,
-                         add_list, add_soak, add_bench}) {
+                         add_list, add_soak, add_bench, add_test, add_completion, add_help}) {
     add(program, options);
   }
-  program.footer(program_footer);
-  program.set_version_flag("--version", version);
-  program.set_help_all_flag("--help-all", "The help of all commands");
+  wrap_descriptions(program);
+  program.footer(help::program);
+  program.get_help_ptr()->description("Print this help");
+  program.set_version_flag("--version", version, "Print the version");
+  program.set_help_all_flag("--help-all", "Print the help of all commands");
   program.require_subcommand(1);
   if (argc < 2) {
-    fmt::print(stderr, "{}", program.help());
+    fmt::print(stderr, "touchstone: a command is missing; see `touchstone help`\n\n{}", program.help());
     return 2;
   }
-  if (names_no_command(program, argv[1])) {
-    fmt::print(stderr, "touchstone: no command {}; there are {}\n", argv[1], listed(command_names(program)));
-    return 2;
+  const std::string first = argv[1];
+  const std::vector<std::string> commands = command_names(program);
+  if (!first.starts_with('-') && std::ranges::count(commands, first) == 0) {  // CLI11 would only want some command
+    throw InputError("command \"" + first + '"', unknown_among(first, commands) + see_help(""));
   }
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return program.exit(error) == 0 ? 0 : 2;
+    if (error.get_exit_code() != 0) throw usage_error(program, error);
+    return program.exit(error);
   }
   return options.chosen();
 }

@@ -6,6 +6,7 @@
 #include "app/motion_scenes.h"
 #include "model/input_error.h"
 #include "model/json.h"
+#include "model/near_names.h"
 #include "reference/validity.h"
 
 namespace touchstone::app {
@@ -18,6 +19,14 @@ Scene completed(const Scene& scene, const std::string& file) try {
   throw InputError(file, error.what());
 }
 
+InputError neither_file_nor_name(const std::string& word) {
+  std::vector<std::string> names;
+  for (const MotionScene& motion : motion_scenes()) names.push_back(motion.scene.name);
+  const std::string suggestion = did_you_mean(word, names);
+  const std::string help = suggestion.empty() ? "`touchstone list motions` names them" : suggestion;
+  return {word, "is neither a file nor a scene of that name; " + help};
+}
+
 }  // namespace
 
 Scene given_scene(const std::string& name_or_file) {
@@ -25,9 +34,7 @@ Scene given_scene(const std::string& name_or_file) {
   const auto named =
       std::ranges::find_if(known, [&](const MotionScene& motion) { return motion.scene.name == name_or_file; });
   if (named != known.end()) return named->scene;
-  if (!std::filesystem::exists(name_or_file)) {
-    throw InputError(name_or_file, "is neither a file nor a scene of that name (`touchstone list motions` names them)");
-  }
+  if (name_or_file != "-" && !std::filesystem::exists(name_or_file)) throw neither_file_nor_name(name_or_file);
   return completed(read_scene(name_or_file), name_or_file);
 }
 

@@ -1,4 +1,4 @@
-// A scene as the command line gives it: a file, or the name of a scene in motion.
+// A scene as the command line gives it: a file, - for stdin, or the name of a scene in motion.
 #pragma once
 
 #include <string>

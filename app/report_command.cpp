@@ -20,6 +20,7 @@
 #include "app/writable.h"
 #include "model/input_error.h"
 #include "model/json.h"
+#include "model/near_names.h"
 #include "properties/property.h"
 
 namespace touchstone::app {
@@ -42,8 +43,7 @@ bool of_motion(const std::string& stem) {
 std::vector<std::string> chosen_properties(const RunOptions& options) {
   const std::set<std::string> known = known_stems();
   for (const std::string& stem : options.stems) {
-    if (!known.contains(stem))
-      throw InputError("stem " + stem, fmt::format("unknown; there are {}", fmt::join(known, ", ")));
+    if (!known.contains(stem)) throw InputError("stem " + stem, unknown_among(stem, {known.begin(), known.end()}));
   }
   for (const std::string& id : options.properties) properties::find(id);
   std::vector<std::string> chosen;

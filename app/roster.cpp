@@ -4,6 +4,7 @@
 
 #include "app/program_folder.h"
 #include "model/input_error.h"
+#include "model/near_names.h"
 #include "oracle/subjects/touchstone_fast.h"
 #include "oracle/subjects/touchstone_reference.h"
 
@@ -31,7 +32,7 @@ std::unique_ptr<oracle::Subject> connect(const std::string& connectable, oracle:
   if (connectable == "inproc:reference") return oracle::subjects::make_reference();
   if (connectable == "inproc:fast") return oracle::subjects::make_fast();
   if (connectable.starts_with("inproc:")) {
-    throw InputError("subject " + connectable, "only inproc:reference and inproc:fast are linked into this program");
+    throw InputError("subject \"" + connectable + '"', unknown_among(connectable, {"inproc:reference", "inproc:fast"}));
   }
   return oracle::connect(connectable, subjects_folder(), limits);
 }

@@ -26,6 +26,7 @@
 #include "model/input_error.h"
 #include "model/json.h"
 #include "model/limits.h"
+#include "model/near_names.h"
 
 namespace touchstone::app {
 namespace {
@@ -97,14 +98,15 @@ std::string subject_of(const std::string& engine) {
   return known == short_names.end() ? engine : std::string(known->subject);
 }
 
-/// All that answer, with their short names.
-std::string engines() {
-  std::vector<std::string> words = {constraint};
+/// The names of all engines that answer, the short one where there is one.
+std::vector<std::string> engines() {
+  std::vector<std::string> names = {constraint};
   for (const std::string& subject : answering("simulation")) {
     const auto known = std::ranges::find(short_names, subject, &ShortName::subject);
-    words.push_back(known == short_names.end() ? subject : fmt::format("{} ({})", known->name, subject));
+    names.emplace_back(known == short_names.end() ? subject : known->name);
   }
-  return fmt::format("{}", fmt::join(words, ", "));
+  names.emplace_back("exec:COMMAND LINE");
+  return names;
 }
 
 std::unique_ptr<oracle::Subject> connect_to(const SimulateCommand& command) {
@@ -117,8 +119,7 @@ std::unique_ptr<oracle::Subject> connect_to(const SimulateCommand& command) {
     return connect(subject, limits);
   } catch (const InputError&) {
     if (subject.find(':') != std::string::npos || std::ranges::count(roster({}), subject) > 0) throw;
-    throw InputError("engine \"" + command.engine + '"',
-                     "unknown; those that answer `simulation` are " + engines() + ", exec:COMMAND LINE");
+    throw InputError("engine \"" + command.engine + '"', unknown_among(command.engine, engines()));
   }
 }
 
@@ -245,6 +246,12 @@ int told_end(const Scene& scene, const MotionRun& run) {
 }
 
 }  // namespace
+
+std::vector<std::string> engine_names() {
+  std::vector<std::string> names = {"fast", constraint, "reference"};
+  for (const ShortName& known : short_names) names.emplace_back(known.name);
+  return names;
+}
 
 int simulate(const SimulateCommand& command) {
   const Scene scene = scene_of(command);

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace touchstone::app {
 
@@ -14,6 +15,9 @@ struct SimulateCommand {
   std::string replay;           ///< a page that shows the bodies
   double time_limit = 600;      ///< s of CPU time
 };
+
+/// fast, constraint, reference, and the short names of those that may be built.
+std::vector<std::string> engine_names();
 
 /// Prints the books over time and how many events of each kind there were; writes the files. The exit code: 0, or 1 if
 /// the engine breaks, or interrupted_exit_code; then what is known until some earlier time is printed and written.

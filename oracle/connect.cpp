@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "model/input_error.h"
+#include "model/near_names.h"
 #include "oracle/pipe.h"
 
 namespace touchstone::oracle {
@@ -45,18 +46,19 @@ std::unique_ptr<Subject> connect(const std::string& connectable, const std::stri
   if (connectable.starts_with(exec_prefix)) {
     return std::make_unique<PipeSubject>(words_of(connectable.substr(exec_prefix.size())), limits);
   }
-  std::string known;
+  std::vector<std::string> known;
   for (const std::filesystem::path& place : {std::filesystem::path(folder), std::filesystem::path(folder) / by_name}) {
     for (const std::string& name : subjects_beside(place.string())) {
       if (name != connectable) {
-        known += name + ", ";
+        known.push_back(name);
         continue;
       }
       const std::string program = (place / (std::string(program_prefix) + name)).string();
       return std::make_unique<PipeSubject>(std::vector<std::string>{program}, limits);
     }
   }
-  throw InputError("subject \"" + connectable + '"', "unknown; known are " + known + "exec:COMMAND LINE");
+  known.emplace_back("exec:COMMAND LINE");
+  throw InputError("subject \"" + connectable + '"', unknown_among(connectable, known));
 }
 
 }  // namespace touchstone::oracle

@@ -13,7 +13,7 @@ TWO_BOXES = scene(body(box(1, 1, 1)), body(box(1, 1, 1), (3, 0, 0)))
 
 class BadUsage(Test):
     def test_words_that_are_not_known(self):
-        self.refused("reprot", says=["no command reprot", "report"])
+        self.refused("reprot", says=["\"reprot\": unknown", "report"])
         self.refused("ask", "depth", "a.json", says=["depth", "distance", "penetration"])
         self.refused("list", "engines", says=["engines", "subjects", "properties", "clauses"])
         self.refused("report", "--colour", says="--colour")

@@ -89,7 +89,7 @@ class Simulate(Test):
                               ("simbody", "simbody.simulation")]:
             if subject in built:
                 self.assertIn(f"engine     {subject} ", self.succeeds("simulate", "newtons_cradle", "--engine", name))
-                self.assertIn(f"{name} ({subject})", self.refused("simulate", "drop.json", "--engine", "nobody", says=name))
+                self.assertIn(f" {name},", self.refused("simulate", "drop.json", "--engine", "nobody", says=name))
 
     def test_constraint_says_where_its_steps_are_too_long(self):
         self.drop(times=[1])
