@@ -181,7 +181,7 @@ TEST_CASE("connectables") {
   CHECK_THROWS_WITH(connect("exec:a | b", ""), Catch::Contains("not a plain command line"));
   CHECK_THROWS_WITH(connect("exec:'a", ""), Catch::Contains("not a plain command line"));
   CHECK_THROWS_WITH(connect("bulet", TOUCHSTONE_SUBJECTS),
-                    Catch::Contains("\"bulet\": unknown; did you mean bullet.") && Catch::Contains("exec:COMMAND LINE"));
+                    Catch::Contains("\"bulet\": unknown; ") && Catch::Contains("exec:COMMAND LINE"));
   CHECK(subjects_beside("/nowhere").empty());
   for (const std::string& name : subjects_beside(TOUCHSTONE_SUBJECTS)) {
     CHECK(connect(name, TOUCHSTONE_SUBJECTS)->card().name == name);
