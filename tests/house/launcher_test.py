@@ -54,6 +54,13 @@ class Launcher(unittest.TestCase):
         self.assertEqual([p.name for p in self.source.iterdir()], ["touchstone"])
         self.assertIn("Not on trial: ode", errors)
 
+    def test_help_of_its_own_commands_is_the_programs(self):
+        """And needs no more than the program: neither the tests nor the comparisons are built for it."""
+        for words in ["test", "--help"], ["test", "-h"], ["bench", "--help"]:
+            code, output, errors = self.run_launcher(*words)
+            self.assertEqual((code, output), (0, f"{self.build}/bin/touchstone {' '.join(words)}\n"), errors)
+        self.assertEqual([p.name for p in self.build.iterdir() if p.name.startswith(".set-up-for")], [".set-up-for-program"])
+
     def test_a_folder_that_cannot_be_made_is_named(self):
         (self.folder / "elsewhere").write_text("a file")
         code, output, errors = self.run_launcher("list")
