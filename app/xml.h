@@ -6,7 +6,7 @@
 
 namespace touchstone::app {
 
-/// &, <, > and " escaped; characters that XML 1.0 does not know are replaced by a question mark.
+/// &, <, > and " escaped, after what is not printable (model/printable.h): XML 1.0 has no way to write most of that.
 std::string escaped(std::string_view text);
 
 }  // namespace touchstone::app

@@ -10,12 +10,22 @@
 #include <utility>
 
 #include "model/json.h"
+#include "model/output_error.h"
 
 namespace touchstone {
 namespace {
 
+constexpr const char* cannot_write = "cannot write";
+
+bool is_a_fault_of_the_disk(int error) {
+  return error == ENOSPC || error == EDQUOT || error == EFBIG || error == EIO || error == EPIPE;
+}
+
 [[noreturn]] void refuse(const std::string& path, const std::string& doing) {
-  throw InputError(path, doing + ": " + std::strerror(errno));
+  const int error = errno;
+  const std::string what = doing + ": " + std::strerror(error);
+  if (doing == cannot_write && is_a_fault_of_the_disk(error)) throw OutputError(path, what);
+  throw InputError(path, what);
 }
 
 class File {
@@ -90,16 +100,16 @@ Scene read_scene(const std::string& path) { return scene_from(read_text(path), p
 
 void write_text(const std::string& path, std::string_view text) {
   if (is_device_or_pipe(path)) {
-    File(path, O_WRONLY, path, "cannot write").write(text);
+    File(path, O_WRONLY, path, cannot_write).write(text);
     return;
   }
   const std::string part = name_beside(path);
   try {
-    File file(part, O_WRONLY | O_CREAT | O_EXCL, path, "cannot write");
+    File file(part, O_WRONLY | O_CREAT | O_EXCL, path, cannot_write);
     file.write(text);
     file.sync_and_close();
-    if (std::rename(part.c_str(), path.c_str()) != 0) refuse(path, "cannot write");
-  } catch (const InputError&) {
+    if (std::rename(part.c_str(), path.c_str()) != 0) refuse(path, cannot_write);
+  } catch (const std::runtime_error&) {
     ::unlink(part.c_str());
     throw;
   }

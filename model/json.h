@@ -74,8 +74,8 @@ Scene scene_from(std::string_view text, const std::string& place);
 std::string read_text(const std::string& path);
 Scene read_scene(const std::string& path);
 
-/// Writes beside `path` and renames: a reader sees the old file or the whole new one, never a part. Throws InputError,
-/// and the old file stays. (A device or a pipe is written in place.)
+/// Writes beside `path` and renames: a reader sees the old file or the new one, never a part. Throws InputError, or
+/// OutputError where the disk is full or fails; the old file stays. (A device or a pipe is written in place.)
 void write_text(const std::string& path, std::string_view text);
 
 }  // namespace touchstone

@@ -8,7 +8,8 @@ namespace {
 
 TEST_CASE("Markup and characters that XML does not know") {
   CHECK(escaped("a<b>&\"c\"") == "a&lt;b&gt;&amp;&quot;c&quot;");
-  CHECK(escaped(std::string("\x1b[31m\0\n\t", 8)) == "?[31m?\n\t");
+  CHECK(escaped(std::string("\x1b[31m\0\n\t\xff", 9)) == "\\u001b[31m\\u0000\n\\t\\xff");
+  CHECK(escaped("\ufffe\u202e") == "\\ufffe\\u202e");
   CHECK(escaped("d ≤ ½") == "d ≤ ½");
 }
 

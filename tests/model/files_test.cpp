@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "model/json.h"
+#include "model/output_error.h"
 #include "tests/catch.h"
 
 namespace touchstone {
@@ -60,6 +61,7 @@ TEST_CASE("a failed write leaves the old file and nothing else") {
     const SmallDisk small(10'000);
     CHECK_THROWS_WITH(write_text(folder / "kept", std::string(20'000, 'x')),
                       (folder / "kept") + ": cannot write: File too large");
+    CHECK_THROWS_AS(write_text(folder / "kept", std::string(20'000, 'x')), OutputError);
   }
   CHECK(read_text(folder / "kept") == "old");
   CHECK(folder.count() == 1);
@@ -80,6 +82,7 @@ TEST_CASE("a device is written in place") {
   write_text("/dev/null", "x");
   CHECK(fs::is_character_file("/dev/null"));
   CHECK_THROWS_WITH(write_text("/dev/full", "x"), "/dev/full: cannot write: No space left on device");
+  CHECK_THROWS_AS(write_text("/dev/full", "x"), OutputError);
 }
 
 }  // namespace
