@@ -10,6 +10,7 @@
 
 #include "app/body_name.h"
 #include "app/given_scene.h"
+#include "app/terminal.h"
 #include "model/input_error.h"
 #include "model/json.h"
 #include "oracle/words.h"
@@ -235,27 +236,27 @@ std::string on_one_line(const Json& object) {
   return fmt::format("{}", fmt::join(items, ", "));
 }
 
-void print(const Json& json, const std::string& indent);
+void show(const Json& json, const std::string& indent);
 
-void print(const std::string& key, const Json& value, const std::string& indent) {
+void show(const std::string& key, const Json& value, const std::string& indent) {
   constexpr int column = 28;
   const auto line = [&](const std::string& words) {
-    fmt::print("{}{:<{}} {}\n", indent, key, column - static_cast<int>(indent.size()), words);
+    print("{}{:<{}} {}\n", indent, key, column - static_cast<int>(indent.size()), words);
   };
   if (is_plain(value)) {
     line(as_words(value));
   } else if (value.is_object() && std::ranges::all_of(value, is_plain) && value.size() <= 3) {
     line(on_one_line(value));
   } else if (value.is_object()) {
-    fmt::print("{}{}\n", indent, key);
-    print(value, indent + "  ");
+    print("{}{}\n", indent, key);
+    show(value, indent + "  ");
   } else {
-    for (const Json& item : value) item.is_object() ? print(key, item, indent) : line(as_words(item));
+    for (const Json& item : value) item.is_object() ? show(key, item, indent) : line(as_words(item));
   }
 }
 
-void print(const Json& json, const std::string& indent) {
-  for (const auto& [key, value] : json.items()) print(key, value, indent);
+void show(const Json& json, const std::string& indent) {
+  for (const auto& [key, value] : json.items()) show(key, value, indent);
 }
 
 /// Whoever asks about many bodies is told that two were looked at.
@@ -287,9 +288,9 @@ void ask(const std::string& query, const std::string& name_or_file, bool as_json
   const Scene scene = given_scene(name_or_file);
   const Json answer = answered(query, scene, name_or_file);
   if (as_json) {
-    fmt::print("{}", touchstone::text_of(answer));
+    print_lines(touchstone::text_of(answer));
   } else {
-    print(answer, "");
+    show(answer, "");
   }
 }
 

@@ -1,17 +1,20 @@
 #include "app/bench.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <spawn.h>
 #include <stdio.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <fstream>
 #include <functional>
 #include <map>
 #include <memory>
+#include <system_error>
 
 #include "app/bench_plot.h"
 #include "app/bench_table.h"
@@ -19,8 +22,14 @@
 #include "app/program_folder.h"
 #include "app/progress.h"
 #include "app/simulation_page.h"
+#include "app/terminal.h"
 #include "app/work_precision.h"
+#include "app/writable.h"
 #include "model/input_error.h"
+#include "model/json.h"
+#include "oracle/living_children.h"
+
+extern char** environ;
 
 namespace touchstone::app {
 namespace {
@@ -77,12 +86,14 @@ std::string program_of(const std::string& name) {
   return program.string();
 }
 
-/// Words are numbers and names of letters by now, so no shell can be surprised by them.
-std::string command(const BenchOptions& options) {
-  std::string line = fmt::format("'{}' --rounds {}", program_of(options.name), options.rounds);
-  if (!options.sizes.empty()) line += fmt::format(" --sizes {}", fmt::join(options.sizes, ","));
-  if (!options.workloads.empty()) line += fmt::format(" --workloads {}", fmt::join(options.workloads, ","));
-  return line;
+std::vector<std::string> command(const BenchOptions& options) {
+  std::vector<std::string> words = {program_of(options.name), "--rounds", std::to_string(options.rounds)};
+  const auto add = [&words](const char* option, const std::vector<std::string>& values) {
+    if (!values.empty()) words.insert(words.end(), {option, fmt::format("{}", fmt::join(values, ","))});
+  };
+  add("--sizes", options.sizes);
+  add("--workloads", options.workloads);
+  return words;
 }
 
 void check_words(const std::vector<std::string>& words, const std::string& place) {
@@ -99,15 +110,57 @@ struct Output {
   int exit_code = 0;
 };
 
+/// A program that runs in a process group of its own, and ends with ours.
+class Program {
+ public:
+  explicit Program(const std::vector<std::string>& words) {
+    int ends[2];
+    if (pipe2(ends, O_CLOEXEC) != 0) throw std::system_error(errno, std::generic_category(), "pipe");
+    out_ = fdopen(ends[0], "r");
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_adddup2(&actions, ends[1], STDOUT_FILENO);
+    posix_spawnattr_t attributes;
+    posix_spawnattr_init(&attributes);
+    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
+    std::vector<char*> arguments;
+    for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
+    arguments.push_back(nullptr);
+    const int error = posix_spawn(&pid_, arguments[0], &actions, &attributes, arguments.data(), environ);
+    posix_spawnattr_destroy(&attributes);
+    posix_spawn_file_actions_destroy(&actions);
+    close(ends[1]);
+    if (error != 0) throw std::system_error(error, std::generic_category(), words[0]);
+    oracle::enter_child(pid_);
+  }
+  Program(const Program&) = delete;
+  Program& operator=(const Program&) = delete;
+
+  FILE* out() const { return out_; }
+
+  int exit_code() {
+    std::fclose(out_);
+    siginfo_t info{};
+    while (waitid(P_PID, static_cast<id_t>(pid_), &info, WEXITED | WNOWAIT) != 0 && errno == EINTR) continue;
+    oracle::leave_child(pid_);
+    int status = 0;
+    while (waitpid(pid_, &status, 0) < 0 && errno == EINTR) continue;
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 3;
+  }
+
+ private:
+  FILE* out_ = nullptr;
+  pid_t pid_ = -1;
+};
+
 /// What the program prints; a step for each group of lines about one workload and size.
-Output run(const std::string& line, int groups) {
+Output run(const std::vector<std::string>& words, int groups) {
   Progress progress("measuring", groups);
-  FILE* pipe = popen(line.c_str(), "r");
-  if (pipe == nullptr) throw std::runtime_error("cannot start " + line);
+  Program program(words);
   Output output;
   std::string group;
   std::array<char, 4096> buffer{};
-  while (fgets(buffer.data(), buffer.size(), pipe) != nullptr) {
+  while (fgets(buffer.data(), buffer.size(), program.out()) != nullptr) {
     const std::string text = buffer.data();
     output.text += text;
     const auto second_comma = text.find(',', text.find(',') + 1);
@@ -115,15 +168,8 @@ Output run(const std::string& line, int groups) {
     if (!group.empty() && here != group) progress.step(here);
     group = here;
   }
-  const int status = pclose(pipe);
-  output.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 3;
+  output.exit_code = program.exit_code();
   return output;
-}
-
-void write(const fs::path& path, const std::string& text) {
-  std::ofstream file(path);
-  file << text;
-  if (!file.flush()) throw InputError(path.string(), "cannot be written");
 }
 
 }  // namespace
@@ -141,18 +187,23 @@ int bench(const BenchOptions& options) {
     return words.empty() ? fallback : static_cast<int>(words.size());
   };
   const Comparison& comparison = registry().at(options.name);
-  const Output output =
-      run(command(options), count(options.sizes, comparison.sizes) * count(options.workloads, comparison.workloads));
-  if (output.exit_code != 0) return output.exit_code;
-  const std::string table = comparison.table(output.text);
+  const std::vector<std::string> words = command(options);
   const fs::path folder = options.out;
   fs::create_directories(folder);
-  write(folder / (options.name + ".csv"), output.text);
-  write(folder / (options.name + ".txt"), table);
-  write(folder / (options.name + ".svg"), comparison.plot(output.text));
-  if (comparison.page) write(folder / (options.name + ".md"), comparison.page(output.text));
-  fmt::print("{}\nWritten to {}: {}.csv, .txt, .svg{}\n", table, options.out, options.name,
-             comparison.page ? ", .md" : "");
+  require_writable_folder(options.out, options.out);
+  const Output output =
+      run(words, count(options.sizes, comparison.sizes) * count(options.workloads, comparison.workloads));
+  if (output.exit_code != 0) return output.exit_code;
+  const std::string table = comparison.table(output.text);
+  const auto write = [&](const char* ending, const std::string& text) {
+    write_text((folder / (options.name + ending)).string(), text);
+  };
+  write(".csv", output.text);
+  write(".txt", table);
+  write(".svg", comparison.plot(output.text));
+  if (comparison.page) write(".md", comparison.page(output.text));
+  print_lines(table + '\n');
+  print("Written to {}: {}.csv, .txt, .svg{}\n", options.out, options.name, comparison.page ? ", .md" : "");
   return 0;
 }
 

@@ -7,9 +7,13 @@
 #include <variant>
 
 #include "app/finding_words.h"
+#include "app/interruption.h"
+#include "app/progress.h"
 #include "app/report_json.h"
 #include "app/roster.h"
 #include "app/smallest.h"
+#include "app/terminal.h"
+#include "app/writable.h"
 #include "model/input_error.h"
 #include "oracle/case.h"
 #include "oracle/truth.h"
@@ -36,7 +40,7 @@ bool failed(const Finding& finding) {
 }
 
 void print_line(const std::string& label, const std::string& value) {
-  if (!value.empty()) fmt::print("{:<12} {}\n", label, value);
+  if (!value.empty()) print("{:<12} {}\n", label, value);
 }
 
 bool is_compound(const Body& body) { return std::holds_alternative<Compound>(body.shape); }
@@ -72,6 +76,12 @@ std::string smaller_name(const std::string& path) {
   return std::filesystem::path(path).replace_extension("smaller.json").string();
 }
 
+Case cut_down(const Example& example, const Property& property, oracle::Subject& subject, std::uint64_t seed,
+              int budget) {
+  Progress progress("cutting down", budget);
+  return smallest_case(example, property, subject, seed, budget, [&] { progress.step(""); });
+}
+
 }  // namespace
 
 int replay(const CaseCommand& command) {
@@ -80,7 +90,7 @@ int replay(const CaseCommand& command) {
   const auto subject = connect(name_of_subject(command, a_case), limits_of(command.time_limit));
   const Finding finding = property.check(a_case.scene, *subject);
   if (command.json) {
-    fmt::print("{}", text_of(oracle::json_of(finding)));
+    print_lines(text_of(oracle::json_of(finding)));
   } else {
     print_words(a_case, property, subject->card(), finding);
   }
@@ -90,18 +100,24 @@ int replay(const CaseCommand& command) {
 int minimise(const CaseCommand& command) {
   const Case a_case = oracle::read_case(command.path);
   const Property& property = properties::find(a_case.property);
+  const std::string out = command.out.empty() ? smaller_name(command.path) : command.out;
+  require_writable_file(out);
   const auto subject = connect(name_of_subject(command, a_case), limits_of(command.time_limit));
+  watch_for_interruption();
   const Example example{a_case.family, a_case.index, a_case.scene, property.check(a_case.scene, *subject)};
+  if (interrupted()) {
+    complain("interrupted before the case was asked once");
+    return interrupted_exit_code();
+  }
   if (!failed(example.finding)) {
-    fmt::print("nothing to cut down: {}\n", oracle::name_of(example.finding.outcome));
+    print("nothing to cut down: {}\n", oracle::name_of(example.finding.outcome));
     return 1;
   }
-  Case smaller = smallest_case(example, property, *subject, a_case.seed, command.budget);
+  Case smaller = cut_down(example, property, *subject, a_case.seed, command.budget);
   smaller.subject = name_of_subject(command, a_case);
-  const std::string out = command.out.empty() ? smaller_name(command.path) : command.out;
   oracle::write_case(smaller, out);
-  fmt::print("{}: {}\n", out, text_of(oracle::size_of(smaller.scene)));
-  return 0;
+  print("{}: {}{}\n", out, text_of(oracle::size_of(smaller.scene)), interrupted() ? "; interrupted" : "");
+  return interrupted() ? interrupted_exit_code() : 0;
 }
 
 }  // namespace touchstone::app

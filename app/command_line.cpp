@@ -28,6 +28,7 @@
 #include "app/report_command.h"
 #include "app/simulate.h"
 #include "app/soak.h"
+#include "app/terminal.h"
 #include "app/version.h"
 #include "model/input_error.h"
 #include "model/near_names.h"
@@ -342,6 +343,19 @@ void add_test(CLI::App& program, Options& options) {
   });
 }
 
+std::string not_empty(const std::string& word) { return word.empty() ? "is empty" : ""; }
+
+/// Mostly a variable of a script that is not set. Options with numbers say what they expect instead.
+void refuse_empty_words(CLI::App& program) {
+  for (CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; })) {
+    for (CLI::Option* option : command->get_options()) {
+      const std::string type = option->get_type_name();
+      const bool is_number = type == "NUMBER" || type == "SECONDS";
+      if (option->get_items_expected_max() > 0 && !is_number) option->check(not_empty);
+    }
+  }
+}
+
 std::vector<std::string> command_names(const CLI::App& program) {
   std::vector<std::string> names;
   for (const CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; })) {
@@ -358,9 +372,9 @@ void add_help(CLI::App& program, Options& options) {
   command->callback([&program, &options] {
     options.chosen = [&] {
       // program.help() would be the help of this command, which has been chosen
-      fmt::print("{}", options.help.empty() ? program.get_formatter()->make_help(&program, program.get_name(),
-                                                                                 CLI::AppFormatMode::Normal)
-                                            : program.get_subcommand(options.help)->help(program.get_name()));
+      print_lines(options.help.empty()
+                      ? program.get_formatter()->make_help(&program, program.get_name(), CLI::AppFormatMode::Normal)
+                      : program.get_subcommand(options.help)->help(program.get_name()));
       return 0;
     };
   });
@@ -395,7 +409,7 @@ void add_completion(CLI::App& program, Options& options) {
   command->footer(help::completion);
   command->callback([&program, &options] {
     options.chosen = [&] {
-      fmt::print("{}", completion_script(program, words_of_values(program), options.completion));
+      print_lines(completion_script(program, words_of_values(program), options.completion));
       return 0;
     };
   });
@@ -449,6 +463,7 @@ int run_command(int argc, const char* const* argv) {
                          add_list, add_soak, add_bench, add_test, add_completion, add_help}) {
     add(program, options);
   }
+  refuse_empty_words(program);
   wrap_descriptions(program);
   program.footer(help::program);
   program.get_help_ptr()->description("Print this help");
@@ -456,7 +471,8 @@ int run_command(int argc, const char* const* argv) {
   program.set_help_all_flag("--help-all", "Print the help of all commands");
   program.require_subcommand(1);
   if (argc < 2) {
-    fmt::print(stderr, "touchstone: a command is missing; see `touchstone help`\n\n{}", program.help());
+    complain("a command is missing; see `touchstone help`");
+    print_error_lines("\n" + program.help());
     return 2;
   }
   const std::string first = argv[1];
@@ -468,7 +484,10 @@ int run_command(int argc, const char* const* argv) {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() != 0) throw usage_error(program, error);
-    return program.exit(error);
+    std::ostringstream help;
+    program.exit(error, help, help);
+    print_lines(help.str());
+    return 0;
   }
   return options.chosen();
 }

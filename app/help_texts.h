@@ -18,8 +18,9 @@ Exit codes:
   0    done; check: every property holds; replay: the case does not fail
   1    check or replay saw a failure
   2    bad input or usage
-  3    a fault of Touchstone itself
-  130  interrupted: what was asked until then is written, and says that it is partial)";
+  3    a fault of Touchstone itself; or a full disk, or a closed stdout
+  130  interrupted: what was asked until then is written, and says that it is partial (SIGHUP: 129, SIGTERM: 143)
+  141  nothing reads stdout any more, as in `touchstone list properties | head -1`)";
 
 inline constexpr const char* report = R"(
 Examples:
@@ -33,8 +34,8 @@ much. Each failing row has a case, the smallest scene that was found to fail; `t
 Exit codes:
   0    the report is written, whatever it found: failures are what it is for
   2    bad input or usage; nothing was asked
-  3    a fault of Touchstone itself
-  130  interrupted; the report is written and says that it is partial)";
+  3    a fault of Touchstone itself; or a full disk, or a closed stdout
+  130  interrupted (SIGHUP: 129, SIGTERM: 143); the report is written and says that it is partial)";
 
 inline constexpr const char* check = R"(
 Examples:
@@ -46,8 +47,8 @@ Exit codes:
   0    every property holds, or the subject abstains
   1    a property fails
   2    bad input or usage; nothing was asked
-  3    a fault of Touchstone itself
-  130  interrupted; what was asked until then is written)";
+  3    a fault of Touchstone itself; or a full disk, or a closed stdout
+  130  interrupted (SIGHUP: 129, SIGTERM: 143); what was asked until then is written)";
 
 inline constexpr const char* replay = R"(
 Examples:
@@ -62,7 +63,7 @@ Exit codes:
   0  the subject does not fail
   1  it fails (again)
   2  bad input or usage
-  3  a fault of Touchstone itself)";
+  3  a fault of Touchstone itself; or a full disk, or a closed stdout)";
 
 inline constexpr const char* minimise = R"(
 Examples:
@@ -70,10 +71,11 @@ Examples:
   touchstone minimise report/cases/distance.value.bullet.float.json --budget 20000
 
 Exit codes:
-  0  the smaller case is written
-  1  the case does not fail, so there is nothing to make smaller
-  2  bad input or usage
-  3  a fault of Touchstone itself)";
+  0    the smaller case is written
+  1    the case does not fail, so there is nothing to make smaller
+  2    bad input or usage
+  3    a fault of Touchstone itself; or a full disk, or a closed stdout
+  130  interrupted (SIGHUP: 129, SIGTERM: 143); the smallest scene so far that fails is written)";
 
 inline constexpr const char* ask = R"(
 Examples:
@@ -88,7 +90,7 @@ interval [lo, hi] contains the exact value.
 Exit codes:
   0  done
   2  bad input or usage
-  3  a fault of Touchstone itself)";
+  3  a fault of Touchstone itself; or a full disk, or a closed stdout)";
 
 inline constexpr const char* plan = R"(
 Examples:
@@ -103,7 +105,7 @@ For a scene in motion, the plan is that of its simulation.
 Exit codes:
   0  done
   2  bad input or usage
-  3  a fault of Touchstone itself)";
+  3  a fault of Touchstone itself; or a full disk, or a closed stdout)";
 
 inline constexpr const char* simulate = R"(
 Examples:
@@ -121,8 +123,8 @@ Exit codes:
   0    done
   1    the engine broke; files and table then end at the last time that is known
   2    bad input or usage, or the engine does not answer this query
-  3    a fault of Touchstone itself
-  130  interrupted; files and table then end at the last time that is known)";
+  3    a fault of Touchstone itself; or a full disk, or a closed stdout
+  130  interrupted (SIGHUP: 129, SIGTERM: 143); files and table then end at the last time that is known)";
 
 inline constexpr const char* import = R"(
 Examples:
@@ -132,7 +134,7 @@ Examples:
 Exit codes:
   0  done
   2  bad input or usage
-  3  a fault of Touchstone itself)";
+  3  a fault of Touchstone itself; or a full disk, or a closed stdout)";
 
 inline constexpr const char* list = R"(
 Examples:
@@ -143,7 +145,7 @@ Examples:
 Exit codes:
   0  done
   2  bad usage
-  3  a fault of Touchstone itself)";
+  3  a fault of Touchstone itself; or a full disk, or a closed stdout)";
 
 inline constexpr const char* soak = R"(
 Examples:
@@ -153,8 +155,8 @@ Examples:
 Exit codes:
   0    the three ways agree on every pair
   2    bad usage
-  3    two ways disagree, which is a fault of Touchstone itself
-  130  interrupted)";
+  3    two ways disagree, which is a fault of Touchstone itself; or a full disk, or a closed stdout
+  130  interrupted (SIGHUP: 129, SIGTERM: 143))";
 
 inline constexpr const char* bench = R"(
 Examples:
@@ -173,7 +175,7 @@ finish one frame within the budget is left out, and named. The folder gets a CSV
 Exit codes:
   0  done
   2  bad input or usage, or the comparison was not built
-  3  a fault of Touchstone itself)";
+  3  a fault of Touchstone itself; or a full disk, or a closed stdout)";
 
 inline constexpr const char* test = R"(
 Examples:

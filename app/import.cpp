@@ -1,9 +1,8 @@
 #include "app/import.h"
 
-#include <fmt/format.h>
-
 #include <filesystem>
 
+#include "app/terminal.h"
 #include "model/json.h"
 #include "reference/mesh.h"
 
@@ -18,12 +17,12 @@ void import_mesh(const std::string& mesh_path, const std::string& out) {
   scene.bodies.push_back(std::move(body));
   const std::string text = text_of(json_of(scene));
   if (out.empty()) {
-    fmt::print("{}", text);
+    print_lines(text);
     return;
   }
   write_text(out, text);
   const auto& hull = std::get<Polytope>(scene.bodies[0].shape);
-  fmt::print("{}: the convex hull, {} vertices, {} faces\n", out, hull.vertices.size(), hull.faces.size());
+  print("{}: the convex hull, {} vertices, {} faces\n", out, hull.vertices.size(), hull.faces.size());
 }
 
 }  // namespace touchstone::app

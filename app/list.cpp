@@ -7,6 +7,7 @@
 
 #include "app/motion_scenes.h"
 #include "app/roster.h"
+#include "app/terminal.h"
 #include "oracle/subjects/canaries.h"
 #include "properties/clause.h"
 #include "properties/domain.h"
@@ -16,51 +17,51 @@
 namespace touchstone::app {
 namespace {
 
+std::string listed(const std::vector<std::string>& words) { return fmt::format("{}", fmt::join(words, ", ")); }
+
 void list_subjects() {
   for (const std::string& name : roster({})) {
     const auto subject = connect(name, {});
     const oracle::Card& card = subject->card();
-    fmt::print("{:<14} {:<10} answers {}\n{:<14} {}\n", card.name, card.version, fmt::join(card.answers, ", "), "",
-               card.about);
+    print("{:<14} {:<10} answers {}\n{:<14} {}\n", card.name, card.version, listed(card.answers), "", card.about);
     for (const oracle::Deviation& known : card.deviations) {
-      fmt::print("{:<14} known: {} {}{}\n", "", known.what, known.clause.empty() ? "" : "(" + known.clause + ") ",
-                 known.link);
+      print("{:<14} known: {} {}{}\n", "", known.what, known.clause.empty() ? "" : "(" + known.clause + ") ",
+            known.link);
     }
   }
 }
 
 void list_properties() {
   for (const properties::Property& property : properties::all()) {
-    fmt::print("{:<30} {} ({})\n", property.id, property.says, fmt::join(property.clauses, ", "));
+    print("{:<30} {} ({})\n", property.id, property.says, listed(property.clauses));
   }
 }
 
 void list_clauses() {
   for (const properties::Clause& clause : properties::clauses()) {
-    fmt::print("{} {}\n    {}\n    checked by {}\n", clause.id, clause.title, clause.says,
-               fmt::join(clause.checked_by, ", "));
+    print("{} {}\n    {}\n    checked by {}\n", clause.id, clause.title, clause.says, listed(clause.checked_by));
   }
 }
 
 void list_families() {
   for (const auto* families : {&properties::families(), &properties::extremes()}) {
     for (const properties::Family& family : *families) {
-      fmt::print("{:<30} {} ({}{})\n", family.id, family.says, fmt::join(family.stems, ", "),
-                 family.binary32_exact ? "; exact in floats" : "");
+      print("{:<30} {} ({}{})\n", family.id, family.says, listed(family.stems),
+            family.binary32_exact ? "; exact in floats" : "");
     }
   }
 }
 
 void list_canaries() {
   for (const oracle::subjects::Canary& canary : oracle::subjects::canaries()) {
-    fmt::print("{:<34} {}\n", canary.id, canary.says);
+    print("{:<34} {}\n", canary.id, canary.says);
   }
 }
 
 void list_motions() {
   for (const MotionScene& motion : motion_scenes()) {
-    fmt::print("{:<26} {} ({} bodies, {} s)\n", motion.scene.name, motion.truth, motion.scene.bodies.size(),
-               motion.scene.flight->times.back());
+    print("{:<26} {} ({} bodies, {} s)\n", motion.scene.name, motion.truth, motion.scene.bodies.size(),
+          motion.scene.flight->times.back());
   }
 }
 

@@ -1,27 +1,40 @@
-#include <fmt/format.h>
-
 #include <exception>
 #include <filesystem>
 
 #include "app/command_line.h"
 #include "app/interruption.h"
+#include "app/terminal.h"
 #include "model/input_error.h"
+#include "model/output_error.h"
 
-int main(int argc, char** argv) {
-  try {
-    touchstone::app::watch_for_interruption();
-    return touchstone::app::run_command(argc, argv);
-  } catch (const touchstone::InputError& error) {
-    fmt::print(stderr, "touchstone: {}\n", error.what());
-    return 2;
-  } catch (const std::filesystem::filesystem_error& error) {
-    fmt::print(stderr, "touchstone: {}\n", error.what());
-    return 2;
-  } catch (const std::exception& error) {
-    fmt::print(
-        stderr,
-        "touchstone: {}\nThis is our own fault. Please report it, with the command and the files that it read.\n",
-        error.what());
-    return 3;
-  }
+namespace touchstone::app {
+namespace {
+
+int exit_code_of(int argc, char** argv) try {
+  require_stdout();
+  take_children_along();
+  return run_command(argc, argv);
+} catch (const InputError& error) {
+  complain("{}", error.what());
+  return 2;
+} catch (const std::filesystem::filesystem_error& error) {
+  complain("{}", error.what());
+  return 2;
+} catch (const OutputError& error) {
+  complain("{}", error.what());
+  return output_error_exit_code;
+} catch (const std::exception& error) {
+  complain("{}\nThis is our own fault. Please report it, with the command and the files that it read.", error.what());
+  return 3;
 }
+
+/// Whatever an interrupted run stumbles over then, its exit code tells of the interruption.
+int run(int argc, char** argv) {
+  const int code = exit_code_of(argc, argv);
+  return exit_code_after_flush(code > 1 && interrupted() ? interrupted_exit_code() : code);
+}
+
+}  // namespace
+}  // namespace touchstone::app
+
+int main(int argc, char** argv) { return touchstone::app::run(argc, argv); }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/program_folder.h"
+#include "app/progress.h"
 #include "model/input_error.h"
 #include "oracle/tolerance.h"
 #include "oracle/truth.h"
@@ -39,8 +40,12 @@ void keep_largest(Robots& robots) {
 }
 
 void read_all(const Robots& robots, MeshSet& set) {
+  std::size_t count = 0;
+  for (const auto& [robot, files] : robots) count += files.size();
+  Progress progress("reading meshes", static_cast<int>(count));
   for (const auto& [robot, files] : robots) {
     for (const fs::path& file : files) {
+      progress.step(file.filename().string());
       try {
         set.meshes.push_back({file.stem().string(), robot, reference::read_mesh(file.string())});
       } catch (const InputError& error) {

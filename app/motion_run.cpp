@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numeric>
 #include <variant>
 
 #include "app/interruption.h"
@@ -46,7 +47,7 @@ MotionRun run_motion(const Scene& scene, oracle::Subject& subject, bool constrai
   MotionRun run;
   const std::vector<double>& times = scene.flight->times;
   const std::vector<std::size_t> looks = stages(times.size());
-  Progress progress(subject.card().name, static_cast<int>(looks.size()));
+  Progress progress(subject.card().name, static_cast<int>(std::accumulate(looks.begin(), looks.end(), std::size_t{0})));
   Scene part = scene;
   for (const std::size_t count : looks) {
     part.flight->times.assign(times.begin(), times.begin() + static_cast<std::ptrdiff_t>(count));
@@ -64,7 +65,7 @@ MotionRun run_motion(const Scene& scene, oracle::Subject& subject, bool constrai
     if (!run.broke.empty()) return run;
     run.trajectory = std::move(std::get<Trajectory>(answer));
     run.times.assign(times.begin(), times.begin() + static_cast<std::ptrdiff_t>(run.trajectory.states.size()));
-    progress.step(fmt::format("{} s of {} s", part.flight->times.back(), times.back()));
+    progress.step(fmt::format("{} s of {} s", part.flight->times.back(), times.back()), static_cast<int>(count));
     if (run.trajectory.complete_until) return run;
   }
   return run;

@@ -1,8 +1,7 @@
 #include "app/plan.h"
 
-#include <fmt/format.h>
-
 #include "app/given_scene.h"
+#include "app/terminal.h"
 #include "fast/plan.h"
 #include "model/json.h"
 
@@ -23,10 +22,10 @@ Json json_of(const std::vector<fast::Choice>& choices) {
   return list;
 }
 
-void print(const char* title, const std::vector<fast::Choice>& choices) {
+void show(const char* title, const std::vector<fast::Choice>& choices) {
   if (choices.empty()) return;
-  fmt::print("{}\n", title);
-  for (const auto& [what, why] : choices) fmt::print("  {}: {}\n", what, why);
+  print("{}\n", title);
+  for (const auto& [what, why] : choices) print("  {}: {}\n", what, why);
 }
 
 }  // namespace
@@ -39,11 +38,11 @@ void plan(const std::string& name_or_file, bool as_json) {
     if (!plan.strategy.empty()) json["strategy"] = plan.strategy;
     json["used"] = json_of(plan.used);
     json["left_out"] = json_of(plan.left_out);
-    fmt::print("{}", text_of(json));
+    print_lines(text_of(json));
     return;
   }
-  print("used", plan.used);
-  print("left out", plan.left_out);
+  show("used", plan.used);
+  show("left out", plan.left_out);
 }
 
 }  // namespace touchstone::app

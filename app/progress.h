@@ -1,12 +1,20 @@
 // A bar on a terminal's stderr; silence in a pipe.
 #pragma once
 
+#include <chrono>
+#include <condition_variable>
 #include <mutex>
 #include <string>
+#include <string_view>
+#include <thread>
 
 namespace touchstone::app {
 
-/// Safe to step from several threads.
+/// "asking [███···] 120/480 0:31, 1:33 left  distance": what has been taken and, from that, what remains. At most
+/// `columns` columns: first the last words are cut, then the bar.
+std::string bar_line(std::string_view what, int done, int steps, double seconds, std::string_view doing, int columns);
+
+/// Safe to step from several threads. Redrawn every second too: the clock goes on, and the window may change its width.
 class Progress {
  public:
   Progress(std::string what, int steps);
@@ -14,16 +22,22 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  void step(const std::string& doing);
+  void step(const std::string& doing, int steps = 1);
 
  private:
-  void draw(const std::string& doing) const;
+  void draw() const;
+  void redraw_until_stopped();
 
   std::string what_;
   int steps_;
   int done_ = 0;
+  std::string doing_;
   bool on_terminal_;
+  bool stopped_ = false;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   std::mutex mutex_;
+  std::condition_variable stop_;
+  std::thread clock_;
 };
 
 }  // namespace touchstone::app

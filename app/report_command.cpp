@@ -16,6 +16,7 @@
 #include "app/report_json.h"
 #include "app/report_junit.h"
 #include "app/roster.h"
+#include "app/terminal.h"
 #include "app/trial.h"
 #include "app/writable.h"
 #include "model/input_error.h"
@@ -132,10 +133,10 @@ long failing_rows(const Ledger& ledger) { return std::ranges::count_if(ledger.ro
 void print_failing(const Ledger& ledger, const std::string& out) {
   for (const Row& row : ledger.rows) {
     if (!row.failing()) continue;
-    fmt::print("{} {}: {} of {} fail, grade {}\n", row.subject, row.property, row.fails + row.breaks, row.answered(),
-               oracle::name_of(*row.grade()));
-    for (const auto& [label, words] : lines_of(shown_finding(row))) fmt::print("    {:<9} {}\n", label, words);
-    if (!out.empty() && row.smallest_case) fmt::print("    touchstone replay {}/{}\n", out, row.case_file);
+    print("{} {}: {} of {} fail, grade {}\n", row.subject, row.property, row.fails + row.breaks, row.answered(),
+          oracle::name_of(*row.grade()));
+    for (const auto& [label, words] : lines_of(shown_finding(row))) print("    {:<9} {}\n", label, words);
+    if (!out.empty() && row.smallest_case) print("    touchstone replay {}/{}\n", out, row.case_file);
   }
 }
 
@@ -156,9 +157,8 @@ void print_closest(const Ledger& ledger, const std::string& out) {
     const Row& row = *found;
     const Example& closest = *row.closest;
     const oracle::Finding& finding = closest.finding;
-    fmt::print("{}: {} scenes; the largest error beside what is allowed: {} {}, {:.3g} of {:.3g} {}: {} {}\n", stem,
-               scenes, row.subject, row.property, finding.error, finding.allowed, finding.unit, closest.family,
-               closest.index);
+    print("{}: {} scenes; the largest error beside what is allowed: {} {}, {:.3g} of {:.3g} {}: {} {}\n", stem, scenes,
+          row.subject, row.property, finding.error, finding.allowed, finding.unit, closest.family, closest.index);
     const auto place = static_cast<std::size_t>(std::ranges::find(ledger.subjects, row.subject, &oracle::Card::name) -
                                                 ledger.subjects.begin());
     const oracle::Case as_case{row.property,   ledger.connectables[place],
@@ -166,11 +166,12 @@ void print_closest(const Ledger& ledger, const std::string& out) {
                                closest.index,  closest.scene,
                                finding,        ""};
     if (out.empty()) {
-      fmt::print("    {}\n", oracle::json_of(as_case).dump());
+      const Json json = oracle::json_of(as_case);
+      print("    {}\n", json.dump(-1, ' ', false, Json::error_handler_t::replace));
     } else {
       const std::string file = (fs::path(out) / "cases" / (stem + ".closest.json")).string();
       oracle::write_case(as_case, file);
-      fmt::print("    touchstone replay {}\n", file);
+      print("    touchstone replay {}\n", file);
     }
   }
 }
@@ -178,8 +179,8 @@ void print_closest(const Ledger& ledger, const std::string& out) {
 void print_impacts(const Ledger& ledger) {
   for (const Row& row : ledger.rows) {
     if (row.impacts == 0) continue;
-    fmt::print("{} {}: {} impacts in {} scenes, {} fail\n", row.subject, row.property, row.impacts, row.answered(),
-               row.fails);
+    print("{} {}: {} impacts in {} scenes, {} fail\n", row.subject, row.property, row.impacts, row.answered(),
+          row.fails);
   }
 }
 
@@ -192,12 +193,12 @@ void print_summary(const Ledger& ledger) {
       if (row.subject != card.name) continue;
       ++(row.failing() ? fails : row.holds > 0 ? holds : silent);
     }
-    fmt::print("{:<16} {:>3} properties hold, {:>3} fail, {:>3} not answered\n", card.name, holds, fails, silent);
+    print("{:<16} {:>3} properties hold, {:>3} fail, {:>3} not answered\n", card.name, holds, fails, silent);
   }
   if (ledger.interrupted) {
-    fmt::print("interrupted: only what was asked until then counts\n");
+    print("interrupted: only what was asked until then counts\n");
   } else if (!ledger.empty_classes.empty()) {
-    fmt::print("no scene of these kinds was met: {}\n", fmt::join(ledger.empty_classes, "; "));
+    print("no scene of these kinds was met: {}\n", fmt::format("{}", fmt::join(ledger.empty_classes, "; ")));
   }
 }
 
@@ -206,19 +207,21 @@ void print_summary(const Ledger& ledger) {
 int report(const RunOptions& options) {
   const TrialPlan plan = plan_of(options);
   prepare_places(options);
+  watch_for_interruption();
   const MeshSet meshes = meshes_of(options);
-  if (!meshes.absent.empty()) fmt::print(stderr, "touchstone: no real meshes: {}\n", meshes.absent);
+  if (!meshes.absent.empty()) complain("no real meshes: {}", meshes.absent);
   const Ledger ledger = run(plan, meshes);
   write_report(options.out, ledger);
   write_extras(options, ledger);
   print_summary(ledger);
-  fmt::print("{}\n", (fs::path(options.out) / "index.html").string());
-  return ledger.interrupted ? interrupted_exit_code : 0;
+  print("{}\n", (fs::path(options.out) / "index.html").string());
+  return ledger.interrupted ? interrupted_exit_code() : 0;
 }
 
 int check(const RunOptions& options) {
   const TrialPlan plan = plan_of(options);
   prepare_places(options);
+  watch_for_interruption();
   const MeshSet meshes = options.meshes.empty() ? MeshSet{} : meshes_of(options);
   const Ledger ledger = run(plan, meshes);
   if (!options.out.empty()) write_report(options.out, ledger);
@@ -227,7 +230,7 @@ int check(const RunOptions& options) {
   if (ledger.subjects.size() == 1) print_closest(ledger, options.out);
   print_impacts(ledger);
   print_summary(ledger);
-  if (ledger.interrupted) return interrupted_exit_code;
+  if (ledger.interrupted) return interrupted_exit_code();
   return failing_rows(ledger) > 0 ? 1 : 0;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/interruption.h"
 #include "app/program_folder.h"
 #include "model/input_error.h"
 #include "model/near_names.h"
@@ -25,6 +26,7 @@ oracle::PipeLimits limits_of(double time_limit) {
   limits.cpu_seconds = time_limit;
   limits.wall_seconds = 10 * time_limit;
   limits.flights = 10;
+  limits.given_up = interrupted;
   return limits;
 }
 

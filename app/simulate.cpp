@@ -22,6 +22,7 @@
 #include "app/overlap.h"
 #include "app/replay_page.h"
 #include "app/roster.h"
+#include "app/terminal.h"
 #include "app/writable.h"
 #include "model/input_error.h"
 #include "model/json.h"
@@ -113,7 +114,6 @@ std::unique_ptr<oracle::Subject> connect_to(const SimulateCommand& command) {
   oracle::PipeLimits limits = limits_of(command.time_limit);
   limits.flights = 1;
   limits.longest_line = std::size_t{1} << 30;
-  limits.given_up = interrupted;
   const std::string subject = subject_of(command.engine);
   try {
     return connect(subject, limits);
@@ -131,16 +131,15 @@ std::size_t impacts_until(const Trajectory& trajectory, double time) {
 
 void print_row(double time, const Books& books, const std::string& impacts) {
   const auto& p = books.momentum;
-  fmt::print("{:>10.6g} {:>14.8g} {:>14.8g} {:>14.8g}   {:>11.4g} {:>11.4g} {:>11.4g} {:>9}\n", time,
-             static_cast<double>(books.kinetic), static_cast<double>(books.potential),
-             static_cast<double>(books.energy()), static_cast<double>(p.x()), static_cast<double>(p.y()),
-             static_cast<double>(p.z()), impacts);
+  print("{:>10.6g} {:>14.8g} {:>14.8g} {:>14.8g}   {:>11.4g} {:>11.4g} {:>11.4g} {:>9}\n", time,
+        static_cast<double>(books.kinetic), static_cast<double>(books.potential), static_cast<double>(books.energy()),
+        static_cast<double>(p.x()), static_cast<double>(p.y()), static_cast<double>(p.z()), impacts);
 }
 
 void print_books(const Scene& scene, const MotionRun& run) {
   const BookKeeper keeper(scene);
-  fmt::print("{:>10} {:>14} {:>14} {:>14}   {:>35} {:>9}\n", "time s", "kinetic J", "potential J", "energy J",
-             "momentum N s (x, y, z)", "impacts");
+  print("{:>10} {:>14} {:>14} {:>14}   {:>35} {:>9}\n", "time s", "kinetic J", "potential J", "energy J",
+        "momentum N s (x, y, z)", "impacts");
   const bool starts_at_once = scene.flight->since.empty();
   if (starts_at_once) print_row(0, keeper.at_start(), run.trajectory.events ? "0" : "-");
   const std::size_t looks = run.times.size(), every = (looks + rows_printed - 1) / rows_printed;
@@ -154,17 +153,16 @@ void print_books(const Scene& scene, const MotionRun& run) {
 
 void print_events(const Trajectory& trajectory) {
   if (!trajectory.events) {
-    fmt::print("events     this engine tells none\n");
+    print("events     this engine tells none\n");
     return;
   }
   std::array<std::size_t, kinds.size()> counts{};
   for (const Event& event : *trajectory.events) ++counts[static_cast<std::size_t>(event.kind)];
   std::string line;
   for (std::size_t k = 0; k < kinds.size(); ++k) line += fmt::format("{}{} {}", k > 0 ? ", " : "", kinds[k], counts[k]);
-  fmt::print("events     {}\n", line);
-  fmt::print("hand-overs {} from flight to contact or within it, {} back to flight\n",
-             counts[static_cast<std::size_t>(Event::Kind::contact)],
-             counts[static_cast<std::size_t>(Event::Kind::release)]);
+  print("events     {}\n", line);
+  print("hand-overs {} from flight to contact or within it, {} back to flight\n",
+        counts[static_cast<std::size_t>(Event::Kind::contact)], counts[static_cast<std::size_t>(Event::Kind::release)]);
 }
 
 /// The answer at the looks of `known`, as far as the run has them all.
@@ -183,8 +181,8 @@ void print_truth(const Scene& scene, const MotionRun& run) {
   if (known == nullptr) return;
   const Trajectory answer = at_looks_of(known->scene, run);
   if (answer.states.empty()) return;
-  fmt::print("truth      {}: off by {:.3g} until {} s\n", known->truth, known->error(answer),
-             known->scene.flight->times[answer.states.size() - 1]);
+  print("truth      {}: off by {:.3g} until {} s\n", known->truth, known->error(answer),
+        known->scene.flight->times[answer.states.size() - 1]);
 }
 
 /// The table's looks alone.
@@ -207,7 +205,7 @@ std::string lines_of(const std::vector<Event>& events) {
 
 void write(const std::string& file, const std::string& text) {
   write_text(file, text);
-  fmt::print("written    {}\n", file);
+  print("written    {}\n", file);
 }
 
 /// Where gravity brings a body farther than its size in a step, it passes through others between two looks at them.
@@ -216,10 +214,10 @@ void warn_of_long_steps(const Scene& scene) {
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     const Body& body = scene.bodies[i];
     if (std::holds_alternative<Fixed>(body.mass) || fall <= size(body.shape)) continue;
-    fmt::print(stderr,
-               "touchstone: in a step of {:.3g} s gravity moves {} by {:.3g} m, more than its size: contacts are "
-               "missed; ask for a shorter flight (--until)\n",
-               step, body_name(scene, static_cast<int>(i)), fall);
+    complain(
+        "in a step of {:.3g} s gravity moves {} by {:.3g} m, more than its size: contacts are "
+        "missed; ask for a shorter flight (--until)",
+        step, body_name(scene, static_cast<int>(i)), fall);
     return;
   }
 }
@@ -229,18 +227,16 @@ int told_end(const Scene& scene, const MotionRun& run) {
   const double end = scene.flight->times.back();
   const double known = run.trajectory.complete_until.value_or(run.times.empty() ? 0 : run.times.back());
   if (run.interrupted) {
-    fmt::print(stderr, "touchstone: interrupted; what is known until {} s of {} s is above\n", known, end);
-    return interrupted_exit_code;
+    complain("interrupted; what is known until {} s of {} s is above", known, end);
+    return interrupted_exit_code();
   }
   if (!run.broke.empty()) {
-    fmt::print(stderr, "touchstone: the engine broke ({}); what it said until {} s of {} s is above\n", run.broke,
-               known, end);
+    complain("the engine broke ({}); what it said until {} s of {} s is above", run.broke, known, end);
     return 1;
   }
   if (known < end) {
     const std::string& why = run.trajectory.gave_up;
-    fmt::print(stderr, "touchstone: the engine gave up at {} s of {} s{}{}\n", known, end, why.empty() ? "" : ": ",
-               why);
+    complain("the engine gave up at {} s of {} s{}{}", known, end, why.empty() ? "" : ": ", why);
   }
   return 0;
 }
@@ -256,6 +252,7 @@ std::vector<std::string> engine_names() {
 int simulate(const SimulateCommand& command) {
   const Scene scene = scene_of(command);
   require_places(command);
+  watch_for_interruption();
   Scene asked = scene;
   if (!command.replay.empty()) {
     require_replay_library();
@@ -265,10 +262,9 @@ int simulate(const SimulateCommand& command) {
   const bool by_constraint = command.engine == constraint;
   const MotionRun run = run_motion(asked, *subject, by_constraint);
 
-  fmt::print("scene      {}: {} bodies, {} s\n", scene.name.empty() ? command.scene : scene.name, scene.bodies.size(),
-             scene.flight->times.back());
-  fmt::print("engine     {} {}{}\n", subject->card().name, subject->card().version,
-             by_constraint ? ", constraint" : "");
+  print("scene      {}: {} bodies, {} s\n", scene.name.empty() ? command.scene : scene.name, scene.bodies.size(),
+        scene.flight->times.back());
+  print("engine     {} {}{}\n", subject->card().name, subject->card().version, by_constraint ? ", constraint" : "");
   const MotionRun looks = without_frames(scene, run);
   print_books(scene, looks);
   print_events(run.trajectory);
@@ -276,7 +272,6 @@ int simulate(const SimulateCommand& command) {
   const std::optional<std::vector<Event>>& events = run.trajectory.events;
   if (!command.replay.empty()) write(command.replay, replay_page(scene, run.times, run.trajectory));
   if (!command.out.empty() && events) write(command.out, lines_of(*events));
-  std::fflush(stdout);
   if (by_constraint) warn_of_long_steps(scene);
   const int code = told_end(scene, run);
   if (code == 0 && !command.out.empty() && !events) {

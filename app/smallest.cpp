@@ -1,10 +1,9 @@
 #include "app/smallest.h"
 
 #include <algorithm>
-#include <cctype>
-#include <functional>
 #include <utility>
 
+#include "app/file_names.h"
 #include "app/interruption.h"
 #include "app/parallel.h"
 #include "app/progress.h"
@@ -28,33 +27,42 @@ bool failed(const Finding& finding) {
   return finding.outcome == oracle::Outcome::fails || finding.outcome == oracle::Outcome::breaks;
 }
 
-bool shows_the_same(const Finding& finding, const Finding& original) {
-  return failed(finding) && finding.defect == original.defect && oracle::grade(finding) >= oracle::grade(original);
+oracle::Case with_note(oracle::Case a_case, const std::string& note) {
+  a_case.note = note;
+  return a_case;
 }
 
-/// A program on trial chooses its own name, and so not our files' places.
-std::string file_name_of(std::string name) {
-  const auto harmless = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '.' || c == '-'; };
-  std::ranges::replace_if(name, std::not_fn(harmless), '_');
-  return name;
+bool shows_the_same(const Finding& finding, const Finding& original) {
+  return failed(finding) && finding.defect == original.defect && oracle::grade(finding) >= oracle::grade(original);
 }
 
 }  // namespace
 
 oracle::Case smallest_case(const Example& example, const properties::Property& property, oracle::Subject& subject,
-                           std::uint64_t seed, int budget) {
+                           std::uint64_t seed, int budget, const std::function<void()>& asked) {
+  oracle::Case result{property.id,   subject.card().name, example.family,  seed,
+                      example.index, example.scene,       example.finding, ""};
+  const oracle::Case interrupted_at_once = with_note(result, "interrupted: not cut down");
+  if (interrupted()) return interrupted_at_once;
   start_afresh(subject);
   const auto still_fails = [&](const Scene& scene) {
-    return !interrupted() && shows_the_same(property.check(scene, subject), example.finding);
+    if (interrupted()) return false;
+    const Finding finding = property.check(scene, subject);
+    if (asked) asked();
+    if (interrupted() || !shows_the_same(finding, example.finding)) return false;
+    result.finding = finding;
+    return true;
   };
-  oracle::Case result{property.id, subject.card().name, example.family, seed, example.index, {}, {}, ""};
   result.scene = oracle::minimise(example.scene, still_fails, affordable(budget, example.finding.defect));
+  const oracle::Case as_far_as_it_came = with_note(result, "interrupted: a smaller scene may fail too");
   start_afresh(subject);
   result.finding = property.check(result.scene, subject);
+  if (interrupted()) return as_far_as_it_came;
   if (shows_the_same(result.finding, example.finding)) return result;
   start_afresh(subject);
   result.scene = example.scene;
   result.finding = property.check(result.scene, subject);
+  if (interrupted()) return interrupted_at_once;
   result.note = failed(result.finding) ? "not cut down: the smaller scene fails only after other questions"
                                        : "fails only after other questions: the finding is the one of the run";
   if (!failed(result.finding)) result.finding = example.finding;
@@ -66,6 +74,7 @@ void cut_down(Ledger& ledger, const std::vector<std::vector<std::unique_ptr<orac
   for (std::size_t r = 0; r < ledger.rows.size(); ++r) {
     if (ledger.rows[r].failing()) failing.emplace_back(&ledger.rows[r], r % crews[0].size());
   }
+  const std::vector<std::string> file_names = names_of_files(ledger.subjects);
   Progress progress("cutting down", static_cast<int>(failing.size()));
   in_parallel(failing.size(), static_cast<int>(crews.size()), [&](std::size_t f, std::size_t job) {
     auto& [row, subject] = failing[f];
@@ -73,7 +82,7 @@ void cut_down(Ledger& ledger, const std::vector<std::vector<std::unique_ptr<orac
     row->smallest_case =
         smallest_case(*row->smallest, properties::find(row->property), *crews[job][subject], ledger.seed, budget);
     row->smallest_case->subject = ledger.connectables[subject];
-    row->case_file = "cases/" + row->property + "." + file_name_of(row->subject) + ".json";
+    row->case_file = "cases/" + row->property + "." + file_names[subject] + ".json";
     progress.step(row->property + " of " + row->subject);
   });
 }

@@ -9,6 +9,7 @@
 #include "app/interruption.h"
 #include "app/parallel.h"
 #include "app/progress.h"
+#include "app/terminal.h"
 #include "model/json.h"
 #include "properties/domain.h"
 #include "reference/agreement.h"
@@ -24,6 +25,7 @@ struct Tally {
 }  // namespace
 
 int soak(int pairs, std::uint64_t seed, int jobs) {
+  watch_for_interruption();
   std::vector<const properties::Family*> families;
   for (const properties::Family& family : properties::families()) {
     if (std::ranges::find(family.stems, "distance") != family.stems.end()) families.push_back(&family);
@@ -60,16 +62,16 @@ int soak(int pairs, std::uint64_t seed, int jobs) {
       sum.agree += tally.agree;
       std::ranges::move(tally.disagreements, std::back_inserter(sum.disagreements));
     }
-    fmt::print("{:<32} {:>6} pairs  {} disagreements\n", families[f]->id,
-               sum.agree + static_cast<long>(sum.disagreements.size()), sum.disagreements.size());
-    for (const std::string& text : sum.disagreements) fmt::print("  {}\n", text);
+    print("{:<32} {:>6} pairs  {} disagreements\n", families[f]->id,
+          sum.agree + static_cast<long>(sum.disagreements.size()), sum.disagreements.size());
+    for (const std::string& text : sum.disagreements) print_lines("  " + text + '\n');
     asked += sum.agree + static_cast<long>(sum.disagreements.size());
     disagreements += static_cast<long>(sum.disagreements.size());
   }
-  fmt::print("{} pairs over {} families, seed {}: three routes, {} disagreements{}\n", asked, families.size(), seed,
-             disagreements, interrupted() ? " (interrupted)" : "");
+  print("{} pairs over {} families, seed {}: three routes, {} disagreements{}\n", asked, families.size(), seed,
+        disagreements, interrupted() ? " (interrupted)" : "");
   if (disagreements > 0) return 3;
-  return interrupted() ? interrupted_exit_code : 0;
+  return interrupted() ? interrupted_exit_code() : 0;
 }
 
 }  // namespace touchstone::app

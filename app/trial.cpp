@@ -92,6 +92,7 @@ void ask(const Question& question, const Property& property, oracle::Subject& su
     return;
   }
   example.finding = checked(question, example.scene, property, subject);
+  if (interrupted()) return;  // a subject that was given up has not failed
   if (example.finding.defect == oracle::Defect::hung) ++hangs;
   row.count(example);
 }

@@ -18,6 +18,7 @@
 #include <thread>
 
 #include "model/input_error.h"
+#include "oracle/living_children.h"
 
 extern char** environ;
 
@@ -100,6 +101,7 @@ ChildProcess::ChildProcess(const std::vector<std::string>& command) {
   Ends out = from_child();
   Ends err = from_child();
   pid_ = spawn(command, in.child.get(), out.child.get(), err.child.get());
+  enter_child(pid_);
   in_ = std::move(in.parent);
   out_ = std::move(out.parent);
   err_ = std::move(err.parent);
@@ -181,6 +183,7 @@ std::string ChildProcess::end(double grace_seconds) {
   const bool by_itself = ends_within(grace_seconds);
   // Not yet reaped, so the number still names this group and no other.
   ::kill(-pid_, SIGKILL);
+  leave_child(pid_);
   int status = 0;
   while (waitpid(pid_, &status, 0) < 0 && errno == EINTR) {
   }

@@ -66,8 +66,8 @@ Card PipeSubject::start() try {
   seq_ = 0;
   asked_ = 0;
   child_ = std::make_unique<ChildProcess>(command_);
-  const auto said =
-      child_->exchange(protocol::start(++seq_), {limits_.wall_seconds, limits_.wall_seconds, limits_.longest_line});
+  const auto said = child_->exchange(
+      protocol::start(++seq_), {limits_.wall_seconds, limits_.wall_seconds, limits_.longest_line, limits_.given_up});
   if (const Breaks* breaks = std::get_if<Breaks>(&said)) {
     throw InputError("", "did not introduce itself: " + breaks->how);
   }

@@ -1,7 +1,6 @@
-"""Ctrl-C leaves a complete partial report and no child; a bar on a terminal, silence in a pipe."""
+"""A signal leaves a complete partial result and no child; the second ends the program at once."""
 
 import os
-import pty
 import signal
 import time
 import unittest
@@ -9,16 +8,20 @@ import xml.etree.ElementTree
 
 from program import *
 
+SIGNALS = {signal.SIGHUP: 129, signal.SIGINT: 130, signal.SIGTERM: 143}
+HANGING_ENGINE = f"exec:/usr/bin/python3 {SOURCE / 'tests/app/motion_engine.py'} hangs"
+FOREVER = ["--time-limit", 3600]
+
 
 def children_of(pid):
-    """Processes of its group: the program leads one of its own here."""
+    """Processes of its session, which it leads here. One that is dead counts no more, though nothing may reap it."""
     found = []
     for stat in pathlib.Path("/proc").glob("[0-9]*/stat"):
         try:
             fields = stat.read_text().rpartition(")")[2].split()
         except OSError:
             continue
-        if int(fields[2]) == pid or int(fields[3]) == pid:
+        if int(fields[3]) == pid and int(stat.parent.name) != pid and fields[0] != "Z":
             found.append((stat.parent.name, fields[0]))
     return found
 
@@ -32,50 +35,166 @@ def wait_until_asking(pid):
         time.sleep(0.01)
 
 
+def digits_of(a_scene):
+    return sum(c in "123456789" for c in json.dumps([[b["X_WB"], b["shape"]["vertices"]] for b in a_scene["bodies"]]))
+
+
+def a_case(**change):
+    pairs = scene(body(ball(1)), body(ball(1), (3, 0, 0)))
+    return {"touchstone": "case/1", "property": "distance.survives", "subject": "reference", "seed": 1, "index": 0,
+            "finding": {"outcome": "holds", "defect": "none", "error": 0, "allowed": 0}, "scene": pairs, **change}
+
+
 class Interruption(Test):
-    def test_an_interrupted_report_is_complete(self):
-        run = subprocess.Popen([PROGRAM, "report", "--subjects", "reference,bullet.double", "--stems", "distance", "--cases", "100000",
-                                "--jobs", "2", "--out", "R"], cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                               text=True, start_new_session=True)
-        wait_until_asking(run.pid)
-        self.assertFalse((self.folder / "R/index.html").exists())
-        run.send_signal(signal.SIGINT)
-        out, errors = run.communicate(timeout=30)
-        self.assertEqual(run.returncode, 130, errors)
-        self.assertIn("interrupted", out)
-        report = self.json("R/report.json")
-        self.assertIs(report["interrupted"], True)
-        self.assertGreater(sum(row["holds"] for row in report["rows"]), 0)
-        self.assertIn("nterrupted", (self.folder / "R/index.html").read_text())
-        xml.etree.ElementTree.parse(self.folder / "R/junit.xml")
-        for row in report["rows"]:
-            if row.get("case"):
-                self.json("R/" + row["case"])
+    def start(self, *words, **options):
+        run = subprocess.Popen([PROGRAM, *map(str, words)], cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                               text=True, start_new_session=True, **options)
+        self.addCleanup(run.communicate)
+        self.addCleanup(run.kill)
+        return run
+
+    def ended(self, run, code, timeout=30):
+        out, errors = run.communicate(timeout=timeout)
+        self.assertEqual(run.returncode, code, errors)
+        end = time.monotonic() + 1  # a killed child is gone a moment later
+        while children_of(run.pid) and time.monotonic() < end:
+            time.sleep(0.01)
         self.assertEqual(children_of(run.pid), [])
+        return out, errors
 
+    def test_an_interrupted_report_is_complete(self):
+        for sent, code in SIGNALS.items():
+            with self.subTest(sent):
+                out = f"R{code}"
+                run = self.start("report", "--subjects", "reference,bullet.double", "--stems", "distance", "--cases", 100000,
+                                 "--jobs", 2, "--out", out)
+                wait_until_asking(run.pid)
+                self.assertFalse((self.folder / out / "index.html").exists())
+                run.send_signal(sent)
+                said, _ = self.ended(run, code)
+                self.assertIn("interrupted", said)
+                report = self.json(f"{out}/report.json")
+                self.assertIs(report["interrupted"], True)
+                self.assertGreater(sum(row["holds"] for row in report["rows"]), 0)
+                self.assertIn("nterrupted", (self.folder / out / "index.html").read_text())
+                xml.etree.ElementTree.parse(self.folder / out / "junit.xml")
+                for row in report["rows"]:
+                    if row.get("case"):
+                        self.json(f"{out}/{row['case']}")
 
-class ProgressBar(Test):
-    WORDS = [PROGRAM, "check", "--subjects", "inproc:reference", "--stems", "bounds", "--cases", "50"]
+    def test_a_subject_that_is_given_up_has_not_failed(self):
+        for sent, code in SIGNALS.items():
+            with self.subTest(sent):
+                run = self.start("check", "--subjects", f"{ENGINE} hangs", "--properties", "distance.survives", "--cases", 50,
+                                 *FOREVER, "--jobs", 1, "--json", "r.json")
+                time.sleep(2)
+                run.send_signal(sent)
+                said, _ = self.ended(run, code, timeout=5)
+                self.assertIn("interrupted", said)
+                self.assertEqual([(row["breaks"], row["holds"]) for row in self.json("r.json")["rows"]], [(0, 4)])
 
-    def test_silence_in_a_pipe(self):
-        self.assertEqual(self.run_program(*self.WORDS[1:]).stderr, "")
+    def test_a_simulation_shows_what_is_known(self):
+        falling = body(ball(0.5), (0, 0, 1.75))
+        self.file("drop.json", {**scene(falling, body(box(4, 4, 1), (0, 0, -1), mass={"type": "fixed"})),
+                                "gravity": [0, 0, -10], "flight": {"times": [k / 16 for k in range(1, 65)]}})
+        for sent, code in SIGNALS.items():
+            with self.subTest(sent):
+                run = self.start("simulate", "drop.json", "--engine", HANGING_ENGINE, *FOREVER, "--out", f"{code}.jsonl")
+                time.sleep(2)
+                run.send_signal(sent)
+                said, errors = self.ended(run, code, timeout=5)
+                self.assertIn("interrupted", errors)
+                self.assertRegex(said, r"(?m)^ +1 .* 1$")
+                self.assertEqual(len((self.folder / f"{code}.jsonl").read_text().splitlines()), 1)
 
-    def test_a_bar_on_a_terminal(self):
-        ours, theirs = pty.openpty()
-        run = subprocess.Popen(self.WORDS, cwd=self.folder, stdout=subprocess.PIPE, stderr=theirs, text=True)
-        os.close(theirs)
-        seen = b""
-        while True:
-            try:
-                some = os.read(ours, 4096)
-            except OSError:  # the terminal's other side is closed
-                break
-            seen += some
-        out, _ = run.communicate(timeout=60)
-        os.close(ours)
-        self.assertIn("asking [", seen.decode())
-        self.assertTrue(seen.endswith(b"\r\x1b[K"), "the bar is wiped away")
-        self.assertNotIn("asking", out)
+    def test_soak_counts_what_was_asked(self):
+        for sent, code in SIGNALS.items():
+            with self.subTest(sent):
+                run = self.start("soak", "--pairs", 100000, "--jobs", 2)
+                time.sleep(1)
+                run.send_signal(sent)
+                said, _ = self.ended(run, code)
+                self.assertRegex(said, r"0 disagreements \(interrupted\)\n$")
+
+    def test_minimise_keeps_the_smaller_scene(self):
+        """An engine that answers NaN, but takes its time for it."""
+        engine = self.folder / "slow.py"
+        engine.write_text("""
+import json, sys, time
+for line in sys.stdin:
+    seq = json.loads(line)["seq"]
+    time.sleep(0.1)
+    card = {"name": "slow", "version": "0", "precision": "binary64", "answers": ["distance"]}
+    print(json.dumps({"seq": seq, **({"result": {"distance": None}} if seq > 1 else {"protocol": 1, "card": card})}), flush=True)
+""")
+        slow = f"exec:/usr/bin/python3 {engine}"
+        vertices = [[a * 1.1, b * 1.2, c * 1.3] for a in (-1, 1) for b in (-1, 1) for c in (-1, 1)]
+        large = scene(*[body(hull(vertices), (3.3 * k, 0.1, 0.7), {"w": 3, "x": 1, "y": -2, "z": 1}) for k in range(2)])
+        self.file("case.json", a_case(scene=large))
+        for sent, code in SIGNALS.items():
+            with self.subTest(sent):
+                run = self.start("minimise", "case.json", "--subject", slow, "--out", f"{code}.json")
+                time.sleep(2)
+                run.send_signal(sent)
+                said, _ = self.ended(run, code)
+                self.assertIn("interrupted", said)
+                smaller = self.json(f"{code}.json")
+                self.assertIn("interrupted", smaller["note"])
+                self.assertEqual(smaller["finding"]["defect"], "garbage")
+                self.assertLess(digits_of(smaller["scene"]), digits_of(large))
+                self.succeeds("replay", f"{code}.json", "--subject", slow, code=1)
+
+    def test_what_leaves_nothing_ends_at_once(self):
+        self.file("case.json", a_case(scene={**a_case()["scene"], "name": "trap"}))
+        for sent in SIGNALS:
+            with self.subTest(sent):
+                run = self.start("replay", "case.json", "--subject", f"exec:{MISBEHAVING} sleep", *FOREVER)
+                time.sleep(1)
+                self.assertEqual(len(children_of(run.pid)), 1)
+                run.send_signal(sent)
+                self.ended(run, -sent, timeout=5)
+                os.mkfifo(self.folder / f"never{sent}")
+                run = self.start("ask", "mass", f"never{sent}")
+                time.sleep(0.3)
+                run.send_signal(sent)
+                self.ended(run, -sent, timeout=5)
+
+    def test_a_second_signal_ends_it_at_once_with_its_children(self):
+        """Both come while the program is held, so that the first cannot end it before the second."""
+        self.file("case.json", a_case(scene={**a_case()["scene"], "name": "trap"}))
+        for first in SIGNALS:
+            for second in SIGNALS:
+                with self.subTest([first, second]):
+                    run = self.start("minimise", "case.json", "--subject", f"exec:{MISBEHAVING} spin", *FOREVER)
+                    time.sleep(0.5)
+                    self.assertEqual(len(children_of(run.pid)), 1)
+                    run.send_signal(signal.SIGSTOP)
+                    run.send_signal(first)
+                    if first == second:  # two of a kind that wait are one
+                        run.send_signal(signal.SIGCONT)
+                        time.sleep(0.002)
+                    run.send_signal(second)
+                    run.send_signal(signal.SIGCONT)
+                    said, errors = run.communicate(timeout=5)
+                    if first != second:
+                        self.assertIn(run.returncode, (-first, -second), errors)
+                        self.assertEqual((said, errors), ("", ""))
+                    self.ended_children(run.pid)
+
+    def ended_children(self, pid):
+        end = time.monotonic() + 1
+        while children_of(pid) and time.monotonic() < end:
+            time.sleep(0.01)
+        self.assertEqual(children_of(pid), [])
+
+    def test_what_is_ignored_stays_ignored(self):
+        """As under nohup."""
+        run = self.start("soak", "--pairs", 2000, "--jobs", 2,
+                         preexec_fn=lambda: signal.signal(signal.SIGHUP, signal.SIG_IGN))
+        time.sleep(0.2)
+        run.send_signal(signal.SIGHUP)
+        said, _ = self.ended(run, 0, timeout=120)
+        self.assertNotIn("interrupted", said)
 
 
 if __name__ == "__main__":
