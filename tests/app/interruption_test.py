@@ -35,6 +35,27 @@ def wait_until_asking(pid):
         time.sleep(0.01)
 
 
+def wait_until(done):
+    end = time.monotonic() + 60
+    while not done() and time.monotonic() < end:
+        time.sleep(0.01)
+
+
+def wait_until_a_child_hangs(pid):
+    """It loops: more CPU time than starting takes."""
+    def cpu_seconds():
+        times = []
+        for child, _ in children_of(pid):
+            try:
+                fields = pathlib.Path(f"/proc/{child}/stat").read_text().rpartition(")")[2].split()
+                times.append((int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK"))
+            except OSError:
+                pass
+        return max(times, default=0)
+
+    wait_until(lambda: cpu_seconds() > 0.5)
+
+
 def digits_of(a_scene):
     return sum(c in "123456789" for c in json.dumps([[b["X_WB"], b["shape"]["vertices"]] for b in a_scene["bodies"]]))
 
@@ -56,11 +77,14 @@ class Interruption(Test):
     def ended(self, run, code, timeout=30):
         out, errors = run.communicate(timeout=timeout)
         self.assertEqual(run.returncode, code, errors)
-        end = time.monotonic() + 1  # a killed child is gone a moment later
-        while children_of(run.pid) and time.monotonic() < end:
-            time.sleep(0.01)
-        self.assertEqual(children_of(run.pid), [])
+        self.no_child_of(run.pid)
         return out, errors
+
+    def no_child_of(self, pid):
+        end = time.monotonic() + 2  # a killed child is gone a moment later
+        while children_of(pid) and time.monotonic() < end:
+            time.sleep(0.01)
+        self.assertEqual(children_of(pid), [])
 
     def test_an_interrupted_report_is_complete(self):
         for sent, code in SIGNALS.items():
@@ -87,7 +111,7 @@ class Interruption(Test):
             with self.subTest(sent):
                 run = self.start("check", "--subjects", f"{ENGINE} hangs", "--properties", "distance.survives", "--cases", 50,
                                  *FOREVER, "--jobs", 1, "--json", "r.json")
-                time.sleep(2)
+                wait_until_a_child_hangs(run.pid)
                 run.send_signal(sent)
                 said, _ = self.ended(run, code, timeout=5)
                 self.assertIn("interrupted", said)
@@ -100,7 +124,7 @@ class Interruption(Test):
         for sent, code in SIGNALS.items():
             with self.subTest(sent):
                 run = self.start("simulate", "drop.json", "--engine", HANGING_ENGINE, *FOREVER, "--out", f"{code}.jsonl")
-                time.sleep(2)
+                wait_until_a_child_hangs(run.pid)
                 run.send_signal(sent)
                 said, errors = self.ended(run, code, timeout=5)
                 self.assertIn("interrupted", errors)
@@ -123,21 +147,24 @@ class Interruption(Test):
 import json, sys, time
 for line in sys.stdin:
     seq = json.loads(line)["seq"]
+    print("asked", file=open(sys.argv[1], "a"))
     time.sleep(0.1)
     card = {"name": "slow", "version": "0", "precision": "binary64", "answers": ["distance"]}
     print(json.dumps({"seq": seq, **({"result": {"distance": None}} if seq > 1 else {"protocol": 1, "card": card})}), flush=True)
 """)
-        slow = f"exec:/usr/bin/python3 {engine}"
+        asked = self.folder / "asked"
+        slow = f"exec:/usr/bin/python3 {engine} {asked}"
         vertices = [[a * 1.1, b * 1.2, c * 1.3] for a in (-1, 1) for b in (-1, 1) for c in (-1, 1)]
         large = scene(*[body(hull(vertices), (3.3 * k, 0.1, 0.7), {"w": 3, "x": 1, "y": -2, "z": 1}) for k in range(2)])
         self.file("case.json", a_case(scene=large))
         for sent, code in SIGNALS.items():
             with self.subTest(sent):
                 run = self.start("minimise", "case.json", "--subject", slow, "--out", f"{code}.json")
-                time.sleep(2)
+                wait_until(lambda: asked.exists() and asked.read_text().count("asked") > 12)
                 run.send_signal(sent)
                 said, _ = self.ended(run, code)
                 self.assertIn("interrupted", said)
+                asked.unlink()
                 smaller = self.json(f"{code}.json")
                 self.assertIn("interrupted", smaller["note"])
                 self.assertEqual(smaller["finding"]["defect"], "garbage")
@@ -148,8 +175,8 @@ for line in sys.stdin:
         self.file("case.json", a_case(scene={**a_case()["scene"], "name": "trap"}))
         for sent in SIGNALS:
             with self.subTest(sent):
-                run = self.start("replay", "case.json", "--subject", f"exec:{MISBEHAVING} sleep", *FOREVER)
-                time.sleep(1)
+                run = self.start("replay", "case.json", "--subject", f"exec:{MISBEHAVING} spin", *FOREVER)
+                wait_until_a_child_hangs(run.pid)
                 self.assertEqual(len(children_of(run.pid)), 1)
                 run.send_signal(sent)
                 self.ended(run, -sent, timeout=5)
@@ -160,17 +187,17 @@ for line in sys.stdin:
                 self.ended(run, -sent, timeout=5)
 
     def test_a_second_signal_ends_it_at_once_with_its_children(self):
-        """Both come while the program is held, so that the first cannot end it before the second."""
+        """Two of different kinds come while the program is held: the first cannot end it before the second is there."""
         self.file("case.json", a_case(scene={**a_case()["scene"], "name": "trap"}))
         for first in SIGNALS:
             for second in SIGNALS:
                 with self.subTest([first, second]):
                     run = self.start("minimise", "case.json", "--subject", f"exec:{MISBEHAVING} spin", *FOREVER)
-                    time.sleep(0.5)
+                    wait_until_a_child_hangs(run.pid)
                     self.assertEqual(len(children_of(run.pid)), 1)
                     run.send_signal(signal.SIGSTOP)
                     run.send_signal(first)
-                    if first == second:  # two of a kind that wait are one
+                    if first == second:  # two of a kind that wait would be one
                         run.send_signal(signal.SIGCONT)
                         time.sleep(0.002)
                     run.send_signal(second)
@@ -179,13 +206,7 @@ for line in sys.stdin:
                     if first != second:
                         self.assertIn(run.returncode, (-first, -second), errors)
                         self.assertEqual((said, errors), ("", ""))
-                    self.ended_children(run.pid)
-
-    def ended_children(self, pid):
-        end = time.monotonic() + 1
-        while children_of(pid) and time.monotonic() < end:
-            time.sleep(0.01)
-        self.assertEqual(children_of(pid), [])
+                    self.no_child_of(run.pid)
 
     def test_what_is_ignored_stays_ignored(self):
         """As under nohup."""
