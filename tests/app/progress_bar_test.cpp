@@ -1,6 +1,5 @@
-#include <catch2/catch.hpp>
-
 #include "app/progress.h"
+#include "tests/catch.h"
 
 namespace touchstone::app {
 namespace {

@@ -1,7 +1,8 @@
 #include "model/printable.h"
 
-#include <catch2/catch.hpp>
 #include <string>
+
+#include "tests/catch.h"
 
 namespace touchstone {
 namespace {
