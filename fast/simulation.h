@@ -7,6 +7,7 @@
 
 #include "fast/simulation/books.h"
 #include "model/answers.h"
+#include "model/input_error.h"
 #include "model/scene.h"
 
 namespace touchstone::fast {
@@ -21,6 +22,12 @@ struct SimulationOptions {
   std::int64_t most_contact_steps = 100'000;
   bool micro_collisions = false;     ///< hops in place of such steps, as in the notes
   std::int64_t most_hops = 300'000;  ///< of these
+};
+
+/// A scene is valid, but the squares and products of its numbers leave the range of doubles.
+class BeyondDoubles : public InputError {
+ public:
+  using InputError::InputError;
 };
 
 /// Why a simulation ended before its time.
@@ -39,7 +46,8 @@ struct Simulated {
 };
 
 /// Requires a valid scene with a flight whose polytopes have their faces. Throws InputError where there is no flight, a
-/// shape is no solid, or two bodies overlap at the start (naming the pair and the depth).
+/// shape is no solid, or two bodies overlap at the start (naming the pair and the depth); BeyondDoubles where a number
+/// of the scene is too great or too small (fast/simulation/range.h).
 ///
 /// Motion, meetings and events: docs/design/simulation.md. Laws: the same scene gives the same bits everywhere; a body
 /// that never comes near others changes no bit of their paths.

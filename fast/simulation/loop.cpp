@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "fast/simulation/range.h"
 #include "model/input_error.h"
 #include "model/limits.h"
 
@@ -17,6 +18,9 @@ constexpr double sliver = 0x1p-10;        // of a frame, or of the flight if tha
 constexpr std::int64_t patience = 4'000;  // turns in a sliver
 constexpr int looks_of_a_turn = 64;       // where a pair takes more, each so many count as a turn: it costs about one
 constexpr std::int64_t lost_patience = 512;  // turns that one counts for in which contact changes faster than time can
+
+// Impacts of one pair in one place: by then corners that strike in turn are slower than they were by 2^32, or part.
+constexpr int most_at_once = 32;
 
 // Hops: what is held and parts no faster stays so, until it is apart. Half of what lets go (loop_group.cpp), so that
 // nobody is let go by one rule and held by the other.
@@ -38,6 +42,7 @@ std::vector<Mover> movers(const Scene& scene) {
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     bodies.emplace_back(scene.bodies[i], flight.since.empty() ? 0 : flight.since[i], scene.gravity);
   }
+  refuse_beyond_doubles(scene, bodies);
   return bodies;
 }
 
@@ -184,6 +189,7 @@ void Loop::attend(const Due& due) {
   if (rests_on(due.b, due.a)) return change(due.b);
   if (group_of_[due.a] || group_of_[due.b]) return attend_held(due);
   const Mover &a = bodies_[due.a], &b = bodies_[due.b];
+  if (!places_tell(a, b, now_)) return stop(due, "rounding moves the two by more than a thousandth of the smaller one");
   Touch touch = world::touch(a, b, now_, memory(due.a, due.b));
   if (touch.gap > std::max(envelope_, 2 * clearance(a, b, now_, infinite))) return not_yet(due);
   if (!has_closed_form(a, b)) touch = foremost(due).value_or(touch);
@@ -256,10 +262,23 @@ void Loop::meet(const Due& due, const Touch& touch) {
     return strike(Event::Kind::micro_collision, due, touch, world::micro_collision(a, at_a, b, at_b, touch, c, hop));
   }
   if (!(u_n < 0)) return watch_later(due);
+  if (c.restitution < 1 && strikes_endlessly(due, u_n) && join(due)) return;
   strike(Event::Kind::impact, due, touch, impact(a, at_a, b, at_b, touch, c));
   if (!held && rebound <= hop && c.restitution < 1) {
     hold(due, touch, {rebound, (1 + c.restitution) / 2}, now_ + 2 * rebound / (presses * (1 - c.restitution)));
   }
+}
+
+/// Where two touch in a face or an edge and lose energy, an impact at one corner makes the others approach, each time
+/// more slowly: without an end, where nothing pulls the two together. So after some impacts between which the two moved
+/// no farther than the envelope they hold each other, and what is left is taken from all feet at once (settle).
+bool Loop::strikes_endlessly(const Due& due, double u_n) {
+  if (has_closed_form(bodies_[due.a], bodies_[due.b])) return false;
+  Memory& memory = memory_[key(due.a, due.b)];
+  const bool again = (now_ - memory.struck) * -u_n <= envelope_;
+  memory.at_once = again ? memory.at_once + 1 : 1;
+  memory.struck = now_;
+  return memory.at_once > most_at_once;
 }
 
 /// What an impulse does, and the two bodies on their new ways.

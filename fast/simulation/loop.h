@@ -44,6 +44,7 @@ class Loop {
   void meet(const Due& due, const Touch& touch);
   std::optional<Touch> foremost(const Due& due);
 
+  bool strikes_endlessly(const Due& due, double u_n);
   void watch_later(const Due& due);
   void strike(Event::Kind kind, const Due& due, const Touch& touch, Hit hit);
   bool hold(const Due& due, const Touch& touch, const Hops& hops, double until);

@@ -10,9 +10,10 @@ namespace {
 constexpr double touching = 1 + 0x1p-6;  // envelopes: flights end within one, but for rounding
 constexpr double shortest = 0x1p-20;     // of a stride: no step is asked to be shorter
 constexpr double short_enough = 0x1p-6;  // of a stride: what parts now comes back by little within it
-constexpr double slow = 2;               // hops: what approaches no faster does not strike
-constexpr double lets_go = 64;           // hops: what parts faster has been struck
-constexpr double still = 4;              // hops: who is no faster may stand; as for one body on a face
+constexpr double solved = 0x1p-40;  // of speeds: contacts are solved to 2^-44 (constraint/solve.h), feet many at once
+constexpr double slow = 2;          // hops: what approaches no faster does not strike
+constexpr double lets_go = 64;      // hops: what parts faster has been struck
+constexpr double still = 4;         // hops: who is no faster may stand; as for one body on a face
 
 }  // namespace
 
@@ -33,10 +34,18 @@ double Loop::swing(BodyId a, BodyId b) const {
   return of(a) + of(b);
 }
 
-/// How fast a pair that is held may approach without striking: as fast as a hop within the envelope would.
+/// How fast a pair that is held may approach without striking: as fast as a hop within the envelope would; where
+/// nothing pulls, no more slowly than the solver of contacts can tell from rest.
 double Loop::hop_of(BodyId a, BodyId b) const {
   const double pull = std::max(pull_[a].norm(), pull_[b].norm());
-  return least_speed(pull > 0 ? pull : swing(a, b), envelope_);
+  if (pull > 0) return least_speed(pull, envelope_);
+  const double swings = least_speed(swing(a, b), envelope_);
+  if (coefficients(bodies_[a], bodies_[b], scene_->flight->law).restitution == 1) return swings;
+  const auto speed = [&](BodyId id) {
+    const Velocity V = state(id).velocity;
+    return V.v_WBcm.norm() + bodies_[id].radius() * V.w_WB.norm();
+  };
+  return std::max(swings, solved * (speed(a) + speed(b)));
 }
 
 double Loop::least_hop(const Group& group) const {

@@ -8,6 +8,7 @@
 #include "fast/lin_canny/nearest_parts.h"
 #include "fast/rounding.h"
 #include "fast/simulation/length.h"
+#include "fast/simulation/range.h"
 #include "fast/time_of_impact.h"
 
 namespace touchstone::fast::world {
@@ -73,16 +74,19 @@ Relative relative(const Mover& a, const Mover& b, double t) {
   return {a.path().velocity(t) - b.path().velocity(t), a.path().a - b.path().a};
 }
 
-/// Who parts does so for ever. The quadratic twice: how clear is clear enough depends a little on when they meet.
-double alike_falling_balls(const Mover& a, const Mover& b, double from, double envelope, double margin) {
+/// Two that part do so for ever. The quadratic twice: how clear is clear enough depends a little on when they meet. Two
+/// that miss each other do so only if they pass by more than rounding makes of their places.
+double alike_falling_balls(const Mover& a, const Mover& b, double from, double until, double envelope, double margin) {
   const Vec3 s = a.path().place(from) - b.path().place(from);
   const Vec3 v = relative(a, b, from).v;
   const double b_half = s.dot(v);
   if (b_half >= 0) return never;
-  const double far = length(s), squared = v.dot(v);
-  const auto solve = [&](double reach) { return closes((far - reach) * (far + reach) / 2, b_half, squared); };
-  const double reach = a.radius() + b.radius() + margin, about = solve(reach + clearance(a, b, from, envelope));
-  return about < never && about > 0 ? from + solve(reach + clearance(a, b, from + about, envelope)) : from + about;
+  const double reach = a.radius() + b.radius() + margin;
+  const double about = sphere_closes(s, v, reach + clearance(a, b, from, envelope));
+  const double then = about < never ? from + about : std::min(until, from - b_half / v.dot(v));
+  if (!places_tell(a, b, then)) return from + sphere_closes(s, v, reach + clearance(a, b, then, never));
+  return about > 0 && about < never ? from + sphere_closes(s, v, reach + clearance(a, b, from + about, envelope))
+                                    : from + about;
 }
 
 double by_planes(const Mover& a, const Mover& b, double from, double until, double envelope, double margin) {
@@ -93,6 +97,7 @@ double by_planes(const Mover& a, const Mover& b, double from, double until, doub
     const Relative rate = relative(a, b, t);
     const double dt = closes(at.gap - clear, at.n.dot(rate.v), at.n.dot(rate.a));
     if (!(dt > 0) || (at.gap <= 2 * clear && at.n.dot(rate.v) < 0)) return t;
+    if (at.gap <= 2 * clearance(a, b, t, never) && !places_tell(a, b, t)) return t;
     if (!(t + dt <= until)) return never;
     if (t + dt == t) return t;
     t += dt;
@@ -100,7 +105,8 @@ double by_planes(const Mover& a, const Mover& b, double from, double until, doub
   return t;
 }
 
-/// Where doubles do not see whether two bodies that graze meet, they are taken not to, and looked at again thereafter.
+/// Where doubles do not see whether two bodies that graze meet, they are taken not to, and looked at again thereafter;
+/// but where they do not even see where the two are, that is said to be a meeting, which the loop does not take.
 double advanced(const Mover& a, const Mover& b, double from, double until, double envelope, const Swelling& swelling,
                 Memory& memory) {
   memory.looks = 0;
@@ -113,6 +119,7 @@ double advanced(const Mover& a, const Mover& b, double from, double until, doubl
       memory.touch = {0, found.p_WC, found.nhat_BA_W};
       return found.lo;
     }
+    if (found.meeting == TimeOfImpact::Meeting::undecided && !places_tell(a, b, found.hi)) return found.lo;
     if (found.meeting == TimeOfImpact::Meeting::miss || !(found.hi > from) || found.hi >= until) return never;
     from = found.hi;
   }
@@ -152,8 +159,8 @@ double meeting(const Mover& a, const Mover& b, double from, double until, double
   if (has_closed_form(a, b)) {
     const double margin = swelling.at(until);
     const bool alike = a.kind() == b.kind() && a.path().a == b.path().a;
-    const double t =
-        alike ? alike_falling_balls(a, b, from, envelope, margin) : by_planes(a, b, from, until, envelope, margin);
+    const double t = alike ? alike_falling_balls(a, b, from, until, envelope, margin)
+                           : by_planes(a, b, from, until, envelope, margin);
     return t <= until ? t : never;
   }
   memory.walks.resize(a.flyer().solid.parts().size() * b.flyer().solid.parts().size());

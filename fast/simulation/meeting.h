@@ -26,6 +26,8 @@ struct Memory {
   double parted = -1;         ///< s; when they last were seen to part, so that a step may begin
   std::uint64_t strikes = 0;  ///< that the two had had by then
   double unasked = -1;        ///< s; when a step began in which nobody asks whether they meet
+  double struck = -1;         ///< s; the last impact of the two
+  int at_once = 0;            ///< impacts up to that one between which the two hardly moved
 };
 
 /// Two balls, or a ball and a block.

@@ -55,7 +55,15 @@ class Fast : public Subject {
     }
   }
 
-  Answer<Trajectory> simulation(const Scene& scene) override { return fast::simulation(scene); }
+  Answer<Trajectory> simulation(const Scene& scene) override {
+    try {
+      return fast::simulation(scene);
+    } catch (const fast::BeyondDoubles& beyond) {
+      return Abstains{beyond.what()};
+    } catch (const std::range_error& beyond) {
+      return Abstains{beyond.what()};
+    }
+  }
 
   Answer<TimeOfImpact> time_of_impact(const Scene& scene) override {
     try {

@@ -1,6 +1,7 @@
 // Scenes whose course is known on paper, and the laws of the loop.
 #include "fast/simulation.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <limits>
 #include <ranges>

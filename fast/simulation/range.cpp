@@ -1,0 +1,70 @@
+#include "fast/simulation/range.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "fast/simulation.h"
+#include "fast/simulation/meeting.h"
+#include "model/limits.h"
+
+namespace touchstone::fast::world {
+namespace {
+
+constexpr double greatest = 0x1p250, least = 0x1p-250;            // of what is squared, and squared again
+constexpr double greatest_sum = 0x1p1000, least_sum = 0x1p-1000;  // of what is a product already
+constexpr double tells = 0x1p-10;  // of a body: what is left to see of it is still its shape
+
+double size_of(const Mover& body) { return body.kind() == Kind::ball ? body.radius() : size(body.body().shape); }
+
+double most(const Vec3& v) { return v.cwiseAbs().maxCoeff(); }
+
+[[noreturn]] void refuse(const std::string& place, const char* what) {
+  throw BeyondDoubles(place, std::string(what) + ": the simulation computes in doubles, whose range its square leaves");
+}
+
+void refuse_mass(const std::string& place, const Mover& body) {
+  const double mass = 1 / body.inverse_mass();
+  const Vec3 moments = body.inertia().diagonal();
+  const auto fits = [](double x) { return x > least_sum && x < greatest_sum; };
+  if (!fits(mass)) refuse(place + ".mass", "is beyond 2^-1000 to 2^1000 kg");
+  if (!fits(moments.minCoeff()) || !fits(moments.maxCoeff())) {
+    refuse(place + ".mass", "has a moment of inertia beyond 2^-1000 to 2^1000 kg m²");
+  }
+  const double v = most(body.path().v), w = most(body.path().w);
+  if (!(mass * v * v < greatest_sum) || !(moments.maxCoeff() * w * w < greatest_sum)) {
+    refuse(place + ".velocity", "is an energy beyond 2^1000 J");
+  }
+}
+
+}  // namespace
+
+void refuse_beyond_doubles(const Scene& scene, const std::vector<Mover>& bodies) {
+  if (!(most(scene.gravity) < greatest)) refuse("gravity", "is not below 2^250 m/s²");
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const Body& body = scene.bodies[i];
+    const std::string place = "bodies[" + std::to_string(i) + "]";
+    if (!(most(body.X_WB.p_WB) < greatest)) refuse(place + ".X_WB.p", "is not below 2^250 m");
+    if (!(bodies[i].radius() < greatest)) refuse(place + ".shape", "is not smaller than 2^250 m");
+    if (!(size(body.shape) > least)) refuse(place + ".shape", "is not greater than 2^-250 m");
+    if (!(most(body.velocity.v_WBcm) < greatest)) refuse(place + ".velocity.v_WBcm", "is not below 2^250 m/s");
+    const bool points_move = bodies[i].kind() != Kind::ball;  // a ball's spin moves no point of its shape
+    if (points_move && !(most(body.velocity.w_WB) * std::max(1.0, bodies[i].radius()) < greatest)) {
+      refuse(place + ".velocity.w_WB", "moves points no slower than 2^250 m/s");
+    }
+    if (!bodies[i].fixed()) refuse_mass(place, bodies[i]);
+  }
+  for (std::size_t k = 0; k < scene.flight->pushes.size(); ++k) {
+    const Push& push = scene.flight->pushes[k];
+    const double acceleration = bodies[static_cast<std::size_t>(push.body)].inverse_mass() * most(push.force_W);
+    if (!(acceleration < greatest)) {
+      refuse("flight.pushes[" + std::to_string(k) + "].force_W", "accelerates its body by no less than 2^250 m/s²");
+    }
+  }
+}
+
+bool places_tell(const Mover& a, const Mover& b, double t) {
+  return clearance(a, b, t, never) < tells * std::min(size_of(a), size_of(b));
+}
+
+}  // namespace touchstone::fast::world
