@@ -237,6 +237,7 @@ int told_end(const Scene& scene, const MotionRun& run) {
   if (known < end) {
     const std::string& why = run.trajectory.gave_up;
     complain("the engine gave up at {} s of {} s{}{}", known, end, why.empty() ? "" : ": ", why);
+    return 1;
   }
   return 0;
 }
@@ -274,7 +275,8 @@ int simulate(const SimulateCommand& command) {
   if (!command.out.empty() && events) write(command.out, lines_of(*events));
   if (by_constraint) warn_of_long_steps(scene);
   const int code = told_end(scene, run);
-  if (code == 0 && !command.out.empty() && !events) {
+  const bool answered = !run.interrupted && run.broke.empty();
+  if (answered && !command.out.empty() && !events) {
     throw InputError(command.engine, "tells no events: there is nothing to write to --out");
   }
   return code;

@@ -19,10 +19,10 @@ struct SimulateCommand {
 /// fast, constraint, reference, and the short names of those that may be built.
 std::vector<std::string> engine_names();
 
-/// Prints the books over time and how many events of each kind there were; writes the files. The exit code: 0, or 1 if
-/// the engine breaks, or interrupted_exit_code; then what is known until some earlier time is printed and written.
-/// Throws InputError, also if the engine abstains, or tells no events where they are to be written; before anything is
-/// asked where bodies overlap at the start (app/overlap.h), or a file could not be written.
+/// Prints the books over time and how many events of each kind there were; writes the files. The exit code: 0; 1 if the
+/// engine breaks or gives up before the end, or interrupted_exit_code; then what is known until some earlier time is
+/// printed and written. Throws InputError, also if the engine abstains, or tells no events where they are to be
+/// written; before anything is asked where bodies overlap at the start (app/overlap.h), or a file could not be written.
 int simulate(const SimulateCommand& command);
 
 }  // namespace touchstone::app
