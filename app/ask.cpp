@@ -269,11 +269,10 @@ Json with_pair(const std::string& query, const Scene& scene, const Json& answer)
   return with_names;
 }
 
-/// What only the query shows to be wrong with a scene has its file's name before it too.
-Json answered(const std::string& query, const Scene& scene, const std::string& path) try {
-  return with_pair(query, scene, shows().at(query)(scene));
+Json answered(const std::string& query, const GivenScene& given) try {
+  return with_pair(query, given.scene, shows().at(query)(given.scene));
 } catch (const InputError& error) {
-  throw InputError(path, error.what());
+  throw given.located(error);
 }
 
 }  // namespace
@@ -285,8 +284,7 @@ const std::vector<std::string>& queries() {
 }
 
 void ask(const std::string& query, const std::string& name_or_file, bool as_json) {
-  const Scene scene = given_scene(name_or_file);
-  const Json answer = answered(query, scene, name_or_file);
+  const Json answer = answered(query, given_scene(name_or_file));
   if (as_json) {
     print_lines(touchstone::text_of(answer));
   } else {

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <system_error>
+#include <utility>
 
 #include "app/motion_scenes.h"
-#include "model/input_error.h"
 #include "model/json.h"
 #include "model/near_names.h"
 #include "reference/validity.h"
@@ -12,11 +13,15 @@
 namespace touchstone::app {
 namespace {
 
-/// Only what reading complains of has the file's name before it already.
-Scene completed(const Scene& scene, const std::string& file) try {
-  return reference::completed(scene);
-} catch (const InputError& error) {
-  throw InputError(file, error.what());
+GivenScene scene_of_file(const std::string& path) {
+  GivenScene given{{}, read_source(path)};
+  given.scene = scene_from(given.source.text, given.source.name);
+  try {
+    given.scene = reference::completed(std::move(given.scene));
+  } catch (const InputError& error) {
+    throw given.located(error);
+  }
+  return given;
 }
 
 InputError neither_file_nor_name(const std::string& word) {
@@ -29,13 +34,16 @@ InputError neither_file_nor_name(const std::string& word) {
 
 }  // namespace
 
-Scene given_scene(const std::string& name_or_file) {
+GivenScene given_scene(const std::string& name_or_file) {
   const auto& known = motion_scenes();
   const auto named =
       std::ranges::find_if(known, [&](const MotionScene& motion) { return motion.scene.name == name_or_file; });
-  if (named != known.end()) return named->scene;
-  if (name_or_file != "-" && !std::filesystem::exists(name_or_file)) throw neither_file_nor_name(name_or_file);
-  return completed(read_scene(name_or_file), name_or_file);
+  if (named != known.end()) return {named->scene, {name_or_file, ""}};
+  std::error_code other_reasons;  // are the reader's to tell
+  const bool is_nowhere =
+      std::filesystem::status(name_or_file, other_reasons).type() == std::filesystem::file_type::not_found;
+  if (name_or_file != "-" && is_nowhere) throw neither_file_nor_name(name_or_file);
+  return scene_of_file(name_or_file);
 }
 
 }  // namespace touchstone::app

@@ -10,7 +10,7 @@ namespace touchstone::app {
 
 void import_mesh(const std::string& mesh_path, const std::string& out) {
   Body body;
-  body.name = std::filesystem::path(mesh_path).stem().string();
+  body.name = mesh_path == "-" ? "stdin" : std::filesystem::path(mesh_path).stem().string();
   body.shape = reference::read_mesh(mesh_path);
   Scene scene;
   scene.name = body.name;

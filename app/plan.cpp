@@ -31,7 +31,7 @@ void show(const char* title, const std::vector<fast::Choice>& choices) {
 }  // namespace
 
 void plan(const std::string& name_or_file, bool as_json) {
-  const Scene scene = given_scene(name_or_file);
+  const Scene scene = given_scene(name_or_file).scene;
   const fast::Plan plan = plan_of(scene);
   if (as_json) {
     Json json = {{"scene", scene.name}};

@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -68,18 +69,19 @@ void end_at(Scene& scene, double until) {
 }
 
 Scene scene_of(const SimulateCommand& command) {
-  Scene scene = given_scene(command.scene);
+  GivenScene given = given_scene(command.scene);
+  Scene& scene = given.scene;
   if (!scene.flight && !command.until) {
-    throw InputError(command.scene, "has no flight: say with --until how many seconds to follow it");
+    throw InputError(given.source.name, "has no flight: say with --until how many seconds to follow it");
   }
   if (command.until) end_at(scene, *command.until);
   try {
     validate(scene);
     refuse_overlap(scene);
   } catch (const InputError& error) {
-    throw InputError(command.scene, error.what());
+    throw given.located(error);
   }
-  return scene;
+  return std::move(given.scene);
 }
 
 void require_places(const SimulateCommand& command) {

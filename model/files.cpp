@@ -11,6 +11,7 @@
 
 #include "model/json.h"
 #include "model/output_error.h"
+#include "model/source_text.h"
 
 namespace touchstone {
 namespace {
@@ -33,6 +34,11 @@ class File {
   /// Complaints name `path`, whatever file stands in for it while it is being written.
   File(const std::string& file, int flags, const std::string& path, const std::string& doing)
       : path_(path), doing_(doing), descriptor_(::open(file.c_str(), flags | O_CLOEXEC, 0666)) {
+    if (descriptor_ < 0) refuse(path_, doing_);
+  }
+  /// Takes over a descriptor that is open.
+  File(int descriptor, const std::string& path, const std::string& doing)
+      : path_(path), doing_(doing), descriptor_(descriptor) {
     if (descriptor_ < 0) refuse(path_, doing_);
   }
   File(const File&) = delete;
@@ -81,10 +87,31 @@ bool is_device_or_pipe(const std::string& path) {
   return ::stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
 }
 
-}  // namespace
+const char* kind_of(mode_t mode) {
+  if (S_ISDIR(mode)) return "a folder";
+  if (S_ISFIFO(mode)) return "a pipe";
+  if (S_ISSOCK(mode)) return "a socket";
+  return "a device";
+}
 
-std::string read_text(const std::string& path) {
-  File file(path, O_RDONLY, path, "cannot read");
+[[noreturn]] void refuse_size(const std::string& path, const std::string& has) {
+  throw InputError(path, "has " + has + "; at most " + std::to_string(largest_text_bytes / 1'000'000) + " MB are read");
+}
+
+/// Before it is opened: opening a pipe waits for its writer, and opening a device may do anything.
+void require_plain(const std::string& path) {
+  struct stat status {};
+  if (::stat(path.c_str(), &status) != 0) refuse(path, "cannot read");
+  if (!S_ISREG(status.st_mode)) {
+    throw InputError(
+        path, std::string("is ") + kind_of(status.st_mode) + "; expected a plain file, or - to read standard input");
+  }
+  const auto bytes = static_cast<std::size_t>(status.st_size);
+  if (bytes > largest_text_bytes) refuse_size(path, std::to_string(bytes / 1'000'000) + " MB");
+}
+
+/// Up to its end, which may never come.
+std::string read_all(File& file, const std::string& path) {
   std::string text;
   constexpr std::size_t chunk = 1 << 16;
   for (std::size_t got = 1; got > 0;) {
@@ -92,11 +119,29 @@ std::string read_text(const std::string& path) {
     text.resize(before + chunk);
     got = file.read(text.data() + before, chunk);
     text.resize(before + got);
+    if (text.size() > largest_text_bytes) refuse_size(path, "more");
   }
   return text;
 }
 
-Scene read_scene(const std::string& path) { return scene_from(read_text(path), path); }
+}  // namespace
+
+std::string read_text(const std::string& path) {
+  const std::string doing = "cannot read";
+  if (path == "-") {
+    File standard_input(::fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 0), "<stdin>", doing);
+    return read_all(standard_input, "<stdin>");
+  }
+  require_plain(path);
+  // Not to wait, should a pipe have taken the file's place meanwhile.
+  File file(path, O_RDONLY | O_NONBLOCK, path, doing);
+  return read_all(file, path);
+}
+
+Scene read_scene(const std::string& path) {
+  const SourceText source = read_source(path);
+  return scene_from(source.text, source.name);
+}
 
 void write_text(const std::string& path, std::string_view text) {
   if (is_device_or_pipe(path)) {

@@ -5,6 +5,7 @@
 
 #include "model/json_node.h"
 #include "model/limits.h"
+#include "model/source_text.h"
 
 namespace touchstone {
 namespace {
@@ -229,7 +230,8 @@ Contact read_contact(const Node& node) {
 
 int read_whole(const Node& node) {
   const double number = node.number();
-  if (number != std::trunc(number) || std::abs(number) > 1e9) node.refuse("expected an integer of at most 1e9");
+  if (number != std::trunc(number) || std::abs(number) > 1e9)
+    node.refuse("expected an integer of at most 1e9, found " + Json(number).dump());
   return static_cast<int>(number);
 }
 
@@ -303,11 +305,11 @@ Json json_of(const Scene& scene) {
 template <>
 Scene read<Scene>(const Json& json, const std::string& place) {
   const Node node(json, place);
-  node.expect_object({"touchstone", "name", "gravity", "bodies", "frames", "contact", "raster", "flight"});
   const std::string format = node.at("touchstone").text();
   if (format != scene_format) {
     node.at("touchstone").refuse("expected \"" + std::string(scene_format) + "\", found " + Json(format).dump());
   }
+  node.expect_object({"touchstone", "name", "gravity", "bodies", "frames", "contact", "raster", "flight"});
   Scene scene;
   if (const auto name = node.find("name")) scene.name = name->text();
   if (const auto gravity = node.find("gravity")) scene.gravity = read_vec3(*gravity);
@@ -322,12 +324,12 @@ Scene read<Scene>(const Json& json, const std::string& place) {
   return scene;
 }
 
-Scene scene_from(std::string_view text, const std::string& place) try {
-  Scene scene = read<Scene>(parse(text, ""), "");
-  validate(scene);
-  return scene;
-} catch (const InputError& error) {
-  throw InputError(place, error.what());
+Scene scene_from(std::string_view text, const std::string& place) {
+  return read_document(text, place, [](const Json& json) {
+    Scene scene = read<Scene>(json, "");
+    validate(scene);
+    return scene;
+  });
 }
 
 }  // namespace touchstone

@@ -1,34 +1,35 @@
 // Text to JSON and back.
 #include <algorithm>
-#include <functional>
-#include <set>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <optional>
 #include <vector>
 
 #include "model/json.h"
+#include "model/source_text.h"
 
 namespace touchstone {
 namespace {
 
-/// Refuses a key that stands twice in one object: readers differ in which of the two they would take.
-class UniqueKeys {
- public:
-  bool operator()(int, Json::parse_event_t event, const Json& parsed) {
-    if (event == Json::parse_event_t::object_start) open_.emplace_back();
-    if (event == Json::parse_event_t::object_end) open_.pop_back();
-    if (event == Json::parse_event_t::key && !open_.back().insert(parsed.get<std::string>()).second) {
-      throw InputError("", "the key " + parsed.dump() + " stands twice in one object");
-    }
-    return true;
-  }
+/// The document that has the most levels, a case about a body of several hulls, has 10: case, scene, bodies, body,
+/// shape, parts, part, shape, vertices, vertex. What is nested deeper is none, and walking over it would use up the
+/// stack.
+constexpr std::size_t deepest = 16;
 
- private:
-  std::vector<std::set<std::string>> open_;
-};
+/// No object that is read has more members than 13; finding one among many would take long.
+constexpr std::size_t most_keys = 64;
 
-/// "[json.exception.parse_error.101] parse error at line 1, column 5: syntax error …" from "line" on; printable, as it
-/// quotes what may be any bytes of any length.
+std::string shortened(const std::string& word) {
+  constexpr std::size_t longest = 60;
+  return word.size() <= longest ? word : word.substr(0, longest) + "...";
+}
+
+/// "[json.exception.parse_error.101] parse error at line 1, column 5: syntax error ..." from "syntax" on; printable, as
+/// it quotes what may be any bytes of any length.
 std::string readable(std::string message) {
-  for (const std::string words : {"] ", "parse error at "}) {
+  for (const std::string words : {"] ", ": "}) {
     const auto at = message.find(words);
     if (at != std::string::npos) message.erase(0, at + words.size());
   }
@@ -36,6 +37,161 @@ std::string readable(std::string message) {
       message.begin(), message.end(), [](char c) { return static_cast<unsigned char>(c) >= 0x80; }, '?');
   constexpr std::size_t longest = 300;
   return message.size() <= longest ? message : message.substr(0, longest) + " ...";
+}
+
+/// What is wrong with a text, before its file is known: at a JSON path, or where its grammar ends.
+struct Flaw {
+  InputError error;
+  std::optional<std::size_t> offset;
+};
+
+/// Builds the value from the parser's events, and refuses what JSON's grammar allows and we do not.
+class Builder final : public nlohmann::json_sax<Json> {
+ public:
+  explicit Builder(std::size_t most_values) : most_values_(most_values) {}
+
+  Json take() { return std::move(root_); }
+
+  bool null() override { return add(nullptr); }
+  bool boolean(bool value) override { return add(value); }
+  bool number_integer(Json::number_integer_t value) override { return add(value); }
+  bool number_unsigned(Json::number_unsigned_t value) override { return add(value); }
+  bool string(std::string& value) override { return add(std::move(value)); }
+  bool binary(Json::binary_t&) override { return false; }  // JSON in text has none
+
+  bool number_float(double value, const std::string& digits) override {
+    if (value == 0 && digits.substr(0, digits.find_first_of("eE")).find_first_of("123456789") != std::string::npos) {
+      refuse_next("too small for a double, found " + shortened(digits) + ": it would be read as 0");
+    }
+    // An integer that has no room in 64 bits.
+    constexpr double room = 0x1p63;
+    if (std::abs(value) >= room && digits.find_first_of(".eE") == std::string::npos && digits != exactly(value)) {
+      refuse_next("the integer " + shortened(digits) +
+                  " is not a double; write it with a decimal point to have it rounded");
+    }
+    return add(value);
+  }
+
+  bool start_object(std::size_t) override { return open(Json::object()); }
+  bool start_array(std::size_t) override { return open(Json::array()); }
+  bool end_object() override { return close(); }
+  bool end_array() override { return close(); }
+
+  bool key(std::string& key) override {
+    auto& members = open_.back()->get_ref<Json::object_t&>();
+    if (members.find(key) != members.end()) {
+      throw Flaw{InputError(place(false), "the key " + shortened(Json(key).dump()) + " stands twice in one object"),
+                 {}};
+    }
+    if (members.size() == most_keys) {
+      throw Flaw{InputError(place(false), "more than " + std::to_string(most_keys) + " keys in one object"), {}};
+    }
+    members.emplace_back(std::move(key), nullptr);
+    return true;
+  }
+
+  bool parse_error(std::size_t position, const std::string& last, const Json::exception& error) override {
+    constexpr int out_of_range = 406;
+    if (error.id == out_of_range) refuse_next("too great for a double, found " + shortened(last));
+    throw Flaw{InputError(place(false), readable(error.what())), position > 0 ? position - 1 : 0};
+  }
+
+ private:
+  template <class Value>
+  bool add(Value&& value) {
+    if (++values_ > most_values_) {
+      throw Flaw{InputError("", "more than " + std::to_string(most_values_) + " values"), {}};
+    }
+    slot() = std::forward<Value>(value);
+    return true;
+  }
+
+  bool open(Json&& empty) {
+    if (open_.size() == deepest) refuse_next("nested deeper than " + std::to_string(deepest) + " levels");
+    add(std::move(empty));
+    open_.push_back(last_);
+    return true;
+  }
+
+  bool close() {
+    open_.pop_back();
+    return true;
+  }
+
+  /// Where the next value goes. Only the innermost open value grows, so the outer ones stay where they are.
+  Json& slot() {
+    if (open_.empty()) {
+      last_ = &root_;
+    } else if (auto* items = open_.back()->get_ptr<Json::array_t*>()) {
+      last_ = &items->emplace_back();
+    } else {
+      last_ = &open_.back()->get_ref<Json::object_t&>().back().second;
+    }
+    return *last_;
+  }
+
+  /// The path of the innermost open value, or of the next value in it.
+  std::string place(bool of_next) const {
+    std::string path;
+    for (std::size_t i = 0; i < open_.size(); ++i) {
+      const bool is_innermost = i + 1 == open_.size();
+      if (is_innermost && !of_next) break;
+      if (open_[i]->is_array()) {
+        path += '[' + std::to_string(open_[i]->size() - (is_innermost ? 0 : 1)) + ']';
+      } else {
+        path += (path.empty() ? "" : ".") + shortened(open_[i]->get_ref<const Json::object_t&>().back().first);
+      }
+    }
+    return path;
+  }
+
+  [[noreturn]] void refuse_next(const std::string& what_is_wrong) const {
+    throw Flaw{InputError(place(true), what_is_wrong), {}};
+  }
+
+  static std::string exactly(double integer) {
+    std::array<char, 400> digits{};
+    std::snprintf(digits.data(), digits.size(), "%.0f", integer);
+    return digits.data();
+  }
+
+  Json root_;
+  Json* last_ = nullptr;
+  std::vector<Json*> open_;
+  std::size_t values_ = 0;
+  std::size_t most_values_;
+};
+
+/// Where a string or a number begins of which the parser would make copies that no memory should be spent on.
+std::optional<std::size_t> long_word(std::string_view text) {
+  constexpr std::size_t longest = 1'000'000;
+  bool is_in_string = false;
+  for (std::size_t i = 0, begin = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (c == '"') {
+      is_in_string = !is_in_string;
+      begin = is_in_string ? i : i + 1;
+    } else if (is_in_string) {
+      if (c == '\\') ++i;
+    } else if (std::string_view(" \t\r\n,:[]{}").find(c) != std::string_view::npos) {
+      begin = i + 1;
+    }
+    if (i > begin + longest) return begin;
+  }
+  return std::nullopt;
+}
+
+Json parsed(std::string_view text, const std::string& file, std::size_t most_values) try {
+  if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) throw InputError(file, "empty; expected JSON");
+  // The parser takes it for the end.
+  const auto nul = text.find('\0');
+  if (nul != std::string_view::npos) throw Flaw{InputError("", "a NUL byte; expected text"), nul};
+  Builder builder(most_values);
+  Json::sax_parse(text, &builder);
+  return builder.take();
+} catch (const Flaw& flaw) {
+  if (!flaw.offset) throw located(flaw.error, text, file);
+  throw InputError((file.empty() ? "" : file + ':') + line_and_column(text, *flaw.offset), flaw.error.what());
 }
 
 std::string compact(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
@@ -60,15 +216,16 @@ void append(std::string& text, const Json& json, std::size_t indent) {
 
 }  // namespace
 
-Json parse(std::string_view text, const std::string& place) try {
-  if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) throw InputError("", "empty; expected JSON");
-  // By reference: the library copies the callback about.
-  UniqueKeys unique_keys;
-  return Json::parse(text, std::ref(unique_keys));
-} catch (const Json::exception& error) {
-  throw InputError(place, readable(error.what()));
-} catch (const InputError& error) {
-  throw InputError(place, error.what());
+Json parse(std::string_view text, const std::string& place) {
+  return parsed(text, place, std::numeric_limits<std::size_t>::max());
+}
+
+Json parse_document(std::string_view text, const std::string& file) {
+  constexpr std::size_t most_values = 2'000'000;  // 150 MB of memory; 500,000 vertices
+  if (const auto at = long_word(text)) {
+    throw InputError(file + ':' + line_and_column(text, *at), "a string or a number of more than 1 MB");
+  }
+  return parsed(text, file, most_values);
 }
 
 std::string text_of(const Json& json) {

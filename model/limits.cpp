@@ -2,6 +2,8 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -14,6 +16,13 @@ namespace {
 
 std::string item(const std::string& place, std::size_t index) { return place + '[' + std::to_string(index) + ']'; }
 
+/// The shortest decimal that is this double.
+std::string found(double number) {
+  std::array<char, 32> digits{};
+  const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(), number);
+  return ", found " + std::string(digits.data(), end);
+}
+
 void finite(double number, const std::string& place) {
   if (std::isnan(number)) throw InputError(place, "NaN; expected a finite number");
   if (std::isinf(number)) throw InputError(place, "infinite; expected a finite number");
@@ -25,7 +34,7 @@ void finite(const Vec3& v, const std::string& place) {
 
 void positive(double number, const std::string& place) {
   finite(number, place);
-  if (!(number > 0)) throw InputError(place, "expected a number above 0");
+  if (!(number > 0)) throw InputError(place, "expected a number above 0" + found(number));
 }
 
 void validate(const Pose& X, const std::string& place) {
@@ -128,13 +137,14 @@ bool is_fixed(const Body& body) { return std::holds_alternative<Fixed>(body.mass
 
 void validate_restitution(double e, const std::string& place) {
   finite(e, place);
-  if (e < 0 || e > 1) throw InputError(place, "expected a number from 0 to 1");
+  if (e < 0 || e > 1) throw InputError(place, "expected a number from 0 to 1" + found(e));
 }
 
 void validate(const Material& material, const std::string& place) {
   validate_restitution(material.restitution, place + ".restitution");
   finite(material.friction, place + ".friction");
-  if (material.friction < 0) throw InputError(place + ".friction", "expected a number that is not negative");
+  if (material.friction < 0)
+    throw InputError(place + ".friction", "expected a number that is not negative" + found(material.friction));
 }
 
 void validate(const Body& body, const std::string& place) {
@@ -172,7 +182,7 @@ void validate_normal(const Vec3& n, const std::string& place) {
   if (n == Vec3::Zero()) throw InputError(place, "zero; expected a direction of length 1");
   const double length = n.stableNorm();
   if (std::abs(length - 1) > std::ldexp(1.0, -50)) {
-    throw InputError(place, "of length " + std::to_string(length) + "; expected 1 (within rounding)");
+    throw InputError(place, "expected a direction of length 1 within rounding" + found(length));
   }
 }
 
@@ -185,7 +195,7 @@ void validate(const Contact& contact, const Scene& scene, const std::string& pla
   validate_restitution(contact.restitution, place + ".restitution");
   const double mu = contact.friction;
   if (std::isnan(mu)) throw InputError(place + ".friction", "NaN; expected a number");
-  if (mu < 0) throw InputError(place + ".friction", "expected a number that is not negative");
+  if (mu < 0) throw InputError(place + ".friction", "expected a number that is not negative" + found(mu));
   if (is_fixed(scene.bodies[0]) && is_fixed(scene.bodies[1])) {
     throw InputError(place, "both bodies are fixed; expected one that an impulse moves");
   }
@@ -195,14 +205,15 @@ void validate(const Raster& raster, const std::string& place) {
   finite(raster.x, place + ".x");
   finite(raster.y, place + ".y");
   positive(raster.pixel, place + ".pixel");
-  if (raster.columns < 1) throw InputError(place + ".columns", "expected at least 1");
-  if (raster.rows < 1) throw InputError(place + ".rows", "expected at least 1");
+  if (raster.columns < 1) throw InputError(place + ".columns", "expected at least 1" + found(raster.columns));
+  if (raster.rows < 1) throw InputError(place + ".rows", "expected at least 1" + found(raster.rows));
   for (const int shift : {raster.shift_x, raster.shift_y}) {
     if (std::abs(static_cast<double>(shift)) > 1e9) throw InputError(place + ".shift", "expected at most 1e9 pixels");
   }
   constexpr int most = 1 << 24;  // pixels: an answer of some 100 MB
   if (raster.columns > most / raster.rows) {
-    throw InputError(place, "expected at most " + std::to_string(most) + " pixels");
+    throw InputError(place, "expected at most " + std::to_string(most) + " pixels, found " +
+                                std::to_string(raster.columns) + " x " + std::to_string(raster.rows));
   }
 }
 
@@ -238,7 +249,8 @@ void validate_times(const std::vector<double>& times, const std::string& place) 
   if (times.empty()) throw InputError(place, "expected at least one");
   for (std::size_t i = 0; i < times.size(); ++i) {
     positive(times[i], item(place, i));
-    if (i > 0 && times[i] <= times[i - 1]) throw InputError(item(place, i), "expected more than the time before it");
+    if (i > 0 && times[i] <= times[i - 1])
+      throw InputError(item(place, i), "expected more than the time before it" + found(times[i]));
   }
 }
 
@@ -249,21 +261,23 @@ void validate_since(const std::vector<double>& since, std::size_t bodies, double
   }
   for (std::size_t i = 0; i < since.size(); ++i) {
     finite(since[i], item(place, i));
-    if (since[i] < 0) throw InputError(item(place, i), "expected a number that is not negative");
-    if (since[i] > first) throw InputError(item(place, i), "expected no more than the flight's first time");
+    if (since[i] < 0) throw InputError(item(place, i), "expected a number that is not negative" + found(since[i]));
+    if (since[i] > first)
+      throw InputError(item(place, i), "expected no more than the flight's first time" + found(since[i]));
   }
 }
 
 void validate_pushes(const Flight& flight, const std::vector<Body>& bodies, const std::string& place) {
   finite(flight.force_bound, place + ".force_bound");
-  if (flight.force_bound < 0) throw InputError(place + ".force_bound", "expected a number that is not negative");
+  if (flight.force_bound < 0)
+    throw InputError(place + ".force_bound", "expected a number that is not negative" + found(flight.force_bound));
   for (std::size_t i = 0; i < flight.pushes.size(); ++i) {
     const Push& push = flight.pushes[i];
     const std::string here = item(place + ".pushes", i);
     finite(push.time, here + ".time");
-    if (push.time < 0) throw InputError(here + ".time", "expected a number that is not negative");
+    if (push.time < 0) throw InputError(here + ".time", "expected a number that is not negative" + found(push.time));
     if (i > 0 && push.time < flight.pushes[i - 1].time) {
-      throw InputError(here + ".time", "expected no less than the time of the push before it");
+      throw InputError(here + ".time", "expected no less than the time of the push before it" + found(push.time));
     }
     if (push.body < 0 || static_cast<std::size_t>(push.body) >= bodies.size()) {
       throw InputError(here + ".body", "body " + std::to_string(push.body) + " does not exist; there are " +
@@ -274,7 +288,8 @@ void validate_pushes(const Flight& flight, const std::vector<Body>& bodies, cons
     }
     finite(push.force_W, here + ".force_W");
     if (push.force_W.stableNorm() > flight.force_bound) {
-      throw InputError(here + ".force_W", "stronger than the flight's force_bound");
+      throw InputError(here + ".force_W",
+                       "stronger than the flight's force_bound" + found(push.force_W.stableNorm()) + " N");
     }
   }
 }
@@ -285,7 +300,8 @@ void validate(const Flight& flight, const Scene& scene, const std::string& place
   if (flight.envelope) {
     positive(*flight.envelope, place + ".envelope");
     if (!(*flight.envelope < least_moving_size(scene) / 1000)) {
-      throw InputError(place + ".envelope", "expected less than a thousandth of the size of each body that moves");
+      throw InputError(place + ".envelope",
+                       "expected less than a thousandth of the size of each body that moves" + found(*flight.envelope));
     }
   }
   validate_pushes(flight, scene.bodies, place);

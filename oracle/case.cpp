@@ -5,6 +5,7 @@
 
 #include "model/json_node.h"
 #include "model/limits.h"
+#include "model/source_text.h"
 
 namespace touchstone::oracle {
 namespace {
@@ -55,10 +56,10 @@ std::uint64_t read_uint64(const Json& json, const char* key, const Node& node) {
 
 Case read_case_json(const Json& json, const std::string& place) {
   const Node node(json, place);
-  node.expect_object({"touchstone", "property", "subject", "family", "seed", "index", "note", "finding", "scene"});
   if (const std::string format = node.at("touchstone").text(); format != case_format) {
     node.at("touchstone").refuse("expected \"" + std::string(case_format) + "\", found " + Json(format).dump());
   }
+  node.expect_object({"touchstone", "property", "subject", "family", "seed", "index", "note", "finding", "scene"});
   Case a_case;
   a_case.property = node.at("property").text();
   read_if_there(node, "subject", a_case.subject);
@@ -73,8 +74,8 @@ Case read_case_json(const Json& json, const std::string& place) {
   a_case.scene = read<Scene>(json.at("scene"), place + dot + "scene");
   try {
     validate(a_case.scene);
-  } catch (const InputError& error) {
-    throw InputError(place + dot + "scene", error.what());
+  } catch (const InputError& error) {  // its message starts with the path within the scene
+    throw InputError("", place + dot + "scene." + error.what());
   }
   return a_case;
 }
@@ -129,13 +130,14 @@ Json json_of(const Case& a_case) {
   return json;
 }
 
-Case case_from(std::string_view text, const std::string& place) try {
-  return read_case_json(parse(text, ""), "");
-} catch (const InputError& error) {
-  throw InputError(place, error.what());
+Case case_from(std::string_view text, const std::string& place) {
+  return read_document(text, place, [](const Json& json) { return read_case_json(json, ""); });
 }
 
-Case read_case(const std::string& path) { return case_from(read_text(path), path); }
+Case read_case(const std::string& path) {
+  const SourceText source = read_source(path);
+  return case_from(source.text, source.name);
+}
 
 void write_case(const Case& a_case, const std::string& path) { write_text(path, text_of(json_of(a_case))); }
 

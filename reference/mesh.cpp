@@ -9,14 +9,15 @@
 #include <vector>
 
 #include "model/input_error.h"
-#include "model/json.h"
+#include "model/source_text.h"
 #include "reference/convex_hull.h"
 #include "reference/mesh_formats_impl.h"
+#include "reference/mesh_words_impl.h"
 
 namespace touchstone::reference {
 namespace {
 
-using Reader = std::vector<Vec3> (*)(std::string text);
+using Reader = std::vector<Vec3> (*)(std::string_view text);
 
 constexpr std::array<std::pair<const char*, Reader>, 4> readers = {
     {{".obj", obj_vertices}, {".off", off_vertices}, {".stl", stl_vertices}, {".ply", ply_vertices}}};
@@ -32,22 +33,20 @@ Reader reader_for(const std::string& path) {
   throw InputError(path, found + "; expected .obj, .off, .stl or .ply");
 }
 
-void require_size(const std::string& path) {
-  std::error_code error;
-  if (!std::filesystem::exists(path, error)) throw InputError(path, "no such file");
-  if (!std::filesystem::is_regular_file(path, error)) throw InputError(path, "not a plain file");
-  const std::uintmax_t bytes = std::filesystem::file_size(path, error);
-  if (error) throw InputError(path, "cannot read: " + error.message());
-  if (bytes > largest_mesh_bytes) {
-    throw InputError(path, "has " + std::to_string(bytes / 1'000'000) + " MB; a mesh may have " +
-                               std::to_string(largest_mesh_bytes / 1'000'000));
-  }
+/// Standard input has no name; the first word tells.
+Reader reader_of(std::string_view text) {
+  const std::string_view first = text.substr(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
+  if (first.starts_with("ply")) return ply_vertices;
+  if (first.starts_with("solid") || is_binary_stl(text)) return stl_vertices;
+  const std::string_view word = first.substr(0, first.find_first_of(" \t\r\n"));
+  return word.ends_with("OFF") ? off_vertices : obj_vertices;
 }
 
-void require_finite(const std::vector<Vec3>& vertices, const std::string& path) {
+/// Binary formats can hold any.
+void require_finite(const std::vector<Vec3>& vertices) {
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     if (!vertices[i].allFinite()) {
-      throw InputError(path, "vertex " + std::to_string(i) + " is NaN or infinite; expected finite coordinates");
+      throw InputError("vertex " + std::to_string(i), "NaN or infinite; expected finite coordinates");
     }
   }
 }
@@ -55,17 +54,20 @@ void require_finite(const std::vector<Vec3>& vertices, const std::string& path) 
 }  // namespace
 
 Polytope read_mesh(const std::string& path) {
-  const Reader vertices_of = reader_for(path);
-  require_size(path);
+  const bool has_name = path != "-";
+  const std::string name = has_name ? path : "<stdin>";
+  const Reader named = has_name ? reader_for(path) : nullptr;
+  std::string text = read_text(path);
   try {
-    const std::vector<Vec3> vertices = vertices_of(read_text(path));
-    require_finite(vertices, path);
+    if (!is_binary_stl(text)) text = without_byte_order_mark(std::move(text));
+    const Reader vertices_of = named ? named : reader_of(text);
+    const std::vector<Vec3> vertices = vertices_of(text);
+    require_finite(vertices);
     return convex_hull(vertices);
   } catch (const MeshError& error) {
-    throw InputError(path, error.what());
+    throw InputError(error.offset ? name + ':' + line_and_column(text, *error.offset) : name, error.what());
   } catch (const InputError& error) {
-    const std::string what = error.what();
-    throw what.starts_with(path) ? error : InputError(path, what);
+    throw InputError(name, error.what());
   }
 }
 

@@ -5,10 +5,11 @@
 #include <array>
 #include <bit>
 #include <cstdint>
-#include <sstream>
+#include <string>
 #include <utility>
 
 #include "reference/mesh_formats_impl.h"
+#include "reference/mesh_words_impl.h"
 
 namespace touchstone::reference {
 namespace {
@@ -17,7 +18,7 @@ enum class Encoding { text, little_endian, big_endian };
 
 enum class Scalar { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
 
-Scalar scalar_named(const std::string& name) {
+Scalar scalar_named(const MeshWords& words, std::string_view name) {
   using enum Scalar;
   static const std::vector<std::pair<std::array<const char*, 2>, Scalar>> names = {
       {{"char", "int8"}, int8},        {{"uchar", "uint8"}, uint8},     {{"short", "int16"}, int16},
@@ -26,7 +27,7 @@ Scalar scalar_named(const std::string& name) {
   for (const auto& [known, scalar] : names) {
     if (name == known[0] || name == known[1]) return scalar;
   }
-  throw MeshError("not a PLY mesh: unknown type \"" + name.substr(0, 40) + "\"");
+  words.refuse("not a PLY mesh: unknown type \"" + std::string(name.substr(0, 40)) + "\"");
 }
 
 struct Property {
@@ -47,99 +48,97 @@ struct Header {
   std::vector<Element> elements;
 };
 
-Encoding encoding_named(const std::string& name) {
+Encoding encoding_named(const MeshWords& words, std::string_view name) {
   if (name == "ascii") return Encoding::text;
   if (name == "binary_little_endian") return Encoding::little_endian;
   if (name == "binary_big_endian") return Encoding::big_endian;
-  throw MeshError("not a PLY mesh: unknown format \"" + name.substr(0, 40) + "\"");
+  words.refuse("not a PLY mesh: unknown format \"" + std::string(name.substr(0, 40)) + "\"");
 }
 
-Property property_from(std::istringstream& line) {
+Property property_from(MeshWords& words) {
   Property property;
-  std::string type;
-  line >> type;
+  std::string_view type = words.word_of_line();
   if (type == "list") {
     property.is_list = true;
-    line >> type;
-    property.count = scalar_named(type);
-    line >> type;
+    property.count = scalar_named(words, words.word_of_line());
+    type = words.word_of_line();
   }
-  property.scalar = scalar_named(type);
-  line >> property.name;
+  property.scalar = scalar_named(words, type);
+  property.name = words.word_of_line();
   return property;
 }
 
-Header header_from(std::istringstream& in) {
+/// Up to the first byte of the elements.
+Header header_from(MeshWords& words) {
   Header header;
-  std::string text;
-  std::getline(in, text);
-  if (text != "ply" && text != "ply\r") throw MeshError("not a PLY mesh: its first line is not \"ply\"");
-  while (std::getline(in, text)) {
-    std::istringstream line(text);
-    std::string keyword;
-    std::string word;
-    line >> keyword;
-    if (keyword == "end_header") return header;
-    if (keyword == "format" && line >> word) header.encoding = encoding_named(word);
-    if (keyword == "element" && line >> word) {
-      std::string count;
-      line >> count;
-      header.elements.push_back({word, number_from<std::size_t>(count), {}});
+  if (words.word_of_line() != "ply") words.refuse("not a PLY mesh: its first line is not \"ply\"");
+  for (words.skip_line(); !words.is_at_end(); words.skip_line()) {
+    const std::string_view keyword = words.word_of_line();
+    if (keyword == "end_header") {
+      words.skip_line();
+      return header;
+    }
+    if (keyword == "format") header.encoding = encoding_named(words, words.word_of_line());
+    if (keyword == "element") {
+      const std::string name(words.word_of_line());
+      header.elements.push_back({name, words.count(words.word_of_line()), {}});
     }
     if (keyword == "property") {
-      if (header.elements.empty()) throw MeshError("not a PLY mesh: a property before any element");
-      header.elements.back().properties.push_back(property_from(line));
+      if (header.elements.empty()) words.refuse("not a PLY mesh: a property before any element");
+      header.elements.back().properties.push_back(property_from(words));
     }
   }
-  throw MeshError("not a whole PLY mesh: no end_header");
+  words.refuse("not a whole PLY mesh: no end_header");
 }
 
+constexpr const char* cut_short = "not a whole PLY mesh: it ends before its last vertex";
+
 template <class Number>
-double from_binary(std::istringstream& in, Encoding encoding) {
+double from_binary(MeshWords& words, Encoding encoding) {
   std::array<char, sizeof(Number)> bytes{};
-  if (!in.read(bytes.data(), bytes.size())) throw MeshError("not a whole PLY mesh: it ends before its last vertex");
+  if (!words.copy_bytes(bytes.data(), bytes.size())) throw MeshError(cut_short);
   const bool is_big = encoding == Encoding::big_endian;
   if (is_big != (std::endian::native == std::endian::big)) std::reverse(bytes.begin(), bytes.end());
   return static_cast<double>(std::bit_cast<Number>(bytes));
 }
 
-double next_value(std::istringstream& in, Encoding encoding, Scalar scalar) {
+double next_value(MeshWords& words, Encoding encoding, Scalar scalar) {
   if (encoding == Encoding::text) {
-    std::string word;
-    if (!(in >> word)) throw MeshError("not a whole PLY mesh: it ends before its last vertex");
-    return number_from<double>(word);
+    const std::string_view word = words.word();
+    if (word.empty()) words.refuse(cut_short);
+    return words.number(word);
   }
   switch (scalar) {
     case Scalar::int8:
-      return from_binary<std::int8_t>(in, encoding);
+      return from_binary<std::int8_t>(words, encoding);
     case Scalar::uint8:
-      return from_binary<std::uint8_t>(in, encoding);
+      return from_binary<std::uint8_t>(words, encoding);
     case Scalar::int16:
-      return from_binary<std::int16_t>(in, encoding);
+      return from_binary<std::int16_t>(words, encoding);
     case Scalar::uint16:
-      return from_binary<std::uint16_t>(in, encoding);
+      return from_binary<std::uint16_t>(words, encoding);
     case Scalar::int32:
-      return from_binary<std::int32_t>(in, encoding);
+      return from_binary<std::int32_t>(words, encoding);
     case Scalar::uint32:
-      return from_binary<std::uint32_t>(in, encoding);
+      return from_binary<std::uint32_t>(words, encoding);
     case Scalar::float32:
-      return from_binary<float>(in, encoding);
+      return from_binary<float>(words, encoding);
     case Scalar::float64:
       break;
   }
-  return from_binary<double>(in, encoding);
+  return from_binary<double>(words, encoding);
 }
 
 /// One item of an element; a property that is not a coordinate is passed over.
-Vec3 next_item(std::istringstream& in, Encoding encoding, const Element& element) {
+Vec3 next_item(MeshWords& words, Encoding encoding, const Element& element) {
   Vec3 p = Vec3::Zero();
   for (const Property& property : element.properties) {
     if (property.is_list) {
-      for (double left = next_value(in, encoding, property.count); left > 0; --left)
-        next_value(in, encoding, property.scalar);
+      for (double left = next_value(words, encoding, property.count); left > 0; --left)
+        next_value(words, encoding, property.scalar);
       continue;
     }
-    const double value = next_value(in, encoding, property.scalar);
+    const double value = next_value(words, encoding, property.scalar);
     if (property.name == "x") p.x() = value;
     if (property.name == "y") p.y() = value;
     if (property.name == "z") p.z() = value;
@@ -158,16 +157,17 @@ void require_coordinates(const Element& vertex) {
 
 }  // namespace
 
-std::vector<Vec3> ply_vertices(std::string text) {
-  std::istringstream in(std::move(text));
-  const Header header = header_from(in);
+std::vector<Vec3> ply_vertices(std::string_view text) {
+  MeshWords words(text);
+  const Header header = header_from(words);
+  if (header.encoding == Encoding::text) words.expect_text();
   for (const Element& element : header.elements) {
     const bool is_vertex = element.name == "vertex";
     if (is_vertex) require_coordinates(element);
     if (element.properties.empty()) continue;  // it has no values, however many of it there are
     std::vector<Vec3> vertices;
     for (std::size_t i = 0; i < element.count; ++i) {
-      const Vec3 item = next_item(in, header.encoding, element);
+      const Vec3 item = next_item(words, header.encoding, element);
       if (is_vertex) vertices.push_back(item);
     }
     if (is_vertex) return vertices;

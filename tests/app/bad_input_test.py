@@ -70,7 +70,7 @@ class BadScene(Test):
     def refused_scene(self, content, says):
         self.file("scene.json", content)
         for query in ("distance", "mass"):
-            self.assertIn("scene.json", self.refused("ask", query, "scene.json", says=says))
+            self.assertIn("scene.json:", self.refused("ask", query, "scene.json", says=says))
 
     def spoilt(self, path, value, says, in_scene=TWO_BOXES):
         spoilt = copy.deepcopy(in_scene)
@@ -84,19 +84,19 @@ class BadScene(Test):
         self.refused("ask", "distance", "no.json", says="no.json")
         self.refused("replay", "no.json", says="no.json")
         self.refused("minimise", "no.json", says="no.json")
-        self.refused("ask", "distance", ".", says="touchstone: .: cannot read: Is a directory")
-        self.refused("replay", ".", says="cannot read: Is a directory")
+        self.refused("ask", "distance", ".", says="touchstone: .: is a folder")
+        self.refused("replay", ".", says=".: is a folder")
 
     def test_files_that_are_not_json(self):
         self.refused_scene("", "empty; expected JSON")
-        self.refused_scene("{", "line 1")
-        self.refused_scene(json.dumps(TWO_BOXES)[:-9], "line 1")
-        self.refused_scene(json.dumps(TWO_BOXES) + "}", "line 1")
-        self.refused_scene(b"\xff\xfe\x00", "line 1")
-        self.refused_scene("[" * 100000, "line 1")
+        self.refused_scene("{", "scene.json:1:")
+        self.refused_scene(json.dumps(TWO_BOXES)[:-9], "scene.json:1:")
+        self.refused_scene(json.dumps(TWO_BOXES) + "}", "scene.json:1:")
+        self.refused_scene(b"\xff\xfe\x00", "UTF-16")
+        self.refused_scene("[" * 100000, "scene.json:1:16: ")
         self.refused_scene("[]", "expected an object")
-        self.refused_scene(json.dumps(TWO_BOXES).replace("[3,", "[NaN,"), "line 1")
-        self.refused_scene(json.dumps(TWO_BOXES).replace("[3,", "[-Infinity,"), "line 1")
+        self.refused_scene(json.dumps(TWO_BOXES).replace("[3,", "[NaN,"), "scene.json:1:")
+        self.refused_scene(json.dumps(TWO_BOXES).replace("[3,", "[-Infinity,"), "scene.json:1:")
         self.refused_scene(json.dumps(TWO_BOXES).replace("[3,", "[1e999,"), "1e999")
 
     def test_keys_and_types(self):

@@ -20,7 +20,8 @@ TEST_CASE("every bad scene is refused with its own message") {
   const Json good = parse(read_text(here + "/good_scene.json"), "good");
   REQUIRE(complaint(good.dump()) == "accepted");
   for (const Json& row : parse(read_text(here + "/bad_scenes.json"), "bad")) {
-    CHECK(complaint(good.patch(Json::array({row.at("patch")})).dump()) == row.at("message").get<std::string>());
+    const std::string message = complaint(good.patch(Json::array({row.at("patch")})).dump());
+    CHECK(message.substr(message.find(' ') + 1) == row.at("message").get<std::string>());  // behind "1:COLUMN: "
   }
 }
 
@@ -35,11 +36,11 @@ TEST_CASE("what a scene leaves out has its default") {
 
 TEST_CASE("a bad file is named before the place in it") {
   CHECK_THROWS_WITH(scene_from(R"({"touchstone": "scene/1", "bodies": 3})", "a/scene.json"),
-                    "a/scene.json: bodies: expected an array, found 3");
+                    "a/scene.json:1:37: bodies: expected an array, found 3");
   CHECK_THROWS_WITH(scene_from(R"({"touchstone": "scene/1", "bodies": [{"shape": {"type": "sphere", "radius": -1},
                                    "X_WB": {"p": [0, 0, 0], "q": {"w": 1, "x": 0, "y": 0, "z": 0}}}]})",
                                "a/scene.json"),
-                    "a/scene.json: bodies[0].shape.radius: expected a number above 0");
+                    "a/scene.json:1:77: bodies[0].shape.radius: expected a number above 0, found -1");
 }
 
 }  // namespace

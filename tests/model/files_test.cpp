@@ -1,11 +1,12 @@
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <csignal>
 #include <filesystem>
 
-#include "model/json.h"
 #include "model/output_error.h"
+#include "model/source_text.h"
 #include "tests/catch.h"
 
 namespace touchstone {
@@ -70,12 +71,36 @@ TEST_CASE("a failed write leaves the old file and nothing else") {
 TEST_CASE("files that cannot be are refused by name") {
   const Folder folder;
   CHECK_THROWS_WITH(read_text(folder / "none"), (folder / "none") + ": cannot read: No such file or directory");
-  CHECK_THROWS_WITH(read_text(folder / "."), (folder / ".") + ": cannot read: Is a directory");
+  CHECK_THROWS_WITH(read_text(folder / "."),
+                    (folder / ".") + ": is a folder; expected a plain file, or - to read standard input");
   CHECK_THROWS_WITH(write_text(folder / "none/x", "x"),
                     (folder / "none/x") + ": cannot write: No such file or directory");
   CHECK_THROWS_WITH(read_scene(folder / "none"), (folder / "none") + ": cannot read: No such file or directory");
   CHECK_THROWS_AS(write_text(folder / ".", "x"), InputError);
   CHECK(folder.count() == 0);
+}
+
+TEST_CASE("what may never end, or never begin, is not read") {
+  const Folder folder;
+  const std::string pipe = folder / "pipe", large = folder / "large";
+  REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
+  CHECK_THROWS_WITH(read_text(pipe), pipe + ": is a pipe; expected a plain file, or - to read standard input");
+  CHECK_THROWS_WITH(read_text("/dev/zero"),
+                    "/dev/zero: is a device; expected a plain file, or - to read standard input");
+  write_text(large, "");
+  fs::resize_file(large, 300'000'000);  // sparse: takes no room
+  CHECK_THROWS_WITH(read_text(large), large + ": has 300 MB; at most 100 MB are read");
+}
+
+TEST_CASE("a byte order mark is no part of the text") {
+  const Folder folder;
+  const std::string file = folder / "marked";
+  write_text(file, "\xEF\xBB\xBFtext");
+  CHECK(read_source(file).text == "text");
+  for (const std::string mark : {"\xFF\xFE", "\xFE\xFF"}) {
+    write_text(file, mark + "t");
+    CHECK_THROWS_WITH(read_source(file), file + ": text in UTF-16; expected UTF-8: save it as that");
+  }
 }
 
 TEST_CASE("a device is written in place") {

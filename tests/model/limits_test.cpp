@@ -135,17 +135,17 @@ TEST_CASE("an impact that has no meaning is refused by place") {
   CHECK(impact_complaint([](Scene& s) { s.contact->nhat_BA_W = Vec3(0, 0, 0); }) ==
         "contact.nhat_BA_W: zero; expected a direction of length 1");
   CHECK(impact_complaint([](Scene& s) { s.contact->nhat_BA_W = Vec3(0, 0, 2); }) ==
-        "contact.nhat_BA_W: of length 2.000000; expected 1 (within rounding)");
+        "contact.nhat_BA_W: expected a direction of length 1 within rounding, found 2");
   CHECK(impact_complaint([](Scene& s) { s.contact->nhat_BA_W = Vec3(0, nan, 1); }) ==
         "contact.nhat_BA_W[1]: NaN; expected a finite number");
   CHECK(impact_complaint([](Scene& s) { s.contact->p_WC[2] = nan; }) ==
         "contact.p_WC[2]: NaN; expected a finite number");
   CHECK(impact_complaint([](Scene& s) { s.contact->restitution = 1.5; }) ==
-        "contact.restitution: expected a number from 0 to 1");
+        "contact.restitution: expected a number from 0 to 1, found 1.5");
   CHECK(impact_complaint([](Scene& s) { s.contact->restitution = nan; }) ==
         "contact.restitution: NaN; expected a finite number");
   CHECK(impact_complaint([](Scene& s) { s.contact->friction = -1; }) ==
-        "contact.friction: expected a number that is not negative");
+        "contact.friction: expected a number that is not negative, found -1");
   CHECK(impact_complaint([](Scene& s) { s.contact->friction = nan; }) == "contact.friction: NaN; expected a number");
   CHECK(impact_complaint([](Scene& s) { s.bodies[0].mass = s.bodies[1].mass = Fixed{}; }) ==
         "contact: both bodies are fixed; expected one that an impulse moves");

@@ -82,7 +82,7 @@ TEST_CASE("A bad case is refused, and the message names the place") {
   CHECK_THAT(refused("/finding/error", Json()), Contains("finding.error"));
   CHECK_THAT(refused("/finding/margin", {1, 2, 3}), Contains("finding.margin"));
   CHECK_THAT(refused("/finding/colour", 1), Contains("colour"));
-  CHECK_THAT(refused("/scene/bodies/1/shape/half_extents/2", 0), Contains("scene: bodies[1].shape.half_extents[2]"));
+  CHECK_THAT(refused("/scene/bodies/1/shape/half_extents/2", 0), Contains("scene.bodies[1].shape.half_extents[2]"));
   CHECK_THAT(refused("/scene/bodies/1/shape/radius", 1), Contains("scene.bodies[1].shape"));
   CHECK_THROWS_AS(case_from("", "some.json"), InputError);
   CHECK_THROWS_AS(case_from("[]", "some.json"), InputError);

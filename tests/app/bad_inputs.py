@@ -1,0 +1,692 @@
+"""Bad inputs, a row each: what is spoilt, and what the program says of it. bad_inputs_test.py runs them.
+
+A scene or a case is spoilt by a path and the value that is put there (GONE: taken away). It is written with an item a
+line, and the message begins with "FILE:LINE:COLUMN: ", where LINE is that of the path that follows; "~" stands for
+the path that was spoilt. Right("...") means that the input is legal, however odd, and the answer says this.
+"""
+
+import json
+import struct
+
+from program import NO_TURN, TETRAHEDRON, ball, body, box, hull, scene
+
+GONE = object()
+
+
+class Right(str):
+    """The input is legal, and this stands in the answer."""
+
+
+class Long:
+    """A text that is written piece by piece: a test that holds it whole would count its memory as the program's."""
+
+    def __init__(self, piece, times, before="", after=""):
+        self.piece, self.times, self.before, self.after = piece, times, before, after
+
+    def __repr__(self):
+        return f"{self.before[:20]!r} {self.times} times {self.piece!r}"
+
+    def pieces(self):
+        at_once = 1000
+        return [self.before, *[self.piece * at_once] * (self.times // at_once), self.piece * (self.times % at_once),
+                self.after]
+
+
+HOPELESS = "[" * 60_000
+UNIT = [[1, 0, 0], [0, 1, 0], [0, 0, 1]]
+GIVEN = {"type": "given", "mass": 1, "p_BBcm": [0, 0, 0], "I_BBcm_B": UNIT}
+REST = {"v_WBcm": [0, 0, 0], "w_WB": [0, 0, 0]}
+SMOOTH = {"restitution": 1, "friction": 0}
+
+BOXES = scene(body(box(1, 1, 1)), body(box(1, 1, 1), (3, 0, 0)))
+PARTS = {"type": "compound", "parts": [{"X_BP": {"p": [0, 0, 0], "q": NO_TURN}, "shape": ball(1)}]}
+HULLS = scene(body(hull(TETRAHEDRON, [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])), body(PARTS, (5, 0, 0)))
+MASSES = scene(body(box(1, 1, 1), mass=dict(GIVEN)), body(ball(1), (5, 0, 0), mass={"type": "density", "density": 2}))
+CONTACT = {**scene(body(ball(1), velocity={"v_WBcm": [0, 0, -1], "w_WB": [0, 0, 0]}), body(ball(1), (0, 0, -2))),
+           "contact": {"p_WC": [0, 0, -1], "nhat_BA_W": [0, 0, 1], "law": "poisson", "restitution": 0.5,
+                       "friction": 0.25}}
+RASTER = {**scene(body(ball(1)), body(box(1, 1, 1), (3, 0, 0))),
+          "raster": {"x": -2, "y": -2, "pixel": 0.5, "columns": 8, "rows": 8, "shift": [0, 0]}}
+MOTION = {**scene(body(ball(1), velocity={"v_WBcm": [1, 0, 0], "w_WB": [0, 0, 0]}, material=SMOOTH),
+                  body(ball(1), (4, 0, 0), velocity=REST, material=SMOOTH),
+                  body(box(1, 1, 1), (0, 0, -9), velocity=REST, material=SMOOTH, mass={"type": "fixed"})),
+          "flight": {"times": [1, 3], "since": [0, 0, 0], "envelope": 1e-6, "law": "newton", "force_bound": 2,
+                     "pushes": [{"time": 1, "body": 0, "force_W": [0, 0, 0]},
+                                {"time": 2, "body": 1, "force_W": [0, 0, 0]}]}}
+FLYING = {**MOTION, "flight": {"times": [1, 3]}}
+FILM = {**BOXES, "frames": [[{"body": 0, "X_WB": {"p": [0, 0, 0], "q": NO_TURN}}], [{"body": 0, "X_WB": None}]]}
+CASE = {"touchstone": "case/1", "property": "distance.value", "subject": "inproc:reference", "family": "own", "seed": 1,
+        "index": 0, "note": "none", "scene": BOXES,
+        "finding": {"outcome": "holds", "defect": "none", "observed": "1", "expected": "1", "error": 0,
+                    "allowed": "inf", "unit": "ulps", "margin": [0, "inf"], "certificate": "none", "why": "nothing"}}
+
+BASES = {"boxes": (BOXES, ["ask", "distance"]), "hulls": (HULLS, ["ask", "mass"]), "masses": (MASSES, ["ask", "mass"]),
+         "contact": (CONTACT, ["ask", "impulse"]), "raster": (RASTER, ["ask", "pixel"]),
+         "motion": (MOTION, ["plan"]), "flying": (FLYING, ["ask", "time_of_impact"]),
+         "film": (FILM, ["ask", "broad_phase"]), "case": (CASE, ["replay"])}
+
+G = json.dumps(BOXES)
+X = "[3, 0, 0]"  # where the second box stands
+
+
+def with_x(text):
+    """The scene whose second box stands at that x."""
+    return G.replace(X, f"[{text}, 0, 0]")
+
+
+SMALL = "too small for a double, found "
+GREAT = "too great for a double, found "
+P = "bodies[1].X_WB.p"
+
+# What stands in the file, and the message behind "scene.json".
+TEXT = [
+    ("", ": empty; expected JSON"),
+    (" \r\n\t\n", ": empty; expected JSON"),
+    ("{", ":1:2: syntax error"),
+    ("}", ":1:1: syntax error"),
+    ("[", ":1:2: syntax error"),
+    ("[]", ":1:1: expected an object, found an array"),
+    ("\n\n  null", ":3:3: expected an object, found null"),
+    ("true", ":1:1: expected an object, found true"),
+    ("3", ":1:1: expected an object, found 3"),
+    ('"scene/1"', ":1:1: expected an object, found a string"),
+    ("scene", ":1:1: syntax error"),
+    (G[:-1], f":1:{len(G)}: syntax error"),
+    (G[:40], ":1:41: "),
+    (G[:15], ":1:16: "),
+    (G + "}", f":1:{len(G) + 1}: syntax error"),
+    (G + "\n\n{}", ":3:1: syntax error"),
+    (G + G, f":1:{len(G) + 1}: syntax error"),
+    (G + "\nend", ":2:1: syntax error"),
+    (G + "\0", f":1:{len(G) + 1}: a NUL byte; expected text"),
+    (G + "\n\0{}", ":2:1: a NUL byte; expected text"),
+    ("\0" + G, ":1:1: a NUL byte; expected text"),
+    (G.replace("scene/1", "scene\0/1"), ":1:22: a NUL byte; expected text"),
+    (G + " " * 100_000 + "\n" * 9, Right("separated")),
+    (G.replace(", ", ",\r\n"), Right("separated")),
+    (G.replace(", ", ",\r"), Right("separated")),
+    (b"\xef\xbb\xbf" + G.encode(), Right("separated")),
+    (b"\xef\xbb\xbf", ": empty; expected JSON"),
+    (b"\xef\xbb\xbf{\n1", ":2:1: syntax error"),
+    (G.encode("utf-16"), ": text in UTF-16; expected UTF-8"),
+    (b"\xfe\xff" + G.encode("utf-16-be"), ": text in UTF-16; expected UTF-8"),
+    (G.encode("utf-16-le"), ":1:2: a NUL byte; expected text"),
+    (G.encode("utf-32"), ": text in UTF-16; expected UTF-8"),
+    (G.replace(", ", ",\u00a0"), ":1:26: "),
+    (G.replace(", ", ",\f", 1), ":1:26: "),
+    (G.replace("}", ",}", 1), "syntax error"),
+    (G.replace("[1, 1, 1]", "[1, 1, 1,]", 1), "bodies[0].shape.half_extents: syntax error"),
+    (G.replace("[1, 1, 1]", "[1 1, 1]", 1), "bodies[0].shape.half_extents: syntax error"),
+    (G.replace('"bodies": [', '"bodies" ['), ":1:36: "),
+    (G.replace('"', "'"), ":1:2: syntax error"),
+    (G.replace('"bodies"', "bodies"), ":1:27: syntax error"),
+    ("// a scene\n" + G, ":1:1: syntax error"),
+    ("/* a scene */" + G, ":1:1: syntax error"),
+    (G.replace(', "', '; "', 1), "syntax error"),
+    (with_x("NaN"), f"{P}: syntax error"),
+    (with_x("nan"), f"{P}: syntax error"),
+    (with_x("Infinity"), f"{P}: syntax error"),
+    (with_x("-Infinity"), f"{P}: syntax error"),
+    (with_x("0x10"), f"{P}: syntax error"),
+    (with_x("03"), f"{P}: syntax error"),
+    (with_x("+3"), f"{P}: syntax error"),
+    (with_x(".5"), f"{P}: syntax error"),
+    (with_x("3."), f"{P}: syntax error"),
+    (with_x("3e"), f"{P}: syntax error"),
+    (with_x("--3"), f"{P}: syntax error"),
+    (with_x("3,5"), f"{P}: expected 3 items, found 4"),
+    (with_x("3_000"), f"{P}: syntax error"),
+    (with_x("1/3"), f"{P}: syntax error"),
+    (with_x("1e400"), f"{P}[0]: {GREAT}1e400"),
+    (with_x("-1e400"), f"{P}[0]: {GREAT}-1e400"),
+    (with_x("1e999999999999999999999"), f"{P}[0]: {GREAT}1e999999999999999999999"),
+    (with_x("9" * 400), f"{P}[0]: {GREAT}999999"),
+    (with_x("1e-400"), f"{P}[0]: {SMALL}1e-400"),
+    (with_x("-1e-400"), f"{P}[0]: {SMALL}-1e-400"),
+    (with_x("2e-324"), f"{P}[0]: {SMALL}2e-324"),
+    (with_x("0." + "0" * 400 + "1"), f"{P}[0]: {SMALL}0.000"),
+    (with_x("1e-999999999999999999999"), f"{P}[0]: {SMALL}1e-9999"),
+    (with_x("1e-320"), Right("overlapping")),
+    (with_x("3e-324"), Right("overlapping")),
+    (with_x("0e999"), Right("overlapping")),
+    (with_x("-0.0"), Right("overlapping")),
+    (with_x("3." + "0" * 5000 + "1"), Right("separated")),
+    (with_x("9007199254740993"), f"{P}[0]: the integer 9007199254740993 is not a double"),
+    (with_x("18446744073709551617"), f"{P}[0]: the integer 18446744073709551617 is not a double"),
+    (with_x("-18446744073709551617"), f"{P}[0]: the integer -18446744073709551617 is not a double"),
+    (with_x("1" + "0" * 30), f"{P}[0]: the integer 1000000000000000000000000000000 is not a double"),
+    (with_x(str(2**70)), Right("separated")),
+    (G.replace('"shape"', '"shape": 1, "shape"', 1), ':1:60: bodies[0]: the key "shape" stands twice'),
+    ('{"touchstone": "scene/1",\n' + G[1:], ':2:15: the key "touchstone" stands twice'),
+    (G.replace('"w": 1', '"w": 1, "\\u0077": 2', 1), 'bodies[0].X_WB.q: the key "w" stands twice'),
+    (G.replace("}", ', "": 1, "": 2}', 1), 'bodies[0].shape: the key "" stands twice'),
+    (G.replace(X, HOPELESS), f"{P}[0][0]"),
+    (G.replace(X, HOPELESS + "]" * 60_000), "nested deeper than 16 levels"),
+    (HOPELESS, ":1:17: [0][0][0][0][0][0][0][0][0][0][0][0][0][0][0][0]: nested deeper than 16 levels"),
+    ('{"a":' * 60_000, "a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a: nested deeper than 16 levels"),
+    ('[{"a":' * 60_000 + "1" + "}]" * 60_000, "nested deeper than 16 levels"),
+    ("[" * 16 + "]" * 16, ":1:1: expected an object, found an array"),
+    ("[" * 17 + "]" * 17, ":1:17: "),
+    (G.encode().replace(b"scene/1", b"scene/\xff"), ":1:23: syntax error"),
+    (G.encode().replace(b"scene/1", b"scene/\xc0\xaf"), ":1:23: syntax error"),
+    (G.replace("scene/1", "\\ud800"), "syntax error"),
+    (G.replace("scene/1", "\\x41"), "syntax error"),
+    (G.replace("scene/1", "scene\n/1"), "syntax error"),
+    (G.replace("scene/1", "scene\t/1"), "syntax error"),
+    ('{"touchstone": "scene/1', ":1:24: syntax error"),
+    ('{"touchstone": "scene/1\\', ":1:25: syntax error"),
+    ("{" + ", ".join(f'"key{i}": 0' for i in range(50_000)) + "}", "more than 64 keys in one object"),
+    (G.replace('"touchstone"', '"' + "k" * 1_000_000 + '": 1, "touchstone"'), 'unknown key "kkkk'),
+    (Long("s", 99_000_000, '{"touchstone": "', '"}'), ":1:16: a string or a number of more than 1 MB"),
+    (G.replace("scene/1", "s" * 900_000), 'touchstone: expected "scene/1", found "sss'),
+    (Long("1,", 40_000_000, '{"bodies": [', "1]}"), "more than 2000000 values"),
+    (Long("[],", 30_000_000, '{"bodies": [', "1]}"), "more than 2000000 values"),
+    (Long("9", 99_000_000, "[", "]"), ":1:2: a string or a number of more than 1 MB"),
+    (Long("[", 99_000_000), "nested deeper than 16 levels"),
+    (Long(" ", 90_000_000), ": empty; expected JSON"),
+    (Long(" ", 100_000_001), ": has 100 MB; at most 100 MB are read"),
+    (b"\x89PNG\r\n\x1a\n\0\0", ":3:1: a NUL byte; expected text"),
+    (b"\x1f\x8b\x08\0\0\0", ":1:"),
+    (bytes(range(1, 256)), ":1:1: syntax error"),
+    ("<scene/>", ":1:1: syntax error"),
+    ("touchstone: scene/1\nbodies: []\n", ":1:2: syntax error"),
+    ("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\n", ":1:1: syntax error"),
+]
+
+BODY = 'known are "name", "shape", "X_WB", "velocity", "material", "mass"'
+ROOT = 'known are "touchstone", "name", "gravity", "bodies", "frames", "contact", "raster", "flight"'
+SHAPES_OF = '"sphere", "box", "polytope" or "compound"'
+ABOVE = "expected a number above 0, found "
+NOT_NEGATIVE = "expected a number that is not negative, found "
+ZERO_Q = "zero; expected a quaternion with a non-zero component"
+
+SHAPES = [
+    ("boxes", "touchstone", GONE, 'the key "touchstone" is missing'),
+    ("boxes", "touchstone", "scene/2", '~: expected "scene/1", found "scene/2"'),
+    ("boxes", "touchstone", 1, "~: expected a string, found 1"),
+    ("boxes", "bodies", GONE, 'the key "bodies" is missing'),
+    ("boxes", "bodies", {}, "~: expected an array, found an object"),
+    ("boxes", "bodies", [], "~: this question is about bodies 0 and 1"),
+    ("boxes", "bodies[1]", GONE, "bodies: this question is about bodies 0 and 1"),
+    ("boxes", "bodies[1]", None, "~: expected an object, found null"),
+    ("boxes", "bodies[1]", [], "~: expected an object, found an array"),
+    ("boxes", "bodies[1].shape", GONE, 'bodies[1]: the key "shape" is missing'),
+    ("boxes", "bodies[1].shape", {}, '~: the key "type" is missing'),
+    ("boxes", "bodies[1].shape", "box", "~: expected an object, found a string"),
+    ("boxes", "bodies[1].shape.type", "cone", f'~: expected {SHAPES_OF}, found "cone"'),
+    ("boxes", "bodies[1].shape.type", "Box", f'~: expected {SHAPES_OF}, found "Box"'),
+    ("boxes", "bodies[1].shape.type", "box ", f'~: expected {SHAPES_OF}, found "box "'),
+    ("boxes", "bodies[1].shape.type", None, "~: expected a string, found null"),
+    ("boxes", "bodies[1].shape.half_extents", GONE, 'bodies[1].shape: the key "half_extents" is missing'),
+    ("boxes", "bodies[1].shape.half_extents", 1, "~: expected an array, found 1"),
+    ("boxes", "bodies[1].shape.half_extents", [1, 1], "~: expected 3 items, found 2"),
+    ("boxes", "bodies[1].shape.half_extents", [1, 1, 1, 1], "~: expected 3 items, found 4"),
+    ("boxes", "bodies[1].shape.half_extents[0]", 0, f"~: {ABOVE}0"),
+    ("boxes", "bodies[1].shape.half_extents[1]", -1, f"~: {ABOVE}-1"),
+    ("boxes", "bodies[1].shape.half_extents[2]", -0.0, f"~: {ABOVE}-0"),
+    ("boxes", "bodies[1].shape.half_extents[2]", "1", "~: expected a number, found a string"),
+    ("boxes", "bodies[1].shape.half_extents[2]", True, "~: expected a number, found true"),
+    ("boxes", "bodies[1].shape.half_extents[2]", 5e-324, Right("separated")),
+    ("boxes", "bodies[1].shape.half_extents[2]", 1.7976931348623157e308, Right("separated")),
+    ("boxes", "bodies[1].shape.radius", 1, '~: unknown key "radius"; known are "type", "half_extents"'),
+    ("boxes", "bodies[1].shape", ball(0), f"bodies[1].shape.radius: {ABOVE}0"),
+    ("boxes", "bodies[1].shape", ball(-2.5), f"bodies[1].shape.radius: {ABOVE}-2.5"),
+    ("boxes", "bodies[1].shape", {"type": "sphere"}, '~: the key "radius" is missing'),
+    ("boxes", "bodies[1].shape", {"type": "sphere", "radius": [1]}, "bodies[1].shape.radius: expected a number"),
+    ("boxes", "bodies[1].X_WB", GONE, 'bodies[1]: the key "X_WB" is missing'),
+    ("boxes", "bodies[1].X_WB", [0, 0, 0], "~: expected an object, found an array"),
+    ("boxes", "bodies[1].X_WB.p", {"x": 0}, "~: expected an array, found an object"),
+    ("boxes", "bodies[1].X_WB.p[2]", None, "~: expected a number, found null"),
+    ("boxes", "bodies[1].X_WB.q", GONE, 'bodies[1].X_WB: the key "q" is missing'),
+    ("boxes", "bodies[1].X_WB.q", [1, 0, 0, 0], "~: expected an object, found an array"),
+    ("boxes", "bodies[1].X_WB.q.w", 0, f"bodies[1].X_WB.q: {ZERO_Q}"),
+    ("boxes", "bodies[1].X_WB.q.w", -0.0, f"bodies[1].X_WB.q: {ZERO_Q}"),
+    ("boxes", "bodies[1].X_WB.q.w", 5e-324, Right("separated")),
+    ("boxes", "bodies[1].X_WB.q.w", "1", "~: expected a number, found a string"),
+    ("boxes", "bodies[1].X_WB.q.z", GONE, 'bodies[1].X_WB.q: the key "z" is missing'),
+    ("boxes", "bodies[1].X_WB.r", 1, '~: unknown key "r"; known are "p", "q"'),
+    ("boxes", "bodies[1].mas", 1, f'~: unknown key "mas"; {BODY}'),
+    ("boxes", "bodies[0].Shape", 1, f'~: unknown key "Shape"; {BODY}'),
+    ("boxes", "colour", "red", f'~: unknown key "colour"; {ROOT}'),
+    ("boxes", "gravity", -9.81, "~: expected an array, found -9.81"),
+    ("boxes", "gravity", [0, 0], "~: expected 3 items, found 2"),
+    ("boxes", "gravity", [0, 0, "g"], "gravity[2]: expected a number, found a string"),
+    ("hulls", "bodies[0].shape.vertices", GONE, 'bodies[0].shape: the key "vertices" is missing'),
+    ("hulls", "bodies[0].shape.vertices", [], "~: expected at least 4 vertices, found 0"),
+    ("hulls", "bodies[0].shape.vertices", TETRAHEDRON[:3], "~: expected at least 4 vertices, found 3"),
+    ("hulls", "bodies[0].shape.vertices", [0, 0, 0, 1], "bodies[0].shape.vertices[0]: expected an array, found 0"),
+    ("hulls", "bodies[0].shape.vertices[3]", [0, 0], "~: expected 3 items, found 2"),
+    ("hulls", "bodies[0].shape.vertices[3]", [0, 1, -0.0], "~: equal to vertex 2; expected each once"),
+    ("hulls", "bodies[0].shape.vertices[3]", [1, 1, 0], "bodies[0].shape.vertices: all in one plane"),
+    ("hulls", "bodies[0].shape.vertices[3][1]", {}, "~: expected a number, found an object"),
+    ("hulls", "bodies[0].shape.faces", [], Right("0.16666")),
+    ("hulls", "bodies[0].shape.faces", GONE, Right("0.16666")),
+    ("hulls", "bodies[0].shape.faces", 4, "~: expected an array, found 4"),
+    ("hulls", "bodies[0].shape.faces[0]", [1, 2, 0], "~: wound clockwise seen from outside"),
+    ("hulls", "bodies[0].shape.faces[3]", [1, 2], "~: expected at least 3 vertices, found 2"),
+    ("hulls", "bodies[0].shape.faces[3]", GONE, "bodies[0].shape.faces[1]: no face on the other side of the edge 1-3"),
+    ("hulls", "bodies[0].shape.faces[3][2]", 4, "~: vertex 4 does not exist; expected 0 to 3"),
+    ("hulls", "bodies[0].shape.faces[3][2]", 2, "~: vertex 2 stands twice in the face; expected once"),
+    ("hulls", "bodies[0].shape.faces[3][2]", -1, "~: expected an integer from 0 to 2147483647, found -1"),
+    ("hulls", "bodies[0].shape.faces[3][2]", 2**31, "~: expected an integer from 0 to 2147483647, found 2147483648"),
+    ("hulls", "bodies[0].shape.faces[3][2]", 2**32 + 3, "~: expected an integer from 0 to 2147483647"),
+    ("hulls", "bodies[0].shape.faces[3][2]", 2.5, "~: expected an integer, found 2.5"),
+    ("hulls", "bodies[0].shape.faces[3][2]", 3.0, "~: expected an integer, found 3.0"),
+    ("hulls", "bodies[0].shape.faces[3]", [1, 3, 2], "bodies[0].shape.faces[3]: wound clockwise seen from outside"),
+    ("hulls", "bodies[0].shape", hull([*TETRAHEDRON, [0.1, 0.1, 0.1]]),
+     "bodies[0].shape.vertices[4]: lies inside the hull"),
+    ("hulls", "bodies[0].shape", hull([[0, 0, 0], [1, 1, 1], [2, 2, 2], [3, 3, 3]]),
+     "bodies[0].shape.vertices: all in one plane"),
+    ("hulls", "bodies[0].shape", hull([[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]]),
+     "bodies[0].shape.vertices: all in one plane"),
+    ("hulls", "bodies[0].shape", hull([[0, 0, 0], [1e-300, 0, 0], [0, 1e-300, 0], [0, 0, 1e-300]]), Right("5e-324")),
+    ("hulls", "bodies[1].shape.parts", [], "~: expected at least one part"),
+    ("hulls", "bodies[1].shape.parts[0]", 1, "~: expected an object, found 1"),
+    ("hulls", "bodies[1].shape.parts[0].X_WB", 1, '~: unknown key "X_WB"; known are "X_BP", "shape"'),
+    ("hulls", "bodies[1].shape.parts[0].X_BP", GONE, 'bodies[1].shape.parts[0]: the key "X_BP" is missing'),
+    ("hulls", "bodies[1].shape.parts[0].X_BP.q.w", 0, f"bodies[1].shape.parts[0].X_BP.q: {ZERO_Q}"),
+    ("hulls", "bodies[1].shape.parts[0].shape.radius", -1, f"~: {ABOVE}-1"),
+    ("hulls", "bodies[1].shape.parts[0].shape.type", "compound",
+     '~: expected "sphere", "box" or "polytope", found "compound"'),
+    ("hulls", "bodies[1].shape.parts[0].shape", hull([[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]]),
+     "bodies[1].shape.parts[0].shape.vertices: all in one plane"),
+]
+
+MASS = [
+    ("masses", "bodies[0].mass", 2, "~: expected an object, found 2"),
+    ("masses", "bodies[0].mass", {}, '~: the key "type" is missing'),
+    ("masses", "bodies[0].mass.type", "heavy", '~: expected "density", "given" or "fixed", found "heavy"'),
+    ("masses", "bodies[0].mass.type", "density",
+     'bodies[0].mass.mass: unknown key "mass"; known are "type", "density"'),
+    ("masses", "bodies[0].mass.type", "fixed", 'bodies[0].mass.mass: unknown key "mass"; known are "type"'),
+    ("masses", "bodies[0].mass.mass", GONE, 'bodies[0].mass: the key "mass" is missing'),
+    ("masses", "bodies[0].mass.mass", 0, f"~: {ABOVE}0"),
+    ("masses", "bodies[0].mass.mass", -2, f"~: {ABOVE}-2"),
+    ("masses", "bodies[0].mass.mass", "1 kg", "~: expected a number, found a string"),
+    ("masses", "bodies[0].mass.mass", 5e-324, Right("5e-324")),
+    ("masses", "bodies[0].mass.p_BBcm", [0, 0], "~: expected 3 items, found 2"),
+    ("masses", "bodies[0].mass.I_BBcm_B", GONE, 'bodies[0].mass: the key "I_BBcm_B" is missing'),
+    ("masses", "bodies[0].mass.I_BBcm_B", [1, 1, 1], "bodies[0].mass.I_BBcm_B[0]: expected an array, found 1"),
+    ("masses", "bodies[0].mass.I_BBcm_B", UNIT[:2], "~: expected 3 items, found 2"),
+    ("masses", "bodies[0].mass.I_BBcm_B[0][1]", 0.5,
+     "bodies[0].mass.I_BBcm_B: not symmetric; expected I[i][j] = I[j][i]"),
+    ("masses", "bodies[0].mass.I_BBcm_B[0][0]", 0, "bodies[0].mass.I_BBcm_B: expected a positive definite matrix"),
+    ("masses", "bodies[0].mass.I_BBcm_B[0][0]", -1, "bodies[0].mass.I_BBcm_B: expected a positive definite matrix"),
+    ("masses", "bodies[0].mass.I_BBcm_B[0][0]", 2.5, "bodies[0].mass.I_BBcm_B: no solid has it"),
+    ("masses", "bodies[0].mass.I_BBcm_B", [[0] * 3] * 3, "~: zero; expected a positive definite matrix"),
+    ("masses", "bodies[0].mass.I_BBcm_B", [[1, 1, 0], [1, 1, 0], [0, 0, 1]], "~: expected a positive definite matrix"),
+    ("masses", "bodies[0].mass.density", 1, '~: unknown key "density"'),
+    ("masses", "bodies[1].mass.density", 0, f"~: {ABOVE}0"),
+    ("masses", "bodies[1].mass.density", -2, f"~: {ABOVE}-2"),
+    ("masses", "bodies[1].mass.density", None, "~: expected a number, found null"),
+    ("masses", "bodies[1].mass.density", GONE, 'bodies[1].mass: the key "density" is missing'),
+    ("masses", "bodies[1].material", {"restitution": 0.5}, '~: the key "friction" is missing'),
+    ("masses", "bodies[1].material", {"restitution": -0.1, "friction": 0},
+     "bodies[1].material.restitution: expected a number from 0 to 1, found -0.1"),
+    ("masses", "bodies[1].material", {"restitution": 1.5, "friction": 0},
+     "bodies[1].material.restitution: expected a number from 0 to 1, found 1.5"),
+    ("masses", "bodies[1].material", {"restitution": 0, "friction": -0.5},
+     f"bodies[1].material.friction: {NOT_NEGATIVE}-0.5"),
+    ("masses", "bodies[1].material", {"restitution": 0, "friction": "sticking"},
+     "bodies[1].material.friction: expected a number, found a string"),
+    ("masses", "bodies[1].velocity", {"v_WBcm": [0, 0, 0]}, '~: the key "w_WB" is missing'),
+    ("masses", "bodies[1].velocity", {"v_WBcm": [0, 0, 0], "w_WB": 1},
+     "bodies[1].velocity.w_WB: expected an array, found 1"),
+]
+
+CONTACTS = [
+    ("contact", "contact", GONE, "contact: missing; expected one for a question about an impact"),
+    ("contact", "contact", [], "~: expected an object, found an array"),
+    ("contact", "contact.p_WC", GONE, 'contact: the key "p_WC" is missing'),
+    ("contact", "contact.p_WC", [1], "~: expected 3 items, found 1"),
+    ("contact", "contact.nhat_BA_W", [0, 0, 0], "~: zero; expected a direction of length 1"),
+    ("contact", "contact.nhat_BA_W", [0, 0, 2], "~: expected a direction of length 1 within rounding, found 2"),
+    ("contact", "contact.nhat_BA_W", [0, 0, 0.999], "~: expected a direction of length 1 within rounding, found 0.999"),
+    ("contact", "contact.nhat_BA_W", [1, 0, 1], "~: expected a direction of length 1 within rounding, found 1.414"),
+    ("contact", "contact.nhat_BA_W", [0, 0, 1e-310],
+     "~: expected a direction of length 1 within rounding, found 1e-310"),
+    ("contact", "contact.nhat_BA_W", [0, 0, -1], Right("\n")),
+    ("contact", "contact.nhat_BA_W[2]", "up", "~: expected a number, found a string"),
+    ("contact", "contact.law", "routh", '~: expected "poisson", "stronge" or "newton", found "routh"'),
+    ("contact", "contact.law", 1, "~: expected a string, found 1"),
+    ("contact", "contact.restitution", GONE, 'contact: the key "restitution" is missing'),
+    ("contact", "contact.restitution", -1, "~: expected a number from 0 to 1, found -1"),
+    ("contact", "contact.restitution", 1.0000000000000002,
+     "~: expected a number from 0 to 1, found 1.0000000000000002"),
+    ("contact", "contact.restitution", None, "~: expected a number, found null"),
+    ("contact", "contact.friction", -1, f"~: {NOT_NEGATIVE}-1"),
+    ("contact", "contact.friction", "rough", '~: expected a number or "sticking", found "rough"'),
+    ("contact", "contact.friction", False, "~: expected a number, found false"),
+    ("contact", "contact.friction", "sticking", Right("\n")),
+    ("contact", "contact.point", [0, 0, 0], '~: unknown key "point"; known are "p_WC", "nhat_BA_W"'),
+    ("contact", "bodies[1]", GONE, "contact: expected two bodies, found 1"),
+    ("contact", "bodies[2]", body(ball(1)), "contact: expected two bodies, found 3"),
+    ("contact", "bodies", [body(ball(1), mass={"type": "fixed"})] * 2, "contact: both bodies are fixed"),
+]
+
+RASTERS = [
+    ("raster", "raster", GONE, "raster: missing; expected one to ask about pixels"),
+    ("raster", "raster", 1, "~: expected an object, found 1"),
+    ("raster", "raster.x", GONE, 'raster: the key "x" is missing'),
+    ("raster", "raster.x", "left", "~: expected a number, found a string"),
+    ("raster", "raster.pixel", 0, f"~: {ABOVE}0"),
+    ("raster", "raster.pixel", -0.5, f"~: {ABOVE}-0.5"),
+    ("raster", "raster.pixel", 5e-324, Right("\n")),
+    ("raster", "raster.columns", 0, "~: expected at least 1, found 0"),
+    ("raster", "raster.columns", -1, "~: expected an integer from 0 to 2147483647, found -1"),
+    ("raster", "raster.columns", 8.5, "~: expected an integer, found 8.5"),
+    ("raster", "raster.columns", 2**31, "~: expected an integer from 0 to 2147483647, found 2147483648"),
+    ("raster", "raster.columns", 2**31 - 1, "raster: expected at most 16777216 pixels, found 2147483647 x 8"),
+    ("raster", "raster.columns", "8", "~: expected an integer, found a string"),
+    ("raster", "raster.rows", 0, "~: expected at least 1, found 0"),
+    ("raster", "raster.rows", GONE, 'raster: the key "rows" is missing'),
+    ("raster", "raster.rows", 2**22, "raster: expected at most 16777216 pixels, found 8 x 4194304"),
+    ("raster", "raster.shift", [1], "~: expected 2 items, found 1"),
+    ("raster", "raster.shift", 1, "~: expected an array, found 1"),
+    ("raster", "raster.shift[0]", 0.5, "~: expected an integer of at most 1e9, found 0.5"),
+    ("raster", "raster.shift[1]", 2e9, "~: expected an integer of at most 1e9, found 2000000000"),
+    ("raster", "raster.shift[1]", -1e300, "~: expected an integer of at most 1e9, found -1e+300"),
+    ("raster", "raster.shift", [10**9, -10**9], Right("\n")),
+    ("raster", "raster.width", 1, '~: unknown key "width"'),
+    ("raster", "bodies[1]", GONE, Right("count 0")),
+]
+
+MOTIONS = [
+    ("flying", "flight", GONE, "flight: missing; expected one for a question about motion"),
+    ("motion", "flight", 1, "~: expected an object, found 1"),
+    ("motion", "flight.times", GONE, 'flight: the key "times" is missing'),
+    ("motion", "flight.times", [], "~: expected at least one"),
+    ("motion", "flight.times", 3, "~: expected an array, found 3"),
+    ("motion", "flight.times[0]", 0, f"~: {ABOVE}0"),
+    ("motion", "flight.times[0]", -1, f"~: {ABOVE}-1"),
+    ("motion", "flight.times[0]", 4, "flight.times[1]: expected more than the time before it, found 3"),
+    ("motion", "flight.times[0]", 3, "flight.times[1]: expected more than the time before it, found 3"),
+    ("motion", "flight.times[1]", "3 s", "~: expected a number, found a string"),
+    ("motion", "flight.since", [0], "~: expected 3 items, found 1"),
+    ("motion", "flight.since[1]", -1, f"~: {NOT_NEGATIVE}-1"),
+    ("motion", "flight.since[1]", 2, "~: expected no more than the flight's first time, found 2"),
+    ("motion", "flight.since[1]", None, "~: expected a number, found null"),
+    ("motion", "flight.envelope", 0, f"~: {ABOVE}0"),
+    ("motion", "flight.envelope", -1e-6, f"~: {ABOVE}-1e-06"),
+    ("motion", "flight.envelope", 0.5,
+     "~: expected less than a thousandth of the size of each body that moves, found 0.5"),
+    ("motion", "flight.law", "routh", '~: expected "poisson", "stronge" or "newton", found "routh"'),
+    ("motion", "flight.force_bound", -1, f"~: {NOT_NEGATIVE}-1"),
+    ("motion", "flight.force_bound", "strong", "~: expected a number, found a string"),
+    ("motion", "flight.pushes", {}, "~: expected an array, found an object"),
+    ("motion", "flight.pushes[0]", [], "~: expected an object, found an array"),
+    ("motion", "flight.pushes[0].time", GONE, 'flight.pushes[0]: the key "time" is missing'),
+    ("motion", "flight.pushes[0].time", -1, f"~: {NOT_NEGATIVE}-1"),
+    ("motion", "flight.pushes[0].time", 5,
+     "flight.pushes[1].time: expected no less than the time of the push before it, found 2"),
+    ("motion", "flight.pushes[0].body", 3, "~: body 3 does not exist; there are 3"),
+    ("motion", "flight.pushes[0].body", -1, "~: expected an integer from 0 to 2147483647, found -1"),
+    ("motion", "flight.pushes[0].body", 2, "~: a fixed body; no force moves it"),
+    ("motion", "flight.pushes[0].force_W", [3, 0, 0], "~: stronger than the flight's force_bound, found 3 N"),
+    ("motion", "flight.pushes[0].force_W", [1], "~: expected 3 items, found 1"),
+    ("motion", "flight.pushes[0].who", 1, '~: unknown key "who"; known are "time", "body", "force_W"'),
+    ("motion", "flight.speed", 1, '~: unknown key "speed"'),
+    ("flying", "bodies[1].X_WB.p[0]", 1, "bodies: "),
+    ("motion", "bodies[0].velocity.v_WBcm[0]", None, "~: expected a number, found null"),
+    ("flying", "bodies[0].velocity.v_WBcm[0]", 0, Right("miss")),
+    ("motion", "bodies[0].velocity", "slow", "~: expected an object, found a string"),
+    ("film", "frames", 1, "~: expected an array, found 1"),
+    ("film", "frames[1]", {}, "~: expected an array, found an object"),
+    ("film", "frames[0][0]", 0, "~: expected an object, found 0"),
+    ("film", "frames[0][0].X_WB", GONE, 'frames[0][0]: the key "X_WB" is missing'),
+    ("film", "frames[0][0].body", 2, "frames[0][0]: body 2 does not exist; there are 2"),
+    ("film", "frames[0][0].body", -1, "~: expected an integer from 0 to 2147483647, found -1"),
+    ("film", "frames[0][0].body", "0", "~: expected an integer, found a string"),
+    ("film", "frames[0][0].X_WB.q.w", 0, f"frames[0][0].X_WB.q: {ZERO_Q}"),
+    ("film", "frames[0][0].X_WB", None, "frames[0][0]: body 0 is not there, so it cannot be taken away"),
+    ("film", "frames[1][0].body", 1, "frames[1][0]: body 1 is not there, so it cannot be taken away"),
+    ("film", "frames[1][1]", {"body": 0, "X_WB": None},
+     "frames[1][1]: body 0 stands twice in the frame; expected once"),
+    ("film", "frames[0][0].box", 1, '~: unknown key "box"; known are "body", "X_WB"'),
+]
+
+CASES = [
+    ("case", "touchstone", GONE, 'the key "touchstone" is missing'),
+    ("case", "touchstone", "case/9", '~: expected "case/1", found "case/9"'),
+    ("case", "touchstone", "scene/1", '~: expected "case/1", found "scene/1"'),
+    ("case", "property", GONE, 'the key "property" is missing'),
+    ("case", "property", 1, "~: expected a string, found 1"),
+    ("case", "subject", 1, "~: expected a string, found 1"),
+    ("case", "family", [], "~: expected a string, found an array"),
+    ("case", "seed", -1, "~: expected an integer from 0 to 2^64 - 1, found -1"),
+    ("case", "seed", 2**64, "~: expected an integer from 0 to 2^64 - 1"),
+    ("case", "seed", 2**64 - 1, Right("holds")),
+    ("case", "seed", 1.5, "~: expected an integer from 0 to 2^64 - 1, found 1.5"),
+    ("case", "index", GONE, 'the key "index" is missing'),
+    ("case", "index", "first", '~: expected an integer from 0 to 2^64 - 1, found "first"'),
+    ("case", "note", 1, "~: expected a string, found 1"),
+    ("case", "colour", "red", '~: unknown key "colour"; known are "touchstone", "property"'),
+    ("case", "finding", GONE, 'the key "finding" is missing'),
+    ("case", "finding", [], "~: expected an object, found an array"),
+    ("case", "finding.outcome", "perhaps", '~: unknown name "perhaps"'),
+    ("case", "finding.outcome", None, "~: expected a string, found null"),
+    ("case", "finding.defect", "ugly", '~: unknown name "ugly"'),
+    ("case", "finding.error", "big", '~: expected a number, "inf", "-inf" or "nan", found "big"'),
+    ("case", "finding.error", None, "~: expected a number, found null"),
+    ("case", "finding.error", "nan", Right("holds")),
+    ("case", "finding.allowed", GONE, 'finding: the key "allowed" is missing'),
+    ("case", "finding.margin", [0], "~: expected 2 items, found 1"),
+    ("case", "finding.margin[1]", "far", '~: expected a number, "inf", "-inf" or "nan", found "far"'),
+    ("case", "finding.proof", 1, '~: unknown key "proof"'),
+    ("case", "scene", GONE, 'the key "scene" is missing'),
+    ("case", "scene", {}, 'scene: the key "touchstone" is missing'),
+    ("case", "scene", 3, "~: expected an object, found 3"),
+    ("case", "scene.bodies[1].shape.half_extents[0]", -1, f"~: {ABOVE}-1"),
+    ("case", "scene.bodies[1].shape.half_extents[0]", [HOPELESS[:12]], "~: expected a number, found an array"),
+    ("case", "scene.bodies[1].X_WB.q.w", 0, f"scene.bodies[1].X_WB.q: {ZERO_Q}"),
+    ("case", "scene.bodies[1].colour", 1, f'~: unknown key "colour"; {BODY}'),
+    ("case", "scene.flight", {"times": []}, "scene.flight.times: expected at least one"),
+]
+
+# Words of the command line, and what is said behind "touchstone: " or by the answer.
+WORDS = [
+    (["ask", "distance", "no.json"], "no.json: is neither a file nor a scene of that name"),
+    (["ask", "mass", "no/such/folder.json"], "no/such/folder.json: is neither a file nor a scene of that name"),
+    (["ask", "mass", "scene.json/inside"], "scene.json/inside: is neither a file nor a scene of that name"),
+    (["ask", "mass", "."], ".: is a folder; expected a plain file, or - to read standard input"),
+    (["ask", "mass", "/"], "/: is a folder"),
+    (["ask", "mass", "folder.json"], "folder.json: is a folder"),
+    (["ask", "mass", "pipe"], "pipe: is a pipe"),
+    (["ask", "mass", "link_to_pipe"], "link_to_pipe: is a pipe"),
+    (["ask", "mass", "socket"], "socket: is a socket"),
+    (["ask", "mass", "/dev/zero"], "/dev/zero: is a device"),
+    (["ask", "mass", "/dev/null"], "/dev/null: is a device"),
+    (["ask", "mass", "/dev/urandom"], "/dev/urandom: is a device"),
+    (["ask", "mass", "dangling"], "dangling: is neither a file nor a scene of that name"),
+    (["ask", "mass", "loop"], "loop: cannot read: Too many levels of symbolic links"),
+    (["ask", "mass", "link"], Right("centre_of_mass")),
+    (["ask", "mass", "n" * 300], ": cannot read: File name too long"),
+    (["ask", "mass", "/proc/self/mem"], "/proc/self/mem:"),
+    (["ask", "mass", "huge"], "huge: has 300 MB; at most 100 MB are read"),
+    (["simulate", "pipe"], "pipe: is a pipe"),
+    (["simulate", "/dev/zero"], "/dev/zero: is a device"),
+    (["simulate", "."], ".: is a folder"),
+    (["simulate", "no.json"], "no.json: is neither a file nor a scene of that name"),
+    (["simulate", "scene.json"], "scene.json: has no flight"),
+    (["plan", "pipe"], "pipe: is a pipe"),
+    (["plan", "/dev/zero"], "/dev/zero: is a device"),
+    (["plan", "pool_brake"], "pool_brake: is neither a file nor a scene of that name"),
+    (["replay", "pipe"], "pipe: is a pipe"),
+    (["replay", "/dev/zero"], "/dev/zero: is a device"),
+    (["replay", "no.json"], "no.json: cannot read: No such file or directory"),
+    (["minimise", "pipe"], "pipe: is a pipe"),
+    (["minimise", "/dev/zero"], "/dev/zero: is a device"),
+    (["minimise", "."], ".: is a folder"),
+    (["import", "pipe.obj"], "pipe.obj: is a pipe"),
+    (["import", "folder.obj"], "folder.obj: is a folder"),
+    (["import", "zero.stl"], "zero.stl: is a device"),
+    (["import", "no.obj"], "no.obj: cannot read: No such file or directory"),
+    (["import", "scene.json"], "scene.json: not a mesh format by its name; expected .obj, .off, .stl or .ply"),
+    (["import", "huge.ply"], "huge.ply: has 300 MB"),
+]
+
+# Words, what standard input holds (a device: its name), and what is said.
+STDIN = [
+    (["ask", "distance", "-"], G, Right("separated")),
+    (["ask", "distance", "-"], with_x("1e400"), f"<stdin>:1:{G.index(X) + 2}: {P}[0]: {GREAT}1e400"),
+    (["ask", "distance", "-"], "", "<stdin>: empty; expected JSON"),
+    (["ask", "distance", "-"], "/dev/zero", "<stdin>: has more; at most 100 MB are read"),
+    (["plan", "-"], G, Right("used")),
+    (["plan", "-"], "[]", "<stdin>:1:1: expected an object, found an array"),
+    (["simulate", "-"], G, "<stdin>: has no flight"),
+    (["simulate", "-", "--until", "1", "--engine", "inproc:fast"], G, Right("bodies")),
+    (["replay", "-"], json.dumps(CASE), Right("holds")),
+    (["replay", "-"], G, '<stdin>:1:16: touchstone: expected "case/1", found "scene/1"'),
+    (["minimise", "-"], "{", "<stdin>:1:2: syntax error"),
+    (["import", "-"], "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\n", Right('"polytope"')),
+    (["import", "-"], "OFF 4 0 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1e-400\n", f'<stdin>:5:5: {SMALL}"1e-400"'),
+    (["import", "-"], "ply\n", "<stdin>:1:1: not a whole PLY mesh: no end_header"),
+    (["import", "-"], "solid\n", "<stdin>:2:1: not a whole STL mesh: no endsolid"),
+    (["import", "-"], "", '<stdin>: not an OBJ mesh: no line "f"'),
+    (["import", "-"], "/dev/zero", "<stdin>: has more; at most 100 MB are read"),
+]
+
+CORNER = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\n"
+OFF = "OFF\n4 4 6\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n"
+PLY_HEAD = "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\nend_header\n"
+PLY = PLY_HEAD + "0 0 0\n1 0 0\n0 1 0\n0 0 1\n"
+STL = "solid a\nfacet\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendfacet\nfacet\nvertex 0 0 1\nendfacet\nendsolid a\n"
+FLAT = "all in one plane: a solid needs 4 that are not"
+FEW = "fewer than 4: a solid needs 4 that are not in one plane"
+NO_NUMBER = "expected a number, found "
+CUT_PLY = "not a whole PLY mesh: it ends before its last vertex"
+
+
+def stl(*corners, declared=None):
+    triangles = b"".join(struct.pack("<12fH", 0, 0, 0, *corners[i], *corners[i + 1], *corners[i + 2], 0)
+                         for i in range(0, len(corners), 3))
+    return b" " * 80 + struct.pack("<I", len(corners) // 3 if declared is None else declared) + triangles
+
+
+def little_ply(*coordinates):
+    head = PLY_HEAD.replace("ascii", "binary_little_endian").encode()
+    return head + struct.pack(f"<{len(coordinates)}f", *coordinates)
+
+
+SOLID = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 0), (1, 0, 0), (0, 0, 1)]
+NAN = float("nan")
+VOLUME = Right('"vertices"')
+
+# The file's name, what stands in it, and the message behind the name.
+MESHES = [
+    ("a.obj", "", ': not an OBJ mesh: no line "f"'),
+    ("a.obj", "hello world\n", ': not an OBJ mesh: no line "f"'),
+    ("a.obj", CORNER.replace("f 1 2 3\n", ""), ': not an OBJ mesh: no line "f"'),
+    ("a.obj", "\ufeff" + CORNER, Right('"vertices": [[0.0,0.0,0.0],')),
+    ("a.obj", CORNER.replace("\n", "\r\n"), VOLUME),
+    ("a.obj", CORNER.encode("utf-16"), ": text in UTF-16; expected UTF-8"),
+    ("a.obj", b"\xfe\xff" + CORNER.encode("utf-16-be"), ": text in UTF-16; expected UTF-8"),
+    ("a.obj", CORNER + "\0", ":6:1: a NUL byte; expected text"),
+    ("a.obj", CORNER.replace("1 0 0", "1\0 0 0"), ":2:4: a NUL byte; expected text"),
+    ("a.obj", CORNER.replace("1 0 0", "1 0"), f":2:6: {NO_NUMBER}the end of the line"),
+    ("a.obj", CORNER.replace("1 0 0", ""), f":2:3: {NO_NUMBER}the end of the line"),
+    ("a.obj", CORNER.replace("1 0 0", "1 0 x"), f':2:7: {NO_NUMBER}"x"'),
+    ("a.obj", CORNER.replace("1 0 0", "1,0 0 0"), f':2:3: {NO_NUMBER}"1,0"'),
+    ("a.obj", CORNER.replace("1 0 0", "1 nan 0"), ':2:5: expected a number that a double can hold, found "nan"'),
+    ("a.obj", CORNER.replace("1 0 0", "-inf 0 0"), ':2:3: expected a number that a double can hold, found "-inf"'),
+    ("a.obj", CORNER.replace("1 0 0", "1e400 0 0"), ':2:3: expected a number that a double can hold, found "1e400"'),
+    ("a.obj", CORNER.replace("1 0 0", "1e-400 0 0"), f':2:3: {SMALL}"1e-400": it would be read as 0'),
+    ("a.obj", CORNER.replace("1 0 0", "0." + "0" * 400 + "1 0 0"), f':2:3: {SMALL}"0.0000'),
+    ("a.obj", CORNER.replace("1 0 0", "1e-320 0 0"), VOLUME),
+    ("a.obj", CORNER.replace("1 0 0", "+1 0e999 -0"), VOLUME),
+    ("a.obj", CORNER.replace("1 0 0", "+-1 0 0"), f':2:3: {NO_NUMBER}"+-1"'),
+    ("a.obj", CORNER.replace("1 0 0", "0x1 0 0"), f':2:3: {NO_NUMBER}"0x1"'),
+    ("a.obj", CORNER.replace("v 0 0 1", "v 1 1 0"), f": points: {FLAT}"),
+    ("a.obj", CORNER.replace("v 0 0 1\n", ""), f": points: {FEW}"),
+    ("a.obj", "v 0 0 0\n" * 1000 + "f 1 2 3\n", ": points: "),
+    ("a.obj", Long("v 0 0 0\n", 1_000_000, after="f 1 2 3\n"), ": points: "),
+    ("a.obj", "v " + "9" * 1_000_000 + " 0 0\n" + CORNER, ':1:3: expected a number that a double can hold, found "999'),
+    ("a.obj", Long("x", 99_000_000), ': not an OBJ mesh: no line "f"'),
+    ("a.off", "", ":1:1: not a whole OFF mesh"),
+    ("a.off", "ON\n", ':1:1: not an OFF mesh in text with three coordinates a vertex: it starts with "ON"'),
+    ("a.off", OFF.replace("OFF", "4OFF"),
+     ':1:1: not an OFF mesh in text with three coordinates a vertex: it starts with "4OFF"'),
+    ("a.off", "\ufeff" + OFF, VOLUME),
+    ("a.off", OFF.encode("utf-16"), ": text in UTF-16; expected UTF-8"),
+    ("a.off", OFF.replace("4 4 6", "four"), ':2:1: expected a number of items, found "four"'),
+    ("a.off", OFF.replace("4 4 6", "-4 4 6"), ':2:1: expected a number of items, found "-4"'),
+    ("a.off", OFF.replace("4 4 6", "4.5 4 6"), ':2:1: expected a number of items, found "4.5"'),
+    ("a.off", OFF.replace("4 4 6", "18446744073709551616 4 6"), ":2:1: expected a number of items"),
+    ("a.off", OFF.replace("4 4 6", "18446744073709551615 4 6"), ":8:1: not a whole OFF mesh"),
+    ("a.off", OFF.replace("4 4 6", "3 4 6"), f": points: {FEW}"),
+    ("a.off", OFF.replace("1 0 0", "1 # 0"), f":4:3: {NO_NUMBER}the end of the line"),
+    ("a.off", OFF.replace("1 0 0", "1 0 1e-400"), f':4:5: {SMALL}"1e-400"'),
+    ("a.off", OFF + "\0", ":8:1: a NUL byte; expected text"),
+    ("a.stl", "", ":1:1: not a whole STL mesh: no endsolid"),
+    ("a.stl", "facet\n", ": not an STL mesh: neither text"),
+    ("a.stl", "solid a\n", ":2:1: not a whole STL mesh: no endsolid"),
+    ("a.stl", STL, VOLUME),
+    ("a.stl", "\ufeff" + STL, VOLUME),
+    ("a.stl", STL.encode("utf-16"), ": text in UTF-16; expected UTF-8"),
+    ("a.stl", STL.replace("1 0 0", "1 zero 0"), f':4:10: {NO_NUMBER}"zero"'),
+    ("a.stl", STL.replace("1 0 0", "1e400 0 0"), ':4:8: expected a number that a double can hold, found "1e400"'),
+    ("a.stl", STL.replace("1 0 0", "1e-400 0 0"), f':4:8: {SMALL}"1e-400"'),
+    ("a.stl", STL.replace("1 0 0", "1\0 0 0"), ":4:9: a NUL byte; expected text"),
+    ("a.stl", STL.replace("0 0 1", "1 1 0"), f": points: {FLAT}"),
+    ("a.stl", stl(*SOLID), VOLUME),
+    ("a.stl", stl(*SOLID, declared=3), ": not an STL mesh: neither text"),
+    ("a.stl", stl(*SOLID, declared=2**32 - 1), ": not an STL mesh: neither text"),
+    ("a.stl", stl(*SOLID)[:-1], ": not an STL mesh: neither text"),
+    ("a.stl", stl(*SOLID[:5], (0, 0, NAN)), ": vertex 5: NaN or infinite; expected finite coordinates"),
+    ("a.stl", stl(*SOLID[:5], (0, 0, float("inf"))), ": vertex 5: NaN or infinite; expected finite coordinates"),
+    ("a.stl", stl(), f": points: {FEW}"),
+    ("a.ply", "", ':1:1: not a PLY mesh: its first line is not "ply"'),
+    ("a.ply", "ply\n", ":1:1: not a whole PLY mesh: no end_header"),
+    ("a.ply", PLY, VOLUME),
+    ("a.ply", "\ufeff" + PLY, VOLUME),
+    ("a.ply", PLY.encode("utf-16"), ": text in UTF-16; expected UTF-8"),
+    ("a.ply", PLY.replace("ascii", "utf8"), ':2:8: not a PLY mesh: unknown format "utf8"'),
+    ("a.ply", PLY.replace("float x", "quad x"), ':4:10: not a PLY mesh: unknown type "quad"'),
+    ("a.ply", PLY.replace("float x", "float u"), ": not a PLY mesh: a vertex needs one number x"),
+    ("a.ply", PLY.replace("vertex 4", "vertex"), ":3:15: expected a number of items, found the end of the line"),
+    ("a.ply", PLY.replace("vertex 4", "vertex -4"), ':3:16: expected a number of items, found "-4"'),
+    ("a.ply", PLY.replace("vertex 4", "vertex 99999999999"), f":12:1: {CUT_PLY}"),
+    ("a.ply", PLY.replace("element vertex 4\n", ""), ":3:1: not a PLY mesh: a property before any element"),
+    ("a.ply", PLY.replace("vertex", "point"), ': not a PLY mesh: no element "vertex"'),
+    ("a.ply", PLY.replace("1 0 0", "1 zero 0"), f':9:3: {NO_NUMBER}"zero"'),
+    ("a.ply", PLY.replace("1 0 0", "1e400 0 0"), ':9:1: expected a number that a double can hold, found "1e400"'),
+    ("a.ply", PLY.replace("1 0 0", "1e-400 0 0"), f':9:1: {SMALL}"1e-400"'),
+    ("a.ply", PLY + "\0", ":12:1: a NUL byte; expected text"),
+    ("a.ply", little_ply(0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1), VOLUME),
+    ("a.ply", little_ply(0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0), f": {CUT_PLY}"),
+    ("a.ply", little_ply(0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, NAN),
+     ": vertex 3: NaN or infinite; expected finite coordinates"),
+    ("a.dae", "<COLLADA/>", ": COLLADA (.dae) is not read; expected .obj, .off, .stl or .ply"),
+    ("a.fbx", "Kaydara FBX Binary", ": not a mesh format by its name"),
+    ("obj", CORNER, ": not a mesh format by its name"),
+]
+
+# Names in files and on the command line. A scene's: path, value, what is said.
+SCENE_NAMES = [
+    ("boxes", "name", 7, "~: expected a string, found 7"),
+    ("boxes", "name", ["a"], "~: expected a string, found an array"),
+    ("boxes", "name", "a\nb\tc\u0001", Right("separated")),
+    ("boxes", "name", "n" * 100_000, Right("separated")),
+    ("boxes", "bodies[0].name", None, "~: expected a string, found null"),
+    ("boxes", "bodies[0].name", "\U0001f4a5 \u202e \u0000", Right("separated")),
+    ("boxes", "bodies[0].name", "bodies[1]: the key \"shape\" is missing", Right("separated")),
+    ("boxes", "\u202ename", "x", 'unknown key "'),
+    ]
+NAMES = [
+    (["ask", "depth", "scene.json"], "depth"),
+    (["ask", "", "scene.json"], "QUERY"),
+    (["ask", "DISTANCE", "scene.json"], "DISTANCE"),
+    (["list", "engines"], "engines"),
+    (["list", "n" * 300], "WHAT"),
+    (["reprot"], "reprot"),
+    (["check", "--stems", "distanse"], "stem distanse: unknown"),
+    (["check", "--properties", "distance.valeu"], "distance.value"),
+    (["check", "--subjects", "bullet.dubble"], 'subject "bullet.dubble": unknown'),
+    (["check", "--subjects", "inproc:bullet"], "subject inproc:bullet: only inproc:reference and inproc:fast"),
+    (["check", "--subjects", "exec:"], "exec:: expected a command line"),
+    (["check", "--subjects", "exec:no_such_program_at_all"], "no_such_program_at_all: cannot be run"),
+    (["check", "--effort", "huge"], "huge"),
+    (["simulate", "needle", "--engine", "bulet"], 'engine "bulet": unknown'),
+    (["replay", "case_of_no_property.json"], "property distance.valeu: unknown; did you mean distance.value"),
+    (["replay", "case_of_no_subject.json"], "case_of_no_subject.json: names no subject"),
+]
