@@ -98,7 +98,7 @@ const char* kind_of(mode_t mode) {
   throw InputError(path, "has " + has + "; at most " + std::to_string(largest_text_bytes / 1'000'000) + " MB are read");
 }
 
-/// Before it is opened: opening a pipe waits for its writer, and opening a device may do anything.
+/// Looks before the file is opened: opening a pipe waits for its writer, and opening a device may do anything.
 void require_plain(const std::string& path) {
   struct stat status {};
   if (::stat(path.c_str(), &status) != 0) refuse(path, "cannot read");
@@ -110,7 +110,7 @@ void require_plain(const std::string& path) {
   if (bytes > largest_text_bytes) refuse_size(path, std::to_string(bytes / 1'000'000) + " MB");
 }
 
-/// Up to its end, which may never come.
+/// Reads up to the end, or gives up where a text without end has become too large.
 std::string read_all(File& file, const std::string& path) {
   std::string text;
   constexpr std::size_t chunk = 1 << 16;
@@ -133,7 +133,7 @@ std::string read_text(const std::string& path) {
     return read_all(standard_input, "<stdin>");
   }
   require_plain(path);
-  // Not to wait, should a pipe have taken the file's place meanwhile.
+  // O_NONBLOCK: a pipe may have taken the file's place meanwhile; then this must not wait.
   File file(path, O_RDONLY | O_NONBLOCK, path, doing);
   return read_all(file, path);
 }

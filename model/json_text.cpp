@@ -39,7 +39,7 @@ std::string readable(std::string message) {
   return message.size() <= longest ? message : message.substr(0, longest) + " ...";
 }
 
-/// What is wrong with a text, before its file is known: at a JSON path, or where its grammar ends.
+/// What is wrong with a text, before its file is known: an error about a JSON path, or about an offset.
 struct Flaw {
   InputError error;
   std::optional<std::size_t> offset;
@@ -162,7 +162,7 @@ class Builder final : public nlohmann::json_sax<Json> {
   std::size_t most_values_;
 };
 
-/// Where a string or a number begins of which the parser would make copies that no memory should be spent on.
+/// Finds a string or a number that is too long: the parser makes several copies of each. Returns where it begins.
 std::optional<std::size_t> long_word(std::string_view text) {
   constexpr std::size_t longest = 1'000'000;
   bool is_in_string = false;

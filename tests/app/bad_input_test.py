@@ -93,7 +93,7 @@ class BadScene(Test):
         self.refused_scene(json.dumps(TWO_BOXES)[:-9], "scene.json:1:")
         self.refused_scene(json.dumps(TWO_BOXES) + "}", "scene.json:1:")
         self.refused_scene(b"\xff\xfe\x00", "UTF-16")
-        self.refused_scene("[" * 100000, "scene.json:1:16: ")
+        self.refused_scene("[" * 100000, "scene.json:1:17: ")
         self.refused_scene("[]", "expected an object")
         self.refused_scene(json.dumps(TWO_BOXES).replace("[3,", "[NaN,"), "scene.json:1:")
         self.refused_scene(json.dumps(TWO_BOXES).replace("[3,", "[-Infinity,"), "scene.json:1:")
