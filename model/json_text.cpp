@@ -18,7 +18,8 @@ namespace {
 /// stack.
 constexpr std::size_t deepest = 16;
 
-/// No object that is read has more members than 13; finding one among many would take long.
+/// The objects of our formats have ten members or so. A member is found by going through all, which takes long where
+/// there are many.
 constexpr std::size_t most_keys = 64;
 
 std::string shortened(const std::string& word) {
