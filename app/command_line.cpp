@@ -270,7 +270,8 @@ void add_simulate(CLI::App& program, Options& options) {
 
 void add_import(CLI::App& program, Options& options) {
   auto* command = program.add_subcommand("import", "Turn the convex hull of a mesh (OBJ, OFF, STL, PLY) into a scene");
-  add_argument(*command, "MESH", options.import.mesh, "A mesh file")->required();
+  add_argument(*command, "MESH", options.import.mesh, "A mesh file, or - for stdin, whose content tells the format")
+      ->required();
   add_file(*command, "--out", options.import.out, "Write the scene to this file. Default: stdout");
   command->footer(help::import);
   command->callback([&options] {

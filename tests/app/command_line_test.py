@@ -117,6 +117,31 @@ class Help(Test):
                     self.assertIn(option, options, line)
 
 
+class Stdin(Test):
+    def run_with(self, content, *words):
+        return subprocess.run([PROGRAM, *map(str, words)], cwd=self.folder, capture_output=True, text=True, timeout=60,
+                              input=content if isinstance(content, str) else json.dumps(content))
+
+    def test_scenes(self):
+        self.file("balls.json", TWO_BALLS)
+        for words in (["ask", "distance"], ["plan"]):
+            self.assertEqual(self.run_with(TWO_BALLS, *words, "-").stdout, self.succeeds(*words, "balls.json"))
+        self.assertIn("impact 0", self.run_with(TWO_BALLS, "simulate", "-", "--until", "1", "--engine", "inproc:fast").stdout)
+
+    def test_a_mesh_and_what_is_made_of_it(self):
+        mesh = "".join(f"v {x} {y} {z}\n" for x, y, z in TETRAHEDRON) + "f 1 2 3\n"
+        imported = self.run_with(mesh, "import", "-")
+        self.assertEqual(self.run_with(imported.stdout, "ask", "mass", "-").returncode, 0, imported.stderr)
+
+    def test_a_smaller_case_gets_a_name(self):
+        case = {"touchstone": "case/1", "property": "distance.survives", "subject": "inproc:reference", "seed": 1, "index": 0,
+                "finding": {"outcome": "holds", "defect": "none", "error": 0, "allowed": 0}, "scene": TWO_BALLS}
+        self.assertIn("holds", self.run_with(case, "replay", "-").stdout)
+        done = self.run_with(case, "minimise", "-", "--subject", f"exec:{CANARY} canary.nan")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual([p.name for p in self.folder.iterdir()], ["smaller.json"])
+
+
 class SceneByName(Test):
     def test_it_can_be_asked_about(self):
         by_file = self.succeeds("ask", "mass", SOURCE / "docs/scenes/motion_newtons_cradle.json")
