@@ -16,7 +16,7 @@ Where a command reads a scene, a case or a mesh, - stands for stdin.
 
 Exit codes:
   0    done; check: every property holds; replay: the case does not fail
-  1    check or replay saw a failure
+  1    check or replay saw a failure; simulate: the engine broke or gave up
   2    bad input or usage
   3    a fault of Touchstone itself; or a full disk, or a closed stdout
   130  interrupted: what was asked until then is written, and says that it is partial (SIGHUP: 129, SIGTERM: 143)
@@ -121,7 +121,7 @@ the start are bad input for every engine.
 
 Exit codes:
   0    done
-  1    the engine broke; files and table then end at the last time that is known
+  1    the engine broke or gave up; files and table then end at the last time that is known
   2    bad input or usage, or the engine does not answer this query
   3    a fault of Touchstone itself; or a full disk, or a closed stdout
   130  interrupted (SIGHUP: 129, SIGTERM: 143); files and table then end at the last time that is known)";
