@@ -8,13 +8,16 @@
 
 #include "app/finding_words.h"
 #include "app/interruption.h"
+#include "app/program_folder.h"
 #include "app/progress.h"
+#include "app/replay_command.h"
 #include "app/report_json.h"
 #include "app/roster.h"
 #include "app/smallest.h"
 #include "app/terminal.h"
 #include "app/writable.h"
 #include "model/input_error.h"
+#include "model/json.h"
 #include "oracle/case.h"
 #include "oracle/truth.h"
 #include "oracle/words.h"
@@ -29,10 +32,21 @@ using oracle::Finding;
 using oracle::words::text;
 using properties::Property;
 
-std::string name_of_subject(const CaseCommand& command, const Case& a_case) {
-  const std::string name = command.subject.empty() ? a_case.subject : command.subject;
-  if (name.empty()) throw InputError(command.path, "names no subject: say which one with --subject");
-  return name;
+/// What the file names is printed, so it is escaped: it may be any text.
+[[noreturn]] void refuse_to_run(const CaseCommand& command, const std::string& verb, const std::string& subject) {
+  const bool is_plain = std::ranges::all_of(subject, [](char c) { return c >= ' ' && c <= '~'; });
+  const std::string how = is_plain ? fmt::format("to run it: {} {} {} --subject {}", shell_word(program_file()), verb,
+                                                 shell_word(command.path), shell_word(subject))
+                                   : "name it with --subject to run it";
+  throw InputError(command.path, fmt::format("the file names a command, which only --subject may do; not run: {}; {}",
+                                             Json(subject).dump(-1, ' ', true, Json::error_handler_t::replace), how));
+}
+
+std::string name_of_subject(const CaseCommand& command, const std::string& verb, const Case& a_case) {
+  if (!command.subject.empty()) return command.subject;
+  if (a_case.subject.empty()) throw InputError(command.path, "names no subject: say which one with --subject");
+  if (a_case.subject.starts_with("exec:")) refuse_to_run(command, verb, a_case.subject);
+  return a_case.subject;
 }
 
 bool failed(const Finding& finding) {
@@ -87,7 +101,7 @@ Case cut_down(const Example& example, const Property& property, oracle::Subject&
 int replay(const CaseCommand& command) {
   const Case a_case = oracle::read_case(command.path);
   const Property& property = properties::find(a_case.property);
-  const auto subject = connect(name_of_subject(command, a_case), limits_of(command.time_limit));
+  const auto subject = connect(name_of_subject(command, "replay", a_case), limits_of(command.time_limit));
   const Finding finding = property.check(a_case.scene, *subject);
   if (command.json) {
     print_lines(text_of(oracle::json_of(finding)));
@@ -100,9 +114,10 @@ int replay(const CaseCommand& command) {
 int minimise(const CaseCommand& command) {
   const Case a_case = oracle::read_case(command.path);
   const Property& property = properties::find(a_case.property);
+  const std::string connectable = name_of_subject(command, "minimise", a_case);
   const std::string out = command.out.empty() ? smaller_name(command.path) : command.out;
   require_writable_file(out);
-  const auto subject = connect(name_of_subject(command, a_case), limits_of(command.time_limit));
+  const auto subject = connect(connectable, limits_of(command.time_limit));
   watch_for_interruption();
   const Example example{a_case.family, a_case.index, a_case.scene, property.check(a_case.scene, *subject)};
   if (interrupted()) {
@@ -114,7 +129,7 @@ int minimise(const CaseCommand& command) {
     return 1;
   }
   Case smaller = cut_down(example, property, *subject, a_case.seed, command.budget);
-  smaller.subject = name_of_subject(command, a_case);
+  smaller.subject = connectable;
   oracle::write_case(smaller, out);
   print("{}: {}{}\n", out, text_of(oracle::size_of(smaller.scene)), interrupted() ? "; interrupted" : "");
   return interrupted() ? interrupted_exit_code() : 0;

@@ -49,6 +49,7 @@ struct Row {
   std::optional<oracle::Case> smallest_case;  ///< after cutting down
   oracle::Size size_found;                    ///< of `smallest` before
   std::string case_file;                      ///< relative to the report's folder
+  std::string replay_command;                 ///< of the case where it was written; empty if it was not
 
   /// A finding of the next question.
   void count(const Example& example);

@@ -25,8 +25,8 @@ std::string about_the_case(const Row& row) {
   return definition("scene", fmt::format("{}; drawn as {} {} with {}", text_of(size), escaped(row.smallest->family),
                                          row.smallest->index, text_of(row.size_found))) +
          definition("note", escaped(row.smallest_case->note)) +
-         definition("replay",
-                    fmt::format("<code>touchstone replay {0}</code> <a href=\"{0}\">file</a>", escaped(row.case_file)));
+         definition("replay", fmt::format("<code>{}</code> <a href=\"{}\">file</a>",
+                                          escaped(row.replay_command), escaped(row.case_file)));
 }
 
 std::string facts(const Row& row, const properties::Property& property) {
@@ -64,7 +64,12 @@ std::string failures_of(const Ledger& ledger, const oracle::Card& card) {
 }  // namespace
 
 std::string failures(const Ledger& ledger) {
-  std::string html = "<p>Each opens to its smallest failing scene.</p>";
+  std::string html =
+      "<p>Each opens to its smallest failing scene. <span class=\"soft\">The commands run from any folder of the "
+      "machine "
+      "that wrote this page. Elsewhere: <code>./touchstone replay</code> with the linked file, and "
+      "<code>--subject</code> "
+      "for an engine of your own.</span></p>";
   for (const oracle::Card& card : ledger.subjects) html += failures_of(ledger, card);
   return html;
 }

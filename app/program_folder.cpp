@@ -11,6 +11,8 @@ fs::path base_folder() { return fs::read_symlink("/proc/self/exe").parent_path()
 
 }  // namespace
 
+std::string program_file() { return (base_folder() / "bin" / "touchstone").string(); }
+
 std::string subjects_folder() {
   const fs::path built = base_folder() / "subjects";
   return (fs::is_directory(built) ? built : base_folder() / "libexec" / "touchstone").string();

@@ -6,6 +6,9 @@
 
 namespace touchstone::app {
 
+/// This program itself, also after a build has put another one in its place.
+std::string program_file();
+
 /// The folder of the subjects' programs: ../subjects in a build, ../libexec/touchstone in an installation.
 std::string subjects_folder();
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 #include <ranges>
 #include <set>
 #include <thread>
@@ -12,6 +13,7 @@
 #include "app/finding_words.h"
 #include "app/interruption.h"
 #include "app/questions.h"
+#include "app/replay_command.h"
 #include "app/report_html.h"
 #include "app/report_json.h"
 #include "app/report_junit.h"
@@ -109,6 +111,16 @@ bool is_case_of_a_report(const fs::path& file) {
                              [&](const properties::Property& property) { return name.starts_with(property.id + "."); });
 }
 
+/// The cases have their places before the page and JUnit XML name them.
+void name_replay_commands(Ledger& ledger, const TrialPlan& plan, const fs::path& folder) {
+  for (Row& row : ledger.rows) {
+    if (!row.smallest_case) continue;
+    std::optional<double> limit;
+    if (row.smallest_case->finding.defect == oracle::Defect::hung) limit = plan.limits.cpu_seconds;
+    row.replay_command = replay_command((folder / row.case_file).string(), row.smallest_case->subject, limit);
+  }
+}
+
 /// The old report goes first and index.html comes last: whoever sees it sees a whole report.
 void write_report(const fs::path& folder, const Ledger& ledger) {
   for (const char* file : {"index.html", "report.json", "junit.xml"}) fs::remove(folder / file);
@@ -130,13 +142,13 @@ void write_extras(const RunOptions& options, const Ledger& ledger) {
 
 long failing_rows(const Ledger& ledger) { return std::ranges::count_if(ledger.rows, &Row::failing); }
 
-void print_failing(const Ledger& ledger, const std::string& out) {
+void print_failing(const Ledger& ledger) {
   for (const Row& row : ledger.rows) {
     if (!row.failing()) continue;
     print("{} {}: {} of {} fail, grade {}\n", row.subject, row.property, row.fails + row.breaks, row.answered(),
           oracle::name_of(*row.grade()));
     for (const auto& [label, words] : lines_of(shown_finding(row))) print("    {:<9} {}\n", label, words);
-    if (!out.empty() && row.smallest_case) print("    touchstone replay {}/{}\n", out, row.case_file);
+    if (!row.replay_command.empty()) print("    {}\n", row.replay_command);
   }
 }
 
@@ -171,7 +183,7 @@ void print_closest(const Ledger& ledger, const std::string& out) {
     } else {
       const std::string file = (fs::path(out) / "cases" / (stem + ".closest.json")).string();
       oracle::write_case(as_case, file);
-      print("    touchstone replay {}\n", file);
+      print("    {}\n", replay_command(file, as_case.subject));
     }
   }
 }
@@ -210,7 +222,8 @@ int report(const RunOptions& options) {
   watch_for_interruption();
   const MeshSet meshes = meshes_of(options);
   if (!meshes.absent.empty()) complain("no real meshes: {}", meshes.absent);
-  const Ledger ledger = run(plan, meshes);
+  Ledger ledger = run(plan, meshes);
+  name_replay_commands(ledger, plan, options.out);
   write_report(options.out, ledger);
   write_extras(options, ledger);
   print_summary(ledger);
@@ -223,10 +236,13 @@ int check(const RunOptions& options) {
   prepare_places(options);
   watch_for_interruption();
   const MeshSet meshes = options.meshes.empty() ? MeshSet{} : meshes_of(options);
-  const Ledger ledger = run(plan, meshes);
-  if (!options.out.empty()) write_report(options.out, ledger);
+  Ledger ledger = run(plan, meshes);
+  if (!options.out.empty()) {
+    name_replay_commands(ledger, plan, options.out);
+    write_report(options.out, ledger);
+  }
   write_extras(options, ledger);
-  print_failing(ledger, options.out);
+  print_failing(ledger);
   if (ledger.subjects.size() == 1) print_closest(ledger, options.out);
   print_impacts(ledger);
   print_summary(ledger);

@@ -21,6 +21,7 @@ std::string failure(const Row& row) {
   std::string words;
   for (const auto& [label, text] : lines_of(finding)) words += label + ": " + text + '\n';
   if (!row.case_file.empty()) words += "case: " + row.case_file + '\n';
+  if (!row.replay_command.empty()) words += "replay: " + row.replay_command + '\n';
   return fmt::format("<failure type=\"{}\" message=\"{}\">{}</failure>", oracle::name_of(finding.defect),
                      escaped(counts(row)), escaped(words));
 }

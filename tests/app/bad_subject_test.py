@@ -20,12 +20,13 @@ class AtItsStart(Test):
 
 class OnAQuestion(Test):
     def replayed(self, trick):
-        case = {"touchstone": "case/1", "property": "distance.survives", "subject": f"exec:{MISBEHAVING} {trick}", "seed": 1,
-                "index": 0, "finding": {"outcome": "holds", "defect": "none", "error": 0, "allowed": 0},
+        case = {"touchstone": "case/1", "property": "distance.survives", "seed": 1, "index": 0,
+                "finding": {"outcome": "holds", "defect": "none", "error": 0, "allowed": 0},
                 "scene": {**TWO_BALLS, "name": "trap"}}
         self.file("case.json", case)
         code = 0 if trick in ("none", "print", "flood", "nap", "fast_math") else 1
-        return json.loads(self.succeeds("replay", "case.json", "--json", "--time-limit", 0.2, code=code))
+        return json.loads(self.succeeds("replay", "case.json", "--json", "--time-limit", 0.2, "--subject",
+                                        f"exec:{MISBEHAVING} {trick}", code=code))
 
     def test_each_trick_has_its_name(self):
         for trick, defect in {"none": "none", "print": "none", "flood": "none", "abort": "crashed", "exit": "crashed",
@@ -66,7 +67,7 @@ class OnAQuestion(Test):
         page = (self.folder / "R/index.html").read_text()
         self.assertNotIn("<b>&'", page)
         self.assertIn("a&lt;b&gt;&amp;", page)
-        self.succeeds("replay", f"R/cases/{cases[0]}", code=1)
+        self.succeeds("replay", f"R/cases/{cases[0]}", "--subject", f"{ENGINE} none \"{name}\"", code=1)
 
 
 if __name__ == "__main__":

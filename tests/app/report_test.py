@@ -1,5 +1,6 @@
 """A small whole run: what is written is complete, repeats itself byte for byte, and every case replays."""
 
+import html
 import pathlib
 import re
 import shutil
@@ -11,13 +12,15 @@ from program import *
 
 
 def files(folder):
-    return {str(p.relative_to(folder)): p.read_bytes() for p in sorted(folder.rglob("*")) if p.is_file()}
+    """What is in them, but for the folder's own place, which commands name."""
+    return {str(p.relative_to(folder)): p.read_bytes().replace(bytes(folder), b"HERE") for p in sorted(folder.rglob("*"))
+            if p.is_file()}
 
 
 class Report(Test):
     @classmethod
     def setUpClass(cls):
-        cls.runs = pathlib.Path(tempfile.mkdtemp(prefix="touchstone_"))
+        cls.runs = pathlib.Path(tempfile.mkdtemp(prefix="touchstone_")).resolve()
         cls.addClassCleanup(shutil.rmtree, cls.runs)
         write_meshes(cls.runs / "meshes")
         cls.told = {}
@@ -48,6 +51,7 @@ class Report(Test):
         for name in once:
             self.assertEqual(once[name], again[name], name)
         self.assertNotEqual(once["report.json"], other["report.json"])
+        self.assertNotIn(b"HERE", once["report.json"])  # numbers to compare across machines
 
     def test_one_row_a_property_and_subject(self):
         pairs = [(row["property"], row["subject"]) for row in self.report["rows"]]
@@ -101,6 +105,60 @@ class Report(Test):
         (self.runs / "twice/cases/mine.txt").write_text("mine")
         self.succeeds("report", "--subjects", "inproc:reference", "--stems", "bounds", "--cases", 1, "--out", "twice")
         self.assertEqual([p.name for p in (self.runs / "twice/cases").iterdir()], ["mine.txt"])
+
+
+class Commands(Test):
+    """Replay commands run as printed, from the report's folder, from the clone and from anywhere."""
+
+    def setUp(self):
+        super().setUp()
+        self.folder = self.folder.resolve() / "a clone's folder"
+        (self.folder / "engines").mkdir(parents=True)
+        engine = (SOURCE / "tests/app/engine.py").read_text()
+        (self.folder / "engines/engine.py").write_text(engine.replace("asked >= 5", "asked >= 1"))
+        write_meshes(self.folder / "meshes")
+
+    def told_commands(self, *words, cases=3):
+        """From the terminal, the page and JUnit XML."""
+        said = self.run_program(*words, "--properties", "distance.value,distance.repeats,distance.scaled",
+                                "--cases", cases, "--meshes", "meshes", "--out", "R")
+        page = (self.folder / "R/index.html").read_text()
+        junit = "".join(xml.etree.ElementTree.parse(self.folder / "R/junit.xml").getroot().itertext())
+        of = {"terminal": re.findall(r"(?m)^ +(.* replay .*)$", said.stdout),
+              "page": [html.unescape(c) for c in re.findall(r"<code>([^<]* replay [^<]*cases/[^<]*)</code>", page)],
+              "JUnit": re.findall(r"(?m)^replay: (.*)$", junit)}
+        cases = [row["case"] for row in self.json("R/report.json")["rows"] if row.get("case")]
+        self.assertTrue(cases)
+        self.assertEqual(len(of["page"]), len(cases))
+        self.assertEqual(sorted(of["page"]), sorted(of["JUnit"]))
+        if words[0] == "check":
+            self.assertLessEqual(set(of["page"]), set(of["terminal"]))
+        return set().union(*of.values())
+
+    def same_finding_from(self, command, folder):
+        done = subprocess.run(["sh", "-c", command], cwd=folder, capture_output=True, text=True)
+        case = next(p for p in (self.folder / "R/cases").iterdir() if p.name in command)
+        finding = json.loads(case.read_text())["finding"]
+        self.assertEqual(done.returncode, 0 if ".closest." in case.name else 1, f"{command}\n{done.stdout}{done.stderr}")
+        self.assertIn(f"outcome      {finding['outcome']}", done.stdout)
+        for label in ("observed", "expected"):
+            if finding.get(label):
+                self.assertRegex(done.stdout, rf"(?m)^{label} +{re.escape(finding[label])}$")
+        if finding.get("why") and finding["defect"] != "hung":  # by which clock depends on the load
+            self.assertIn(finding["why"], done.stdout)
+
+    def test_they_run_from_anywhere(self):
+        for subject, limit, cases in [("bullet.float", 1, 30), ("exec:python3 engines/engine.py none \"it's $HOME\"", 1, 3),
+                                      ("exec:python3 engines/engine.py hangs", 0.3, 1), (f"exec:'{CANARY}' canary.nan", 1, 3)]:
+            if subject == "bullet.float" and "bullet.float" not in self.succeeds("list", "subjects"):
+                continue
+            with self.subTest(subject):
+                for command in self.told_commands("check", "--subjects", subject, "--time-limit", limit, cases=cases):
+                    for folder in (self.folder, self.folder / "R", "/"):
+                        self.same_finding_from(command, folder)
+
+    def test_report_prints_the_same(self):
+        self.assertTrue(self.told_commands("report", "--subjects", f"exec:{CANARY} canary.nan"))
 
 
 class Check(Test):
