@@ -141,9 +141,17 @@ Request read_request(std::string_view line) {
   return request;
 }
 
+Seq seq_of(std::string_view line) try {
+  const Json json = parse(line, request_place);
+  return Node(json, request_place).at("seq").index();
+} catch (const InputError&) {
+  return 0;
+}
+
 Card read_introduction(std::string_view line, Seq seq) {
   const Json json = parse(line, introduction_place);
   const Node node(json, introduction_place);
+  if (const auto breaks = node.find("breaks")) node.refuse("it breaks: " + read_breaks(*breaks).how);
   node.expect_object({"seq", "protocol", "card"});
   expect_seq(node, seq);
   if (node.at("protocol").index() != version) node.at("protocol").refuse("expected " + std::to_string(version));

@@ -36,6 +36,10 @@ std::string answer(Seq seq, const Breaks& breaks);
 
 /// Strict, as model/json.h is; InputError names the place. `seq` is the one that the answer must carry.
 Request read_request(std::string_view line);
+
+/// That of a message which may be unreadable otherwise; 0, which no question has, if there is none.
+Seq seq_of(std::string_view line);
+
 Card read_introduction(std::string_view line, Seq seq);
 template <class T>
 Answer<T> read_answer(std::string_view line, Seq seq);

@@ -8,11 +8,14 @@
 #include <cfenv>
 #include <cstdio>
 #include <iostream>
+#include <optional>
 #include <string>
 #include <system_error>
+#include <utility>
 
 #include "oracle/descriptor.h"
 #include "oracle/protocol.h"
+#include "oracle/received_scene.h"
 
 namespace touchstone::oracle {
 namespace {
@@ -41,7 +44,8 @@ std::string line_of(protocol::Seq seq, const Answer<T>& answer) {
   return protocol::answer(seq, std::get<Breaks>(answer));
 }
 
-std::string answer_to(const protocol::Request& request, Subject& subject) try {
+std::string answer_to(protocol::Request request, Subject& subject) {
+  const Scene scene = received(std::move(request.scene), request.query);
   // A library built with -ffast-math makes the processor flush denormals, for all of us, as soon as it is loaded.
   const auto in_default_environment = [](auto ask) {
     std::fesetenv(FE_DFL_ENV);
@@ -50,7 +54,7 @@ std::string answer_to(const protocol::Request& request, Subject& subject) try {
     return answer;
   };
   const auto answered = [&](auto query) {
-    return line_of(request.seq, in_default_environment([&] { return (subject.*query)(request.scene); }));
+    return line_of(request.seq, in_default_environment([&] { return (subject.*query)(scene); }));
   };
   if (request.query == "mass") return answered(&Subject::mass);
   if (request.query == "bounds") return answered(&Subject::bounds);
@@ -64,10 +68,36 @@ std::string answer_to(const protocol::Request& request, Subject& subject) try {
   if (request.query == "simulation") return answered(&Subject::simulation);
   if (request.query == "constraint") return answered(&Subject::constraint);
   return protocol::answer(request.seq, Abstains{"no " + request.query + " query"});
-} catch (const std::exception& error) {
-  return protocol::answer(request.seq, Breaks{Breaks::Kind::threw, error.what()});
-} catch (...) {
-  return protocol::answer(request.seq, Breaks{Breaks::Kind::threw, "not a std::exception"});
+}
+
+/// Nothing for `stop`. Whatever is wrong with the line is an answer, and the next line is read.
+std::optional<std::string> reply_to(const std::string& line, Subject& subject) {
+  const auto breaks = [&](const char* how) {
+    return protocol::answer(protocol::seq_of(line), Breaks{Breaks::Kind::threw, how});
+  };
+  try {
+    std::fesetenv(FE_DFL_ENV);
+    protocol::Request request = protocol::read_request(line);
+    if (request.op == protocol::Request::Op::stop) return std::nullopt;
+    if (request.op == protocol::Request::Op::start) return protocol::introduction(request.seq, subject.card());
+    return answer_to(std::move(request), subject);
+  } catch (const std::exception& error) {
+    return breaks(error.what());
+  } catch (...) {
+    return breaks("not a std::exception");
+  }
+}
+
+constexpr std::size_t longest_question = std::size_t{128} << 20;  // bytes: more than a file of 100 MB, written anew
+
+/// False at the end of the stream. Of a longer line, no more than one byte too many is kept.
+bool read_line(std::istream& in, std::string& line) {
+  line.clear();
+  for (int c = in.rdbuf()->sbumpc(); c != std::char_traits<char>::eof(); c = in.rdbuf()->sbumpc()) {
+    if (c == '\n') return true;
+    if (line.size() <= longest_question) line += static_cast<char>(c);
+  }
+  return !line.empty();
 }
 
 }  // namespace
@@ -77,12 +107,15 @@ int serve(Subject& subject) try {
   const rlimit no_core_dumps{0, 0};
   setrlimit(RLIMIT_CORE, &no_core_dumps);
   std::ios::sync_with_stdio(false);
-  for (std::string line; std::getline(std::cin, line);) {
-    std::fesetenv(FE_DFL_ENV);
-    const protocol::Request request = protocol::read_request(line);
-    if (request.op == protocol::Request::Op::stop) break;
-    write_all(out, request.op == protocol::Request::Op::start ? protocol::introduction(request.seq, subject.card())
-                                                              : answer_to(request, subject));
+  for (std::string line; read_line(std::cin, line);) {
+    if (line.size() > longest_question) {
+      const std::string how = "request: a line longer than " + std::to_string(longest_question) + " bytes";
+      write_all(out, protocol::answer(0, Breaks{Breaks::Kind::threw, how}));
+      continue;
+    }
+    const std::optional<std::string> reply = reply_to(line, subject);
+    if (!reply) break;
+    write_all(out, *reply);
   }
   return 0;
 } catch (const std::exception& error) {

@@ -1,5 +1,7 @@
 #include "reference/flight.h"
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 #include <variant>
@@ -81,6 +83,12 @@ Departure departure(const Scene& scene, std::size_t index) {
   start.v = triple(body.velocity.v_WBcm);
   start.w = triple(body.velocity.w_WB);
   start.q = {mpq_class(q.w), mpq_class(q.x), mpq_class(q.y), mpq_class(q.z)};
+  // Products of longer or shorter ones may be beyond the doubles in which poses are told.
+  const int exponent = std::ilogb(std::max({std::abs(q.w), std::abs(q.x), std::abs(q.y), std::abs(q.z)}));
+  if (std::abs(exponent) > 256) {
+    const mpq_class scale(std::ldexp(1.0, exponent > 0 ? -512 : 512));
+    for (mpq_class& part : start.q) part *= scale;
+  }
   for (const mpq_class& part : start.q) start.q_squared += part * part;
   if (std::holds_alternative<Fixed>(body.mass)) {
     start.p = triple(body.X_WB.p_WB);

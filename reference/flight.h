@@ -11,7 +11,7 @@ namespace touchstone::reference {
 /// Each interval holds the exact value at one time; W's axes.
 struct FlightTruth {
   std::array<Interval, 3> p_WB;                 ///< B's origin (m)
-  std::array<Interval, 4> q_WB;                 ///< w, x, y, z of a quaternion of R_WB, as long as the scene's
+  std::array<Interval, 4> q_WB;                 ///< w, x, y, z of a quaternion of R_WB, not of length 1
   std::array<std::array<Interval, 3>, 3> R_WB;  ///< rows
   std::array<Interval, 3> v_WBcm;               ///< m/s; of a fixed body its origin's, as in the scene
   std::array<Interval, 3> w_WB;                 ///< rad/s

@@ -20,6 +20,9 @@ namespace touchstone::fast::lin_canny {
 constexpr double rotation_error = 12 * u;
 Mat3 rotation(const Quaternion& q);
 
+/// The same rotation by a quaternion whose squares neither overflow nor underflow: q itself, or q times a power of two.
+Quaternion at_moderate_scale(const Quaternion& q);
+
 /// A computed R v: three products and two sums a row, rows of length 1: √3·3u|v| < 5.2u|v|. With the rotation's own
 /// error |computed − R(q/|q|) v| ≤ turn_error |v|; the same for Rᵀ.
 constexpr double turn_error = 18 * u;

@@ -2,12 +2,14 @@
 
 #include <cmath>
 
+#include "fast/lin_canny/rotation.h"
 #include "fast/motion/sine.h"
 #include "fast/simulation/length.h"
 
 namespace touchstone::fast::world {
 
-Quaternion turned(const Quaternion& q, const Vec3& angle) {
+Quaternion turned(const Quaternion& start, const Vec3& angle) {
+  const Quaternion q = lin_canny::at_moderate_scale(start);
   const double size = length(angle);
   if (!(size > 0 && size < 0x1p50)) return q;
   const auto [sine, c] = motion::sine_cosine(size / 2);
