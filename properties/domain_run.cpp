@@ -1,8 +1,10 @@
 // Runs of two to six bodies: a few impacts each, before chaos and before anything piles up; and bodies that never meet,
 // that rest, or that bounce for ever less.
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "model/limits.h"
 #include "properties/domain_families.h"
 #include "properties/domain_pair.h"
 #include "properties/domain_thrown.h"
@@ -189,6 +191,18 @@ Scene bouncing(Random& random) {
   return run(random, {std::move(table), std::move(ball)}, flight_until(8, 16), {0, 0, -8});
 }
 
+/// Two bodies that set out 2^4 to 2^60 of their sizes from each other, and come within a few sizes in the middle of the
+/// flight, or meet. Places and velocities are exact: one axis has the way, the others what they pass each other by.
+Scene far_apart(Random& random) {
+  Body a = random.one_in(3) ? some_box(random) : some_ball(random), b = some_ball(random);
+  const double way = std::ldexp(std::max(size(a.shape), size(b.shape)), random.between(4, 60));
+  a.material = b.material = some_material(random);
+  if (random.one_in(4)) a = fixed(std::move(a));
+  b.X_WB.p_WB = {way, 0.5 * random.whole(-3, 3), 0.5 * random.whole(-3, 3)};
+  b.velocity.v_WBcm = {-2 * way, 0, 0};
+  return turned_somehow(random, run(random, {std::move(a), std::move(b)}, flight_until(1, 2)));
+}
+
 }  // namespace
 
 std::vector<Family> run_families() {
@@ -206,6 +220,7 @@ std::vector<Family> run_families() {
       {"runs.apart", "bodies that never meet", stems, true, apart},
       {"runs.at_rest", "balls and blocks at rest on a table", stems, true, at_rest_on_a_table},
       {"runs.bouncing", "a ball that bounces, and comes to rest", stems, true, bouncing},
+      {"runs.far_apart", "two bodies that set out 2^4 to 2^60 sizes apart", stems, false, far_apart},
   };
 }
 

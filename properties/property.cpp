@@ -14,8 +14,8 @@ std::vector<Property> join() {
   for (const auto& stem :
        {mass_properties, bounds_properties, broad_phase_properties, broad_phase_film_properties, distance_properties,
         penetration_properties, pixel_properties, impulse_properties, impulse_law_properties, time_of_impact_properties,
-        simulation_properties, simulation_lockstep_properties, simulation_law_properties, simulation_scene_properties,
-        constraint_properties}) {
+        simulation_properties, simulation_lockstep_properties, simulation_meeting_properties, simulation_law_properties,
+        simulation_scene_properties, constraint_properties}) {
     for (Property& property : stem()) joined.push_back(std::move(property));
   }
   return joined;

@@ -193,18 +193,27 @@ Scene as_told(Scene there, const Event& event) {
   return there;
 }
 
-// Where they are told to be, whatever brought them there; and where their flights bring them, if that can be told.
+/// m: what rounding makes of places on a long way, and of the time, at the bodies' speeds; without what it makes of
+/// their turns, since the poses that are told are those that the impact was found at.
+double rounded_way(Scene pair, double time, oracle::Precision precision) {
+  for (Body& body : pair.bodies) body.velocity.w_WB.setZero();
+  return tolerance::meeting(pair, time, precision);
+}
+
+// Where they are told to be, whatever turned them there; and where their flights bring them, if that can be told.
 Finding contacts(const Scene& scene, Subject& subject) {
-  return of_struck_pairs(scene, subject,
-                         [&](const TrajectoryCase& asked, const Event& event, const Scene& pair, const Scene& there) {
-                           const Scene told = as_told(there, event);
-                           Finding worst = in_contact(asked, event, told, tolerance::distance(told, asked.precision));
-                           const double slack = tolerance::meeting(pair, event.time, asked.precision);
-                           if (worst.outcome == Outcome::holds) {
-                             worse(worst, counted(tells(pair, slack), in_contact(asked, event, there, slack)));
-                           }
-                           return worst;
-                         });
+  return of_struck_pairs(
+      scene, subject, [&](const TrajectoryCase& asked, const Event& event, const Scene& pair, const Scene& there) {
+        const Scene told = as_told(there, event);
+        const double way = rounded_way(pair, event.time, asked.precision);
+        Finding worst =
+            counted(tells(pair, way), in_contact(asked, event, told, tolerance::distance(told, asked.precision) + way));
+        const double slack = tolerance::meeting(pair, event.time, asked.precision);
+        if (worst.outcome == Outcome::holds) {
+          worse(worst, counted(tells(pair, slack), in_contact(asked, event, there, slack)));
+        }
+        return worst;
+      });
 }
 
 /// The impact that an event tells of, from the velocities that the flights bring: e and mu are the lesser ones.

@@ -258,6 +258,23 @@ Finding elastic_energy(const Scene& scene, Subject& subject) {
   });
 }
 
+/// Where rounding may move a pair by as much as a thousandth of a body, doubles do not tell whether it meets.
+bool places_tell(const TrajectoryCase& asked) {
+  const std::vector<Body>& bodies = asked.scene.bodies;
+  const double end = asked.scene.flight->times.back();
+  const auto leg = [&](std::size_t k) {
+    const std::vector<double>& since = asked.scene.flight->since;
+    return Leg{k, since.empty() ? 0 : since[k], end, {bodies[k].X_WB, bodies[k].velocity}, true};
+  };
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    for (std::size_t j = i + 1; j < bodies.size(); ++j) {
+      const Scene pair = in_flight(asked.scene, {leg(i), leg(j)}, end);
+      if (!tells(pair, tolerance::meeting(pair, end, asked.precision))) return false;
+    }
+  }
+  return true;
+}
+
 // Elastic bodies without gravity have so many impacts and no more.
 Finding whole(const Scene& scene, Subject& subject) {
   return of_trajectory(scene, subject, [&](const TrajectoryCase& asked) {
@@ -265,6 +282,7 @@ Finding whole(const Scene& scene, Subject& subject) {
       return judge::outside("impacts may pile up");
     }
     if (!asked.said.complete_until) return judge::holds();
+    if (!places_tell(asked)) return judge::outside(too_far_to_tell);
     return judge::wrong(Defect::inconsistent, "whole until " + oracle::words::text(asked.end) + " s",
                         "whole until " + oracle::words::text(scene.flight->times.back()) + " s");
   });

@@ -104,6 +104,9 @@ Finding first_impact_unchanged(const Scene& scene, const std::optional<Scene>& o
     return of_moved(other, subject, [&](const Scene& moved) {
       return judge::given(subject.simulation(moved), [&](const Trajectory& said) {
         const Event* event = first_event(said);
+        if (event == nullptr && whole_until(moved, said) < moved.flight->times.back()) {
+          return judge::silent("its events to the end");
+        }
         if (event == nullptr)
           return judge::wrong(Defect::moved_with_frame, "no impact", text(*first_event(asked.said)));
         return judge::at_most(

@@ -19,6 +19,7 @@ std::vector<Property> impulse_law_properties();
 std::vector<Property> time_of_impact_properties();
 std::vector<Property> simulation_properties();
 std::vector<Property> simulation_lockstep_properties();
+std::vector<Property> simulation_meeting_properties();
 std::vector<Property> simulation_law_properties();
 std::vector<Property> simulation_scene_properties();
 std::vector<Property> constraint_properties();

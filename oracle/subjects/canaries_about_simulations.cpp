@@ -85,6 +85,14 @@ void ghosts(Subject&, const Scene& scene, Trajectory& said) {
   }
 }
 
+// As if the square of the bodies' size vanished beside that of their distance.
+void far_ones_pass(Subject& truthful, const Scene& scene, Trajectory& said) {
+  if (scene.bodies.size() != 2) return;
+  const double far = (scene.bodies[0].X_WB.p_WB - scene.bodies[1].X_WB.p_WB).norm();
+  const double greatest = std::max(size(scene.bodies[0].shape), size(scene.bodies[1].shape));
+  if (far > 64 * greatest) ghosts(truthful, scene, said);
+}
+
 // An event that has become void: it is told once more, later.
 void stale_event(Subject&, const Scene& scene, Trajectory& said) {
   if (!said.events || said.events->empty()) return;
@@ -209,6 +217,8 @@ std::vector<Canary> canaries_about_simulations() {
   return {
       lying("canary.not_keyed_again", "does not notice the second event", [] { return runs(not_keyed_again); }),
       lying("canary.ghosts", "lets bodies fly through each other", [] { return runs(ghosts); }),
+      lying("canary.far_ones_pass", "lets two bodies pass that set out more than 64 sizes apart",
+            [] { return runs(far_ones_pass); }),
       lying("canary.stale_event", "runs an event that has become void", [] { return runs(stale_event); }),
       lying("canary.unstable_tie", "resolves what happens at one time in the other order",
             [] { return runs(unstable_tie); }),

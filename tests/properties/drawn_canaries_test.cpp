@@ -27,6 +27,7 @@ constexpr std::uint64_t quick_runs = 30;  // drawn scenes of a stem of motion, i
 const std::vector<Caught> caught = {
     {"canary.not_keyed_again", "simulation.flights", "runs.cradle", 0},
     {"canary.ghosts", "simulation.bounces", "runs.bouncing", 0},
+    {"canary.far_ones_pass", "simulation.one_meeting", "runs.far_apart", 1},
     {"canary.stale_event", "simulation.event_states", "runs.on_a_table", 0},
     {"canary.unstable_tie", "simulation.survives", "runs.ties", 0},
     {"canary.gyroscopic_term_dropped", "simulation.impulses", "runs.on_a_table", 0},

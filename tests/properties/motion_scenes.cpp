@@ -141,6 +141,8 @@ std::vector<Scene> build_runs() {
       scene_of("a ball that bounces", {with(floor_box, 1, 0), with(body(Sphere{1}, {0, 0, 2}), 0.5, 0)},
                {0.25, 0.75, 1.25}, down),
       scene_of("a ball against a wall", {moving(at(0.5, 0, 8), {1, 0, -8}), with(floor_box, 1, 0)}, {0.5, 1.5}, still),
+      scene_of("a ball from 2^24 radii away", {at(0, 0, 0), moving(at(0x1p24, 1, 0), {-0x1p25, 0, 0})}, {0.25, 1},
+               still),
   };
 }
 

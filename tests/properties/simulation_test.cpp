@@ -1,6 +1,7 @@
 // What each outcome of the simulation properties is, on a trajectory by hand.
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "properties/property.h"
 #include "tests/catch.h"
@@ -43,8 +44,8 @@ oracle::Finding judged(const std::string& property, const Trajectory& said) {
   return properties::find("simulation." + property).check(wall(), subject);
 }
 
-const auto all_of_one = {"ordered",  "flights", "event_states", "none_missed",    "contacts",
-                         "impulses", "solid",   "energy",       "elastic_energy", "whole", "lockstep"};
+const auto all_of_one = {"ordered", "flights", "event_states",   "none_missed", "contacts", "impulses",
+                         "solid",   "energy",  "elastic_energy", "whole",       "lockstep"};
 
 }  // namespace
 
@@ -59,6 +60,33 @@ TEST_CASE("simulation: the trajectory on paper holds") {
     INFO(property);
     CHECK(judged(property, turned_back()).outcome == Outcome::outside);
   }
+}
+
+TEST_CASE("simulation: one subject's two answers of one meeting are held against each other") {
+  const auto both = [](TimeOfImpact::Meeting meeting, std::optional<double> time, const Trajectory& run) {
+    tests::FixedSubject subject;
+    subject.said_simulation = run;
+    subject.said_meeting = TimeOfImpact{meeting, time, {}, {}};
+    return properties::find("simulation.one_meeting").check(wall(), subject);
+  };
+  using Meeting = TimeOfImpact::Meeting;
+  Trajectory without = turned_back(), unsaid = turned_back(), late = turned_back(), ended = turned_back();
+  without.events->clear();
+  unsaid.events.reset();
+  event_of(late).time += 1e-6;
+  ended.events->clear();
+  ended.states.resize(1);
+  ended.complete_until = 0.75;
+  CHECK(both(Meeting::hit, 0.875, turned_back()).outcome == Outcome::holds);
+  CHECK(both(Meeting::hit, 0.875 + 1e-15, turned_back()).outcome == Outcome::holds);
+  CHECK(both(Meeting::hit, 0.875, late).defect == Defect::inconsistent);
+  CHECK(both(Meeting::hit, 0.875, without).defect == Defect::missed);
+  CHECK(both(Meeting::hit, 0.875, ended).outcome == Outcome::abstains);
+  CHECK(both(Meeting::hit, 0.875, unsaid).outcome == Outcome::abstains);
+  CHECK(both(Meeting::hit, std::nullopt, turned_back()).outcome == Outcome::abstains);
+  CHECK(both(Meeting::undecided, std::nullopt, turned_back()).outcome == Outcome::abstains);
+  CHECK(both(Meeting::miss, std::nullopt, without).outcome == Outcome::holds);
+  CHECK(both(Meeting::miss, std::nullopt, turned_back()).outcome == Outcome::outside);
 }
 
 TEST_CASE("simulation: without events, states are judged alone") {

@@ -1,0 +1,66 @@
+// docs/spec/simulation.md, as a sentence that runs: what one subject says of one meeting, asked in two ways.
+#include <cmath>
+
+#include "model/limits.h"
+#include "oracle/words.h"
+#include "properties/flight_case.h"
+#include "properties/stems.h"
+#include "properties/trajectory_case.h"
+
+namespace touchstone::properties {
+namespace {
+
+using oracle::Defect;
+using oracle::Finding;
+using oracle::Subject;
+using Meeting = TimeOfImpact::Meeting;
+namespace judge = oracle::judge;
+
+/// Both answers lie between the time at which rounding may bring the two within the envelope and the latest at which it
+/// may let them meet: so their difference is at most that window, and a rounding of each.
+Finding agree(const FlightCase& pair, const TimeOfImpact& said, const Trajectory& run) {
+  const auto near = oracle::truth::time_of_distance(pair.scene, envelope(pair.scene) + pair.slack);
+  const Event* first = run.events->empty() ? nullptr : &run.events->front();
+  if (said.meeting == Meeting::miss) {
+    if (first == nullptr) return judge::holds();
+    if (near.meeting != Meeting::miss) return judge::outside("they come within the envelope: an impact is allowed");
+    return judge::wrong(Defect::inconsistent, text(*first), text(said));
+  }
+  const std::optional<double> latest = pair.latest();
+  if (near.meeting != Meeting::hit || !latest) return judge::outside("they graze: rounding decides");
+  if (!said.time) return judge::silent("when they meet");
+  if (first == nullptr) {
+    if (whole_until(pair.scene, run) < *latest) return judge::silent("its events until the two meet");
+    return judge::wrong(Defect::missed, "no impact", text(said));
+  }
+  if (first->kind != Event::Kind::impact) return judge::outside("a contact in which the two rest");
+  const double window = *latest - near.time.lo + 4 * oracle::unit_roundoff(pair.precision) * pair.end;
+  return judge::at_most(
+      std::abs(first->time - *said.time), {window, window, "windows"}, Defect::inconsistent,
+      [&] { return text(*first); }, [&] { return text(said); });
+}
+
+Finding one_meeting(const Scene& scene, Subject& subject) {
+  return of_answered_flight(scene, subject, [&](const FlightCase& pair, const TimeOfImpact& said) {
+    const auto fixed = [](const Body& body) { return std::holds_alternative<Fixed>(body.mass); };
+    if (fixed(scene.bodies[0]) && fixed(scene.bodies[1])) return judge::outside("two fixed bodies have no impact");
+    if (!scene.flight->pushes.empty()) return judge::outside("pushes");
+    if (said.meeting == Meeting::undecided) return judge::silent("whether they meet");
+    return judge::given(subject.simulation(scene), [&](const Trajectory& run) {
+      if (!fault_in_form(scene, run).empty()) return judge::outside("not a trajectory; see simulation.ordered");
+      return run.events ? agree(pair, said, run) : judge::silent("its events");
+    });
+  });
+}
+
+}  // namespace
+
+std::vector<Property> simulation_meeting_properties() {
+  return {{"simulation.one_meeting",
+           "simulation",
+           {"TS-SIMULATION-23"},
+           "the first impact of two bodies comes when the same subject says that they meet",
+           one_meeting}};
+}
+
+}  // namespace touchstone::properties
