@@ -168,7 +168,7 @@ TEST_CASE("a program that cannot be a subject is bad input") {
   CHECK_THROWS_WITH(PipeSubject({"/nowhere/engine"}),
                     Catch::Contains("/nowhere/engine") && Catch::Contains("cannot be run"));
   CHECK_THROWS_WITH(PipeSubject({program, "start_exit"}), Catch::Contains("exit status 4: no licence found"));
-  CHECK_THROWS_WITH(PipeSubject({program, "start_words"}), Catch::Contains("introduction: "));
+  CHECK_THROWS_WITH(PipeSubject({program, "start_words"}), Catch::Contains("introduction:1:1: "));
   CHECK_THROWS_WITH(PipeSubject({program, "start_deaf"}, short_wall), Catch::Contains("no answer within 1 s"));
   CHECK_THROWS_AS(PipeSubject({"/bin/true"}), InputError);
   CHECK_THROWS_AS(PipeSubject({"/bin/cat"}), InputError);
