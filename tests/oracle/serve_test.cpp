@@ -50,7 +50,7 @@ TEST_CASE("a subject's program answers a bad line and reads the next") {
   const std::string no_turn = R"({"p":[0,0,0],"q":{"w":0,"x":0,"y":0,"z":0}})";
   const std::string nested = std::string(300, '[') + std::string(300, ']');
   const std::vector<Line> lines = {
-      {"garbage", 0, "request: line 1"},
+      {"garbage", 0, "request:1:1: syntax error"},
       {"", 0, "request: empty"},
       {nested, 0, "request"},
       {R"({"seq":7})", 7, "request: the key \"op\" is missing"},
