@@ -27,10 +27,11 @@ PipeSubject misbehaving(const std::string& mode, PipeLimits within = patient) {
   return PipeSubject({program, mode}, within);
 }
 
+/// A question about a pair needs two bodies; the misbehaving subject looks at the name only.
 Scene scene(const std::string& name) {
-  Scene s;
-  s.name = name;
-  return s;
+  Body ball;
+  ball.shape = Sphere{1};
+  return {name, {ball, ball}, Vec3::Zero()};
 }
 
 double distance(PipeSubject& subject, const std::string& name) {
