@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "model/input_error.h"
 #include "reference/double_double_impl.h"
 #include "reference/float_impl.h"
 #include "reference/impact_impl.h"
@@ -128,10 +129,15 @@ struct Outcome {
   bool recompressed;
 };
 
+/// Some dozens are usual. Where K's numbers are so far apart that the floats' digits do not tell them from each other
+/// (a lever of 1e160 m), slip may turn for ever.
+constexpr int most_stretches = 4096;
+
 template <class T, class Course>
 Outcome<T> walked(const Blow<T>& blow, Course course) {
   Walk<T> walk(blow, before(blow));
-  while (!walk.done()) {
+  for (int stretches = 0; !walk.done(); ++stretches) {
+    if (stretches == most_stretches) throw InputError("contact", "slip turns in more steps than are followed");
     const std::unique_ptr<Stretch<T>> stretch = course.next(walk);
     walk.along(*stretch);
   }
