@@ -1,9 +1,9 @@
 #include <exception>
 #include <filesystem>
 
-#include "app/command_line.h"
-#include "app/interruption.h"
-#include "app/terminal.h"
+#include "app/commands/command_line.h"
+#include "app/system/interruption.h"
+#include "app/system/terminal.h"
 #include "model/input_error.h"
 #include "model/output_error.h"
 
@@ -28,7 +28,7 @@ int exit_code_of(int argc, char** argv) try {
   return 3;
 }
 
-/// Whatever an interrupted run stumbles over then, its exit code tells of the interruption.
+/// If the run was interrupted, the exit code says so, whatever error follows.
 int run(int argc, char** argv) {
   const int code = exit_code_of(argc, argv);
   return exit_code_after_flush(code > 1 && interrupted() ? interrupted_exit_code() : code);

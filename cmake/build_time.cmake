@@ -1,8 +1,10 @@
-# What keeps a build from nothing short: the compiler's effort goes where time is spent at run time, and headers that nearly every
-# source reads are compiled once a flavour of flags. Sources still include what they use (-D CMAKE_DISABLE_PRECOMPILE_HEADERS=ON shows
-# it). Bits do not depend on the level (tests/fast/fingerprint).
+# Keeps a clean build short: code is optimised where time is spent at run time, and headers that nearly every source
+# includes are precompiled once for each set of flags. Sources still include what they use (a build with
+# -D CMAKE_DISABLE_PRECOMPILE_HEADERS=ON checks it). The bits of answers do not depend on the level
+# (tests/fast/fingerprint).
 
-# Of a Release build: the answers as the build type says, what judges them less, what only talks about them least.
+# In a Release build, code that computes answers has the level of the build type, code that judges answers a lower one,
+# and code that only prints them the lowest.
 function(touchstone_optimise target layer)
   set(level)
   get_target_property(links ${target} LINK_LIBRARIES)
@@ -12,7 +14,9 @@ function(touchstone_optimise target layer)
     set(level -O2)
   endif()
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:${level}>)
-  if(level)  # g++ 12 sees uninitialised values in a std::variant's moves, but not at -O3; clang and the sanitizers find the real ones
+  # Below -O3, g++ 12 warns wrongly of uninitialised values in a std::variant's moves; clang and the sanitizers find
+  # real ones.
+  if(level)
     target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   endif()
   touchstone_precompile(${target} "${level}")
@@ -23,7 +27,7 @@ function(touchstone_precompile target level)
     <vector> <Eigen/Geometry>)
   get_target_property(links ${target} LINK_LIBRARIES)
   get_target_property(type ${target} TYPE)
-  if(links MATCHES "CGAL|simbody")  # they bring flags of their own
+  if(links MATCHES "CGAL|simbody")  # these libraries add flags of their own
     if(target STREQUAL "touchstone_reference")
       target_precompile_headers(${target} PRIVATE ${headers})
     endif()
@@ -41,7 +45,7 @@ function(touchstone_precompile target level)
   target_precompile_headers(${target} REUSE_FROM ${owner})
 endfunction()
 
-# A target that only compiles headers: it has none of the macros that one of its users may lack.
+# A target that only precompiles headers. It defines no macro that one of its users may lack.
 function(touchstone_headers owner type level)
   set(source ${PROJECT_BINARY_DIR}/headers/${type}.cpp)
   if(type STREQUAL "EXECUTABLE")

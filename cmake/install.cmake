@@ -1,4 +1,5 @@
-# What `cmake --install` copies: the program, its subjects, and the libraries with their headers for find_package(touchstone).
+# What `cmake --install` copies: the program, its subjects, and the libraries with their headers for
+# find_package(touchstone).
 
 function(touchstone_install target layer is_executable)
   if(NOT is_executable AND layer IN_LIST TOUCHSTONE_INSTALLED_LAYERS)
@@ -8,7 +9,8 @@ function(touchstone_install target layer is_executable)
   endif()
 endfunction()
 
-# Everything that ./touchstone needs to run, and nothing that only tests need. (Programs see to their own installation.)
+# A target that builds everything that ./touchstone needs to run, and nothing that only tests need. (Each program
+# installs itself.)
 function(touchstone_program_target)
   add_custom_target(program)
   foreach(property TOUCHSTONE_PROGRAMS TOUCHSTONE_SUBJECT_PROGRAMS)
@@ -21,9 +23,15 @@ endfunction()
 
 set(TOUCHSTONE_INSTALLED_LAYERS model reference oracle properties fast)
 
+# The sub-folders of reference/ are private: only its headers on top are installed.
 foreach(folder IN LISTS TOUCHSTONE_INSTALLED_LAYERS)
-  install(DIRECTORY ${PROJECT_SOURCE_DIR}/${folder} DESTINATION include/touchstone FILES_MATCHING PATTERN "*.h"
-    PATTERN "*_impl.h" EXCLUDE PATTERN "subjects" EXCLUDE PATTERN "corpus" EXCLUDE)
+  if(folder STREQUAL "reference")
+    file(GLOB public_headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/reference/*.h)
+    install(FILES ${public_headers} DESTINATION include/touchstone/reference)
+  else()
+    install(DIRECTORY ${PROJECT_SOURCE_DIR}/${folder} DESTINATION include/touchstone FILES_MATCHING PATTERN "*.h"
+      PATTERN "subjects" EXCLUDE PATTERN "corpus" EXCLUDE)
+  endif()
 endforeach()
 
 include(CMakePackageConfigHelpers)

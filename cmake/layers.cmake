@@ -1,5 +1,5 @@
-# The only way a target is made. The table says which layer may link which; anything else stops the configuration.
-# tests/house/layers_test.py reads the includes and holds them to the same table.
+# Every target is made by touchstone_layer. The table says which layers a layer may link; any other link stops the
+# configuration. tests/house/layers_test.py checks the includes against the same table.
 
 set(TOUCHSTONE_MAY_USE_model)
 set(TOUCHSTONE_MAY_USE_reference model)
@@ -10,11 +10,12 @@ set(TOUCHSTONE_MAY_USE_properties model oracle)
 set(TOUCHSTONE_MAY_USE_app model reference fast oracle subject properties)
 set(TOUCHSTONE_MAY_USE_tests model reference fast oracle subject properties app)
 
-# Headers of CGAL, FCL and Simbody cost 0.5 to 1 GB a source: one at a time, so that two jobs stay below 1.5 GB.
+# A source with headers of CGAL, FCL or Simbody needs 0.5 to 1 GB. Only one is compiled at a time, so that two jobs stay
+# below 1.5 GB.
 set_property(GLOBAL PROPERTY JOB_POOLS heavy=1)
 
-# touchstone_layer(<target> LAYER <layer> [EXECUTABLE] SOURCES … [USES <touchstone targets> …] [LINKS <foreign, public> …]
-#                  [BEHIND <foreign, private> …])
+# touchstone_layer(<target> LAYER <layer> [EXECUTABLE] SOURCES … [USES <touchstone targets> …]
+#                  [LINKS <external, public> …] [BEHIND <external, private> …])
 function(touchstone_layer target)
   cmake_parse_arguments(ARG "EXECUTABLE" "LAYER" "SOURCES;USES;LINKS;BEHIND" ${ARGN})
   if(ARG_UNPARSED_ARGUMENTS)

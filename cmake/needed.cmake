@@ -1,4 +1,5 @@
-# Names everything that is missing at once, and what it is for; find_package would stop at the first, and name a file of CMake's.
+# Names all missing libraries at once, and what each is for. find_package would stop at the first one, and name a file
+# of CMake's.
 # header, or one of several | what it is | Debian's package
 set(needed
   "Eigen/Core|Eigen 3.4 (vectors and matrices)|libeigen3-dev"

@@ -6,12 +6,11 @@
 
 namespace touchstone::fast {
 
-/// lo_i = min over the body's points p of (R(q/|q|) p + t)_i, hi_i likewise the greatest, each moved outward.
+/// lo_i = min over the body's points p of (R(q/|q|) p + t)_i, hi_i likewise the maximum, each rounded outward.
 ///
-/// Law: the box holds the body exactly as it is meant (poses are exact, model/frame.h), and is at most 2E wider a side
-/// with
+/// Law: the box contains the exact body (poses are exact, model/frame.h), and is wider by at most 2E on each side, with
 ///   E = 16 u (max ‖p‖₁ + |t|∞) + 2^-1060,   u = 2^-53   (a compound's part: twice that, its own offset ‖p_BP‖₁ added).
-/// Where no double is large enough, the end is the greatest finite one. Requires a valid scene; faces are not needed.
+/// An end beyond the range of doubles is the greatest finite double. Requires a valid scene; faces are not needed.
 Bounds bounds(const Scene& scene);
 
 Aabb box(const Body& body);

@@ -1,4 +1,4 @@
-// Which bodies' boxes overlap, asked once: the strategies of fast/broad_phase without their memory.
+// The pairs of bodies whose boxes overlap, for a single query: the strategies of fast/broad_phase without their memory.
 #pragma once
 
 #include "model/answers.h"
@@ -6,16 +6,17 @@
 
 namespace touchstone::fast {
 
-/// Up to here a grid costs more than each with each (measured, docs/design/broad_phase.md: they meet at 16 to 24).
+/// Up to this many bodies, testing each pair costs less than a grid (measured, docs/measured/plan.md: equal at 16
+/// to 24).
 inline constexpr std::size_t few_bodies = 16;
 
 /// The pairs whose closed boxes (fast/bounds.h) share a point: every pair whose exact boxes do, and beyond those only
-/// pairs whose boxes are apart by no more than the two boxes' widening.
+/// pairs whose exact boxes are apart by no more than the widening of the two boxes.
 PairSet broad_phase(const Scene& scene);
 
-/// Boxes that share only a boundary point overlap. Few boxes are compared each with each; more go through the default
-/// strategy (fast/broad_phase/wrapped_grid.h), but for those with coordinates beyond what it serves, 2^1000. Requires
-/// lo ≤ hi, no NaN.
+/// Boxes that share only a boundary point overlap. Few boxes are tested pair by pair; more go through the default
+/// strategy (fast/broad_phase/wrapped_grid.h), unless they have coordinates beyond its limit of 2^1000. Requires lo ≤
+/// hi and no NaN.
 PairSet overlapping_pairs(const Bounds& boxes);
 
 }  // namespace touchstone::fast

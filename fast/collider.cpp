@@ -8,8 +8,7 @@ namespace {
 
 using lin_canny::Convex;
 
-/// Where a part's ball is, and how far it reaches: all of its points are within `radius` of `centre`, in the body's
-/// frame.
+/// A bounding ball: all points of a part are within `radius` of `centre`, in the body's frame.
 struct Ball {
   Vec3 centre = Vec3::Zero();
   double radius = 0;
@@ -36,12 +35,12 @@ Ball ball_around(const lin_canny::Solid& solid) {
 Collider::Collider(std::unique_ptr<BroadPhase> broad_phase, double margin)
     : broad_phase_(std::move(broad_phase)), margin_(margin) {}
 
-/// What is rounded: a part's vertices and the ball's radius, 40u of what the ball's points reach from the origin; the
-/// centre's place, turn_error of its length and u of the sum with p. 64u of all lengths that occur covers both, and the
-/// cube's own ends.
+/// Rounding: the parts' vertices and the ball's radius by 40u of the ball's reach from the origin; the centre's
+/// position by turn_error times its length and by u of the sum with p. 64u of all lengths involved covers both, and the
+/// rounding of the cube's ends.
 Aabb Collider::cube(const Resident& body) const {
-  const Vec3& p = body.station.X_WB.p_WB;
-  const Vec3 centre = body.station.R_WB * body.centre + p;
+  const Vec3& p = body.cached_pose.X_WB.p_WB;
+  const Vec3 centre = body.cached_pose.R_WB * body.centre + p;
   const double lengths = p.lpNorm<1>() + body.centre.lpNorm<1>() + body.radius;
   const Vec3 reach = Vec3::Constant(body.radius + margin_ / 2 + 64 * u * (lengths + margin_) + 0x1p-1000);
   return {centre - reach, centre + reach};
@@ -51,11 +50,11 @@ void Collider::insert(BodyId id, const Shape& shape, const Pose& X_WB) {
   lin_canny::Solid solid(shape);
   const Ball ball = ball_around(solid);
   auto body =
-      std::make_unique<Resident>(Resident{std::move(solid), lin_canny::Station(X_WB), ball.centre, ball.radius});
+      std::make_unique<Resident>(Resident{std::move(solid), lin_canny::CachedPose(X_WB), ball.centre, ball.radius});
   broad_phase_->insert(id, cube(*body));
   if (id >= bodies_.size()) bodies_.resize(id + 1);
   bodies_[id] = std::move(body);
-  // A body that went and came in one frame may keep its pairs, but not where the walks stood on the one before.
+  // If a body was removed and inserted again within one frame its pairs may persist, but the walks' memory is void.
   for (std::size_t i = 0; i < near_.size(); ++i) {
     const BodyPair& pair = near_[i].bodies;
     if (pair.a == id || pair.b == id) memory_[i] = places(pair);
@@ -63,18 +62,18 @@ void Collider::insert(BodyId id, const Shape& shape, const Pose& X_WB) {
 }
 
 void Collider::move(BodyId id, const Pose& X_WB) {
-  if (id >= bodies_.size() || !bodies_[id]) return broad_phase_->move(id, {});  // which says that there is none
-  const lin_canny::Station before = bodies_[id]->station;
-  bodies_[id]->station = lin_canny::Station(X_WB);
+  if (id >= bodies_.size() || !bodies_[id]) return broad_phase_->move(id, {});  // throws InputError: no such body
+  const lin_canny::CachedPose before = bodies_[id]->cached_pose;
+  bodies_[id]->cached_pose = lin_canny::CachedPose(X_WB);
   try {
     broad_phase_->move(id, cube(*bodies_[id]));
   } catch (...) {
-    bodies_[id]->station = before;
+    bodies_[id]->cached_pose = before;
     throw;
   }
 }
 
-/// The body stays until its pairs have ended, in the next update.
+/// The body is kept until its pairs have ended, in the next update.
 void Collider::remove(BodyId id) { broad_phase_->remove(id); }
 
 std::vector<lin_canny::FeaturePair> Collider::places(BodyPair pair) const {
@@ -88,7 +87,7 @@ void Collider::begin(BodyPair pair) {
   memory_.push_back(places(pair));
 }
 
-/// The last takes its place.
+/// Removes the pair; the last pair takes its place.
 void Collider::end(BodyPair pair) {
   const auto found = position_.find(key(pair));
   const std::size_t at = found->second;
@@ -112,7 +111,7 @@ void Collider::measure_near() {
   for (std::size_t i = 0; i < near_.size(); ++i) {
     const Resident& A = *bodies_[near_[i].bodies.a];
     const Resident& B = *bodies_[near_[i].bodies.b];
-    near_[i].nearest = nearest_parts(A.solid, A.station, B.solid, B.station, memory_[i]);
+    near_[i].nearest = nearest_parts(A.solid, A.cached_pose, B.solid, B.cached_pose, memory_[i]);
   }
 }
 

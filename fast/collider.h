@@ -1,4 +1,4 @@
-// The I-COLLIDE system (Cohen, Lin, Manocha, Ponamgi 1995): many bodies, followed from frame to frame.
+// The I-COLLIDE system (Cohen, Lin, Manocha, Ponamgi 1995): the distances of many bodies, from frame to frame.
 #pragma once
 
 #include <cstdint>
@@ -11,22 +11,22 @@
 
 namespace touchstone::fast {
 
-/// Two bodies whose boxes overlap, and how far apart they are.
+/// Two bodies whose boxes overlap, and their distance.
 struct NearPair {
-  BodyPair bodies;  ///< bodies.a is A of the answer, bodies.b is B
+  BodyPair bodies;  ///< bodies.a is A of the result, bodies.b is B
   lin_canny::NearestParts nearest;
 };
 
-/// Boxes prune the pairs, closest features are cached for the pairs that are left, for as long as they are near.
+/// Boxes prune the pairs. For each remaining pair the closest features are cached while its boxes overlap.
 ///
-/// A body's box is a fixed cube around the ball of its vertices, so a pose costs one product; every pair of bodies that
-/// are no farther than `margin` apart is near. What pairs() says of each is as in fast/distance.h: exact verdicts,
-/// enclosures that hold.
+/// A body's box is a fixed-size cube around its bounding ball, so setting a pose costs one product. Every pair of
+/// bodies at most `margin` apart is near. The results in pairs() obey fast/distance.h: exact verdicts and valid
+/// enclosures.
 ///
-/// Cost of a frame: the broad phase's, O(n) expected under coherence, and O(m) for m near pairs; no memory is asked for
-/// unless pairs begin, or touch or overlap (which is settled exactly).
+/// Cost of a frame: that of the broad phase, O(n) expected under coherence, and O(m) for m near pairs. Memory is
+/// allocated only when pairs begin, or for pairs that touch or overlap (which are resolved exactly).
 ///
-/// Errors: as BroadPhase, and InputError for a shape that is no solid. Requires valid shapes and poses.
+/// Errors: as BroadPhase, and InputError for a shape that is not a solid. Requires valid shapes and poses.
 class Collider {
  public:
   explicit Collider(std::unique_ptr<BroadPhase> broad_phase, double margin = 0);
@@ -35,10 +35,10 @@ class Collider {
   void move(BodyId id, const Pose& X_WB);
   void remove(BodyId id);
 
-  /// The broad phase, then every near pair's distance.
+  /// Runs the broad phase, then computes the distance of every near pair.
   void update();
 
-  /// The two halves of update(), for those who time them: which pairs are near, then how near.
+  /// The two halves of update(), for callers that time them: first the near pairs, then their distances.
   void find_near();
   void measure_near();
 
@@ -48,8 +48,8 @@ class Collider {
  private:
   struct Resident {
     lin_canny::Solid solid;
-    lin_canny::Station station;
-    Vec3 centre;        ///< of a ball around the solid, in the body's frame
+    lin_canny::CachedPose cached_pose;
+    Vec3 centre;        ///< of the bounding ball, in the body's frame
     double radius = 0;  ///< of that ball
   };
 
@@ -63,8 +63,8 @@ class Collider {
   double margin_;
   std::vector<std::unique_ptr<Resident>> bodies_;  ///< by id
   std::vector<NearPair> near_;
-  std::vector<std::vector<lin_canny::FeaturePair>> memory_;  ///< beside near_: one place a pair of parts
-  std::unordered_map<std::uint64_t, std::size_t> position_;  ///< in near_; looked up only, never walked
+  std::vector<std::vector<lin_canny::FeaturePair>> memory_;  ///< parallel to near_; one entry per pair of parts
+  std::unordered_map<std::uint64_t, std::size_t> position_;  ///< index in near_; only looked up, never iterated
 };
 
 }  // namespace touchstone::fast

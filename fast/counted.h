@@ -1,4 +1,4 @@
-// Numbers of things, in words.
+// A count with its noun.
 #pragma once
 
 #include <cstddef>

@@ -36,18 +36,19 @@ Distance distance(const Scene& scene) {
   const Solid A(scene.bodies[0].shape);
   const Solid B(scene.bodies[1].shape);
   std::vector<FeaturePair> memory(A.parts().size() * B.parts().size());
-  const NearestParts found = nearest_parts(A, Station(scene.bodies[0].X_WB), B, Station(scene.bodies[1].X_WB), memory);
+  const NearestParts found =
+      nearest_parts(A, CachedPose(scene.bodies[0].X_WB), B, CachedPose(scene.bodies[1].X_WB), memory);
   const Proximity& nearest = found.proximity;
-  Distance said;
-  said.verdict = nearest.verdict;
-  said.distance = nearest.distance;
-  said.enclosure = nearest.enclosure;
-  said.p_WCa = nearest.p_WCa;
-  said.p_WCb = nearest.p_WCb;
-  if (nearest.verdict == Verdict::overlapping) return said;
-  said.feature_A = named(A, found.part_A, nearest.features.a, nearest.exact_vertices_A);
-  said.feature_B = named(B, found.part_B, nearest.features.b, nearest.exact_vertices_B);
-  return said;
+  Distance answer;
+  answer.verdict = nearest.verdict;
+  answer.distance = nearest.distance;
+  answer.enclosure = nearest.enclosure;
+  answer.p_WCa = nearest.p_WCa;
+  answer.p_WCb = nearest.p_WCb;
+  if (nearest.verdict == Verdict::overlapping) return answer;
+  answer.feature_A = named(A, found.part_A, nearest.features.a, nearest.exact_vertices_A);
+  answer.feature_B = named(B, found.part_B, nearest.features.b, nearest.exact_vertices_B);
+  return answer;
 }
 
 }  // namespace touchstone::fast

@@ -6,16 +6,17 @@
 
 namespace touchstone::fast {
 
-/// Of bodies 0 (A) and 1 (B); d* and r as in docs/spec/distance.md.
+/// For bodies 0 (A) and 1 (B); d* and r as in docs/spec/distance.md.
 ///
-/// Laws: `enclosure` holds the exact distance; the verdict is exact; `distance` lies in the enclosure and is > 0
-/// exactly when separated. Where bodies overlap, both witnesses are one common point (of the cores or within the
+/// Laws: `enclosure` contains the exact distance; the verdict is exact; `distance` lies in the enclosure and is > 0
+/// exactly when separated. If the bodies overlap, both witnesses are one common point (of the cores or within the
 /// radii), and no features are named.
 ///
-/// Requires a valid scene of at least two bodies whose polytopes have their faces. Throws InputError naming what is
-/// wrong, and std::range_error if the distance is beyond the greatest double.
+/// Requires a valid scene of at least two bodies whose polytopes have their faces. Throws InputError naming the
+/// problem, and std::range_error if the distance exceeds the greatest double.
 ///
-/// Cost: preparing the shapes O(n log n), walking from a corner; for a pair followed through time, fast/collider.h.
+/// Cost: O(n log n) for preparing the shapes, and a walk that starts at a corner. For pairs followed over time, see
+/// fast/collider.h.
 Distance distance(const Scene& scene);
 
 }  // namespace touchstone::fast

@@ -15,17 +15,17 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// A body as the impact sees it. Of a fixed one only the velocity counts.
+/// A body's data for the impact. For a fixed body only the velocity matters.
 ///
-/// With I = L Lᵀ in the body's axes, M = L⁻¹ Rᵀ takes an angular momentum in W to L⁻¹ of it, and I⁻¹ = Mᵀ M. The
-/// product is never formed: where r lies along the axis of a needle, the rounding of its large entries would drown K.
+/// With I = L Lᵀ in the body's axes, M = L⁻¹ Rᵀ maps an angular momentum in W to L⁻¹ times it, and I⁻¹ = Mᵀ M. The
+/// product is never formed: where r lies along the axis of a needle, the rounding of its large entries would swamp K.
 struct Side {
   double inverse_mass = 0;
   Mat3 M = Mat3::Zero();
   Vec3 r = Vec3::Zero();  ///< from the centre of mass to C, in W
   Vec3 velocity = Vec3::Zero();
   double speed_error = 0;  ///< of the velocity at C, m/s
-  double slenderness = 0;  ///< (|r| + what r was computed from) / sqrt(least moment of inertia), kg^-1/2
+  double slenderness = 0;  ///< (|r| + the lengths r was computed from) / sqrt(least moment of inertia), kg^-1/2
 };
 
 Side side_of(const Body& body, const Vec3& p_WC) {
@@ -61,7 +61,7 @@ Mat3 collision_matrix(const Side& side) {
   return K;
 }
 
-/// Two tangents and the normal as columns, right-handed; exact where the normal is an axis. Source: Duff et al. 2017,
+/// Two tangents and the normal as columns, right-handed; exact if the normal is an axis. Source: Duff et al. 2017,
 /// "Building an orthonormal basis, revisited".
 Mat3 contact_frame(const Vec3& n) {
   const double s = std::copysign(1.0, n.z()), a = -1 / (s + n.z()), b = n.x() * n.y() * a;
@@ -72,7 +72,7 @@ Mat3 contact_frame(const Vec3& n) {
   return R;
 }
 
-/// Turns the tangents so that K's tangential block is diagonal: one Jacobi rotation.
+/// Rotates the tangents so that K's tangential block is diagonal: one Jacobi rotation.
 void diagonalise(const Mat3& K, Mat3& R) {
   const double off = R.col(0).dot(K * R.col(1));
   if (off == 0) return;
@@ -111,10 +111,10 @@ Velocity pushed(const Body& body, const Side& side, const Vec3& P) {
           body.velocity.w_WB + side.M.transpose() * (side.M * side.r.cross(P))};
 }
 
-/// The solver's error; what rounding u adds, in the norm of K⁻¹; and what rounding M [r]× adds to K: with
-/// |δW| ≤ 16 u (slenderness), |K^(-1/2) δ(WᵀW) K^(-1/2)| ≤ 2 |δW|/sqrt(least eigenvalue), and the impulse moves by a
-/// few times as much (measured: docs/design/impulse.md). All relative to |u|_{K⁻¹}, or to |P|_K/2 where Newton's law
-/// gains so much energy that this is more.
+/// The solver's error; the effect of rounding u, in the norm of K⁻¹; and that of rounding M [r]×: with |δW| ≤ 16 u
+/// (slenderness), |K^(-1/2) δ(WᵀW) K^(-1/2)| ≤ 2 |δW|/sqrt(least eigenvalue), and the impulse changes by a few times as
+/// much (measured: docs/design/impulse.md). All relative to |u|_{K⁻¹}, or to |P|_K/2 if that is more because Newton's
+/// law adds so much energy.
 double error_of(const Stated& stated, const Vec3& velocity, const Vec3& P) {
   const Eigen::SelfAdjointEigenSolver<Mat3> eigen(stated.K);
   const double least = eigen.eigenvalues()[0], greatest = eigen.eigenvalues()[2];

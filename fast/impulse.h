@@ -1,4 +1,4 @@
-// The impact at a scene's contact, in doubles.
+// The impulse at a scene's contact, in doubles.
 #pragma once
 
 #include "fast/impulse/solve.h"
@@ -7,22 +7,23 @@
 
 namespace touchstone::fast {
 
-/// What an impact did, and what shows that it may have: computed from the answer alone.
+/// The result of an impact, with diagnostics computed from the result alone.
 struct Impacted {
   Vec3 P_A_W = Vec3::Zero();  ///< N s, on A at C; B takes exactly its opposite
   std::array<Velocity, 2> after;
   impulse::Outcome outcome;
-  double error = 0;          ///< bound of |P − P*|_K, sqrt(J); empirical, see impulse/solve.h
+  double error = 0;          ///< bound of |P − P*|_K, sqrt(J); empirical, see fast/impulse/solve.h
   double cone_excess = 0;    ///< |P_t| − mu P_n, N s: ≤ rounding
-  double energy_change = 0;  ///< (u_0 + u_f)·P/2, J: ≤ 0 but for Newton's law
+  double energy_change = 0;  ///< (u_0 + u_f)·P/2, J: ≤ 0 except for Newton's law
 };
 
 /// Requires a valid scene with a contact (model/limits.h). Throws InputError if it has none.
 ///
-/// K = Σ 1/m − [r]× I⁻¹ [r]×, r from the centre of mass to C; u = the velocity of A's point at C against B's.
+/// K = Σ 1/m − [r]× I⁻¹ [r]×, r from the centre of mass to C; u = the velocity of A's point at C relative to B's.
 Impacted impact(const Scene& scene);
 
-/// The same as an answer. `ambiguous`: the law itself jumps within that relative distance of the scene (1e-9 or less).
+/// The same as a query's answer. `ambiguous`: the law itself is discontinuous within that relative distance of the
+/// scene (1e-9 or less).
 Impulse impulse_of(const Scene& scene);
 
 }  // namespace touchstone::fast

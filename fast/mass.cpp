@@ -10,7 +10,7 @@
 namespace touchstone::fast {
 namespace {
 
-/// Of unit density: volume, centroid, and ∫ (x − centroid)(x − centroid)ᵀ dV.
+/// At unit density: volume, centroid, and ∫ (x − centroid)(x − centroid)ᵀ dV.
 struct Solid {
   double volume = 0;
   Vec3 centroid = Vec3::Zero();
@@ -71,7 +71,7 @@ Solid solid(const Compound& compound) {
   return whole;
 }
 
-/// Symmetric bit for bit.
+/// The result is exactly symmetric.
 Mat3 inertia(double density, const Mat3& covariance) {
   Mat3 I = -density * covariance;
   for (int i = 0; i < 3; ++i) {

@@ -1,4 +1,4 @@
-// A film under a plan.
+// The overlapping pairs in each frame of a sequence of poses, computed by a plan.
 #include <algorithm>
 #include <memory>
 #include <optional>
@@ -11,7 +11,7 @@
 namespace touchstone::fast {
 namespace {
 
-/// A body's tight box at any pose, as the plan has it found.
+/// A body's tight box at any pose, computed as the plan says.
 class Bounder {
  public:
   Bounder(const Body& body, BoundKind kind) : body_(body) {
@@ -38,13 +38,13 @@ PairSet sorted(const std::vector<BodyPair>& pairs) {
 
 }  // namespace
 
-PairHistory pair_history(const Scene& film, const Plan& plan) {
+PairHistory pair_history(const Scene& sequence, const Plan& plan) {
   const std::unique_ptr<BroadPhase> strategy = find_strategy(plan.strategy).make();
   std::vector<Bounder> bounders;
-  for (std::size_t i = 0; i < film.bodies.size(); ++i) bounders.emplace_back(film.bodies[i], plan.bounds[i]);
-  std::vector<bool> there(film.bodies.size(), false);
+  for (std::size_t i = 0; i < sequence.bodies.size(); ++i) bounders.emplace_back(sequence.bodies[i], plan.bounds[i]);
+  std::vector<bool> there(sequence.bodies.size(), false);
   PairHistory history;
-  for (const Frame& frame : film.frames) {
+  for (const SequenceFrame& frame : sequence.frames) {
     for (const auto& [body, X_WB] : frame) {
       const auto i = static_cast<std::size_t>(body);
       const auto id = static_cast<BodyId>(body);

@@ -16,7 +16,7 @@ exact::Dyadic exact_centre(double start, double pixel, int i) {
   return exact::Dyadic(start) + exact::Dyadic(i + 0.5) * exact::Dyadic(pixel);
 }
 
-/// A convex part as the raster sees it.
+/// The projection of a convex part onto the raster.
 class Seen {
  public:
   Seen(Part part, const Raster& raster) : part_(std::move(part)), raster_(raster) {
@@ -103,26 +103,26 @@ void add_meetings(const Seen& A, const Seen& B, BitMask& sampled, BitMask& conse
 Pixels pixel(const Scene& scene) {
   if (!scene.raster) throw InputError("raster", "missing; expected one to ask about pixels");
   const Raster& raster = *scene.raster;
-  Pixels said;
+  Pixels answer;
   std::vector<std::vector<Seen>> bodies;
   std::vector<BitMask> masks;
   for (const Body& body : scene.bodies) {
     bodies.push_back(seen(body, raster));
     masks.push_back(sampled(bodies.back(), raster));
-    said.sampled.push_back(masks.back().text());
-    said.conservative.push_back(conservative(bodies.back(), raster).text());
+    answer.sampled.push_back(masks.back().text());
+    answer.conservative.push_back(conservative(bodies.back(), raster).text());
   }
   BitMask meet_sampled(raster.columns, raster.rows);
   BitMask meet_conservative(raster.columns, raster.rows);
   if (bodies.size() >= 2) {
-    said.overlap = overlap(masks[0], masks[1], raster.shift_x, raster.shift_y);
+    answer.overlap = overlap(masks[0], masks[1], raster.shift_x, raster.shift_y);
     for (const Seen& a : bodies[0]) {
       for (const Seen& b : bodies[1]) add_meetings(a, b, meet_sampled, meet_conservative);
     }
   }
-  said.meet_sampled = meet_sampled.text();
-  said.meet_conservative = meet_conservative.text();
-  return said;
+  answer.meet_sampled = meet_sampled.text();
+  answer.meet_conservative = meet_conservative.text();
+  return answer;
 }
 
 }  // namespace touchstone::fast

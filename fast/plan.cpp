@@ -5,12 +5,12 @@
 
 #include "fast/broad_phase.h"
 #include "fast/counted.h"
-#include "model/film.h"
+#include "model/sequence.h"
 
 namespace touchstone::fast {
 namespace {
 
-/// From this many vertices on, climbing costs less than looking at all (measured: 20 cost the same).
+/// From this many vertices on, climbing costs less than scanning all of them (measured: 20 cost the same).
 constexpr std::size_t worth_climbing = 24;
 
 std::size_t most_vertices(const Sphere&) { return 0; }
@@ -27,10 +27,10 @@ std::size_t most_vertices(const Body& body) {
   return std::visit([](const auto& shape) { return most_vertices(shape); }, body.shape);
 }
 
-/// How often the film places each body; once each in a scene that stands.
+/// How often the sequence sets each body's pose; once each in a single snapshot.
 std::vector<int> times_placed(const Scene& scene) {
-  std::vector<int> times(scene.bodies.size(), is_film(scene) ? 0 : 1);
-  for (const Frame& frame : scene.frames) {
+  std::vector<int> times(scene.bodies.size(), is_sequence(scene) ? 0 : 1);
+  for (const SequenceFrame& frame : scene.frames) {
     for (const Placement& placement : frame) {
       if (placement.X_WB) ++times[static_cast<std::size_t>(placement.body)];
     }
@@ -38,7 +38,7 @@ std::vector<int> times_placed(const Scene& scene) {
   return times;
 }
 
-/// Notes a part with the bodies that it is for, if there are any.
+/// Adds a choice with the number of bodies it concerns, if there are any.
 void note(std::vector<Choice>& parts, std::size_t bodies, const std::string& what, const std::string& why) {
   if (bodies > 0) parts.push_back({what, counted(bodies, "body ", "bodies ") + why});
 }
@@ -85,13 +85,13 @@ void choose_bounds(const Scene& scene, Plan& plan) {
 void choose_memory(const Scene& scene, Plan& plan) {
   if (scene.frames.size() < 2) {
     plan.left_out.push_back(
-        {"memory between frames", is_film(scene) ? "the film has one frame" : "the scene stands still"});
+        {"memory between frames", is_sequence(scene) ? "the film has one frame" : "the scene stands still"});
     return;
   }
   const std::vector<int> times = times_placed(scene);
   const auto moving = static_cast<std::size_t>(std::ranges::count_if(times, [](int t) { return t > 1; }));
   plan.used.push_back({"memory between frames", counted(scene.frames.size(), "frame", "frames") +
-                                                    ": pairs are kept, and only who moved is looked at"});
+                                                    ": pairs are kept, and only bodies that moved are checked"});
   note(plan.left_out, times.size() - moving, "later frames", "never placed again: filed once, never asked again");
 }
 

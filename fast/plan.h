@@ -1,4 +1,4 @@
-// Which parts of the broad phase a scene needs, and which it can do without.
+// Chooses the parts of the broad phase that a scene needs, and says why the others are left out.
 #pragma once
 
 #include <string>
@@ -9,14 +9,14 @@
 
 namespace touchstone::fast {
 
-/// How a body's tight box is found; each obeys the law of fast/bounds.h.
+/// How a body's tight box is computed; each way obeys the law of fast/bounds.h.
 enum class BoundKind {
   closed_form,  ///< spheres, boxes and compounds of them
   scan,         ///< all vertices
-  climb         ///< the six extremal vertices of the frame before (fast/bounds/tight_box.h)
+  climb         ///< the six extremal vertices, starting from those of the previous frame (fast/bounds/tight_box.h)
 };
 
-/// What is used or left out, and why: words for people, with the figure that decided.
+/// What is used or left out, and why: text for users, with the figure that decided.
 struct Choice {
   std::string what;
   std::string why;
@@ -24,27 +24,27 @@ struct Choice {
 
 struct Plan {
   std::string strategy;           ///< a name of fast/broad_phase/strategies.h
-  std::vector<BoundKind> bounds;  ///< by body
+  std::vector<BoundKind> bounds;  ///< indexed by body
   std::vector<Choice> used;
   std::vector<Choice> left_out;
 };
 
-/// Leaving out changes no pair beyond the law of the boxes: a pair whose exact boxes meet is told under every plan, and
-/// one that only some plans tell is apart by no more than the widening of its two boxes.
+/// Leaving parts out changes no pair beyond the law of the boxes: every plan reports a pair whose exact boxes overlap,
+/// and a pair that only some plans report is apart by no more than the widening of its two boxes.
 ///
-/// The thresholds are measured (docs/design/broad_phase.md). Requires a valid scene.
+/// The thresholds are measured (docs/measured/plan.md). Requires a valid scene.
 Plan plan(const Scene& scene);
 
-/// Adds what a simulation of the scene's flight needs, and what it can do without: no state changes a bit where
-/// meetings have closed forms. Else each impact is still one within the envelope, but at another bit of it, and what
-/// follows it may grow apart as all motion does. Throws InputError where a shape is no solid.
+/// Adds what a simulation of the scene's motion needs and what it can omit. If all times of impact have closed forms,
+/// omissions change no bit of any state. Otherwise each impact is still within the envelope, but differs in its last
+/// bits, and the motion after it may diverge as all motion does. Throws InputError if a shape is not a solid.
 void plan_motion(const Scene& scene, Plan& plan);
 
-/// Nothing left out: every shape that has vertices climbs, and the strategy is the default for many bodies.
+/// The plan that leaves nothing out: every shape with vertices climbs, and the strategy is the default for many bodies.
 Plan all_parts(const Scene& scene);
 
-/// Which boxes meet in each frame of a film (model/film.h), by a plan for it. Throws InputError for coordinates that
-/// the strategies do not serve (beyond 2^1000).
-PairHistory pair_history(const Scene& film, const Plan& plan);
+/// Computes which boxes overlap in each frame of a sequence of poses (model/sequence.h), by a plan for it. Throws
+/// InputError for coordinates beyond the strategies' limit of 2^1000.
+PairHistory pair_history(const Scene& sequence, const Plan& plan);
 
 }  // namespace touchstone::fast

@@ -2,14 +2,14 @@
 
 #include "fast/counted.h"
 #include "fast/plan.h"
-#include "fast/simulation/meeting.h"
+#include "fast/simulation/pair_time_of_impact.h"
 
 namespace touchstone::fast {
 namespace {
 
 using motion::Turning;
+using world::BodyMotion;
 using world::Kind;
-using world::Mover;
 
 void note(std::vector<Choice>& parts, std::size_t n, const std::string& one, const std::string& many,
           const std::string& what, const std::string& why) {
@@ -18,9 +18,9 @@ void note(std::vector<Choice>& parts, std::size_t n, const std::string& one, con
 
 std::size_t pairs_of(std::size_t n) { return n * (n - (n > 0)) / 2; }
 
-/// How many bodies there are of each sort; pairs follow.
+/// How many bodies and pairs of bodies there are of each kind.
 struct Sorts {
-  std::size_t bodies = 0, fixed = 0, still = 0;
+  std::size_t bodies = 0, fixed = 0, stationary = 0;
   std::size_t balls = 0, fixed_balls = 0, blocks = 0;
   std::array<std::size_t, 3> turning{};  ///< of bodies that are neither fixed nor balls
 
@@ -32,24 +32,25 @@ struct Sorts {
 Sorts sorts_of(const Scene& scene) {
   Sorts sorts;
   for (const Body& body : scene.bodies) {
-    const Mover mover(body, 0, scene.gravity);
+    const BodyMotion body_motion(body, 0, scene.gravity);
     ++sorts.bodies;
-    sorts.fixed += mover.fixed();
-    sorts.still += mover.still();
-    sorts.balls += mover.kind() == Kind::ball;
-    sorts.fixed_balls += mover.kind() == Kind::ball && mover.fixed();
-    sorts.blocks += mover.kind() == Kind::block;
-    if (!mover.fixed() && mover.kind() != Kind::ball) ++sorts.turning[static_cast<std::size_t>(mover.flyer().turning)];
+    sorts.fixed += body_motion.fixed();
+    sorts.stationary += body_motion.is_stationary();
+    sorts.balls += body_motion.kind() == Kind::ball;
+    sorts.fixed_balls += body_motion.kind() == Kind::ball && body_motion.fixed();
+    sorts.blocks += body_motion.kind() == Kind::block;
+    if (!body_motion.fixed() && body_motion.kind() != Kind::ball)
+      ++sorts.turning[static_cast<std::size_t>(body_motion.model().turning)];
   }
   return sorts;
 }
 
-bool pulls(const Scene& scene) { return !scene.gravity.isZero(0) || !scene.flight->pushes.empty(); }
+bool has_acceleration(const Scene& scene) { return !scene.gravity.isZero(0) || !scene.motion->forces.empty(); }
 
-/// Contact mode is for what meets no faster than a hop within the envelope; where nothing pulls there is no hop, unless
-/// a body's own turning would press it back (fast/simulation/loop_group.cpp).
+/// Contact mode handles contacts with micro-bounces within the envelope. Without gravity and applied forces there are
+/// no micro-bounces, unless a body's own rotation presses it back (fast/simulation/loop_islands.cpp).
 void plan_contact(const Scene& scene, const Sorts& sorts, Plan& plan) {
-  const std::size_t may = pulls(scene) ? sorts.pairs() : sorts.pairs() - sorts.closed();
+  const std::size_t may = has_acceleration(scene) ? sorts.pairs() : sorts.pairs() - sorts.closed();
   note(
       plan.used, may, "pair", "pairs", "contact mode",
       " may come to stay in contact: rest, slip and rolling in closed form on a face, else steps until they part; each "
@@ -76,7 +77,7 @@ void plan_motion(const Scene& scene, Plan& plan) {
   note(plan.left_out, sorts.fixed_pairs(), "pair", "pairs", "pairs of fixed bodies", ": nothing becomes of a meeting");
   note(plan.left_out, sorts.pairs(), "pair", "pairs", "all pairs",
        " would be asked after every event; now only where boxes over a frame meet");
-  note(plan.left_out, sorts.still, "body", "bodies", "later frames",
+  note(plan.left_out, sorts.stationary, "body", "bodies", "later frames",
        " standing still: filed once, never asked first again");
   note(plan.left_out, sorts.balls - sorts.fixed_balls, "ball", "balls", "attitudes of balls",
        ": whatever the spin, no point of the space that a ball fills moves");

@@ -14,13 +14,13 @@ namespace touchstone::fast {
 namespace {
 
 using Kind = TimeOfImpact::Meeting;
-using motion::Flyer;
+using motion::RigidBodyModel;
 
-/// Of two pairs of parts of the same bodies, neither of which misses.
-Meeting either(const Meeting& x, const Meeting& y) {
-  const Meeting& sooner = y.lo < x.lo ? y : x;
-  const Meeting& later = y.lo < x.lo ? x : y;
-  Meeting both = sooner;
+/// Combines the results of two pairs of parts of the same bodies, neither of which is a miss.
+FirstContact either(const FirstContact& x, const FirstContact& y) {
+  const FirstContact& sooner = y.lo < x.lo ? y : x;
+  const FirstContact& later = y.lo < x.lo ? x : y;
+  FirstContact both = sooner;
   if (sooner.meeting == Kind::hit && later.meeting == Kind::hit) {
     both.hi = std::min(x.hi, y.hi);
   } else if (later.meeting == Kind::hit) {
@@ -35,53 +35,53 @@ Meeting either(const Meeting& x, const Meeting& y) {
   return both;
 }
 
-/// Gravity, and what pushes the body when it starts. Throws InputError where another push begins before the flight
-/// ends: the body then flies in more than one piece.
-Vec3 acceleration(const Scene& scene, int body, double since, const Flyer& flyer) {
-  if (flyer.is_fixed) return Vec3::Zero();
+/// Gravity, plus the force that acts on the body when it starts, over its mass. Throws InputError if a force changes
+/// before the motion ends: the trajectory would then have more than one ballistic segment.
+Vec3 acceleration(const Scene& scene, int body, double since, const RigidBodyModel& model) {
+  if (model.is_fixed) return Vec3::Zero();
   Vec3 force = Vec3::Zero();
-  for (std::size_t i = 0; i < scene.flight->pushes.size(); ++i) {
-    const Push& push = scene.flight->pushes[i];
-    if (push.body != body || push.time >= scene.flight->times.back()) continue;
+  for (std::size_t i = 0; i < scene.motion->forces.size(); ++i) {
+    const AppliedForce& push = scene.motion->forces[i];
+    if (push.body != body || push.time >= scene.motion->sample_times.back()) continue;
     if (push.time > since) {
-      throw InputError("flight.pushes[" + std::to_string(i) + "].time", "is after its body's start: ask from then on");
+      throw InputError("motion.forces[" + std::to_string(i) + "].time", "is after its body's start: ask from then on");
     }
     force = push.force_W;
   }
-  return scene.gravity + force / flyer.mass;
+  return scene.gravity + force / model.mass;
 }
 
 struct Start {
   Start(const Scene& scene, int body)
-      : flyer(scene.bodies[static_cast<std::size_t>(body)]), since(time(scene, body)), flight(made(scene, body)) {}
+      : model(scene.bodies[static_cast<std::size_t>(body)]), since(time(scene, body)), motion(made(scene, body)) {}
 
   static double time(const Scene& scene, int body) {
-    const std::vector<double>& since = scene.flight->since;
+    const std::vector<double>& since = scene.motion->start_times;
     return since.empty() ? 0 : since[static_cast<std::size_t>(body)];
   }
-  motion::Flight made(const Scene& scene, int body) const {
+  motion::BallisticMotion made(const Scene& scene, int body) const {
     const Body& b = scene.bodies[static_cast<std::size_t>(body)];
-    return {flyer, since, b.X_WB, b.velocity, acceleration(scene, body, since, flyer)};
+    return {model, since, b.X_WB, b.velocity, acceleration(scene, body, since, model)};
   }
 
-  Flyer flyer;
+  RigidBodyModel model;
   double since;
-  motion::Flight flight;
+  motion::BallisticMotion motion;
 };
 
-/// Exact where both start at one time; else what doubles prove.
+/// Exact if both bodies start at the same time; otherwise only what doubles can prove.
 Verdict verdict_at(double from, const Start& A, const Start& B, std::vector<lin_canny::FeaturePair>& memory) {
-  using lin_canny::Station;
+  using lin_canny::CachedPose;
   if (A.since == B.since) {
-    const Station at_A(A.flight.start()), at_B(B.flight.start());
-    return nearest_parts(A.flyer.solid, at_A, B.flyer.solid, at_B, memory).proximity.verdict;
+    const CachedPose at_A(A.motion.start()), at_B(B.motion.start());
+    return nearest_parts(A.model.solid, at_A, B.model.solid, at_B, memory).proximity.verdict;
   }
   auto place = memory.begin();
-  for (std::size_t i = 0; i < A.flyer.solid.parts().size(); ++i) {
-    for (std::size_t j = 0; j < B.flyer.solid.parts().size(); ++j, ++place) {
-      const meeting::Pair pair{A.flight, B.flight, i, j, {A.flight.start().p_WB}};
-      const meeting::Look look(pair, from, *place, Vec3::Zero());
-      if (look.overlap(look)) return Verdict::overlapping;
+  for (std::size_t i = 0; i < A.model.solid.parts().size(); ++i) {
+    for (std::size_t j = 0; j < B.model.solid.parts().size(); ++j, ++place) {
+      const toi::Pair pair{A.motion, B.motion, i, j, {A.motion.start().p_WB}};
+      const toi::SeparationQuery query(pair, from, *place, Vec3::Zero());
+      if (query.overlap(query)) return Verdict::overlapping;
     }
   }
   return Verdict::separated;
@@ -89,51 +89,53 @@ Verdict verdict_at(double from, const Start& A, const Start& B, std::vector<lin_
 
 }  // namespace
 
-Meeting time_of_impact(const motion::Flight& a, const motion::Flight& b, double from, double until, double envelope,
-                       std::span<lin_canny::FeaturePair> memory, const Swelling& swelling) {
-  if (swelling.is_none() && meeting::are_falling_balls(a, b)) {
-    if (const std::optional<Meeting> met = meeting::spheres(a, b, from, until, envelope)) return *met;
+FirstContact time_of_impact(const motion::BallisticMotion& a, const motion::BallisticMotion& b, double from,
+                            double until, double envelope, std::span<lin_canny::FeaturePair> memory,
+                            const Inflation& inflation) {
+  if (inflation.is_none() && toi::are_falling_balls(a, b)) {
+    if (const std::optional<FirstContact> met = toi::spheres(a, b, from, until, envelope)) return *met;
   }
-  Meeting met{Kind::miss, until, until, 0, Vec3::Zero(), Vec3::Zero()};
-  int looks = 0;
+  FirstContact met{Kind::miss, until, until, 0, Vec3::Zero(), Vec3::Zero()};
+  int queries = 0;
   auto place = memory.begin();
-  for (std::size_t i = 0; i < a.flyer().solid.parts().size(); ++i) {
-    for (std::size_t j = 0; j < b.flyer().solid.parts().size(); ++j, ++place) {
-      const meeting::Pair pair{a, b, i, j, meeting::origin(a, b), swelling};
+  for (std::size_t i = 0; i < a.model().solid.parts().size(); ++i) {
+    for (std::size_t j = 0; j < b.model().solid.parts().size(); ++j, ++place) {
+      const toi::Pair pair{a, b, i, j, toi::origin(a, b), inflation};
       const double end = met.meeting == Kind::hit ? met.hi : until;
-      const Meeting found = meeting::advance(pair, from, end, envelope, *place);
-      looks += found.looks;
+      const FirstContact found = toi::advance(pair, from, end, envelope, *place);
+      queries += found.queries;
       if (found.meeting != Kind::miss) met = met.meeting == Kind::miss ? found : either(met, found);
     }
   }
-  met.looks = looks;
+  met.queries = queries;
   return met;
 }
 
-Meeting time_of_impact(const motion::Flight& a, const motion::Flight& b, double from, double until, double envelope) {
-  std::vector<lin_canny::FeaturePair> memory(a.flyer().solid.parts().size() * b.flyer().solid.parts().size());
+FirstContact time_of_impact(const motion::BallisticMotion& a, const motion::BallisticMotion& b, double from,
+                            double until, double envelope) {
+  std::vector<lin_canny::FeaturePair> memory(a.model().solid.parts().size() * b.model().solid.parts().size());
   return time_of_impact(a, b, from, until, envelope, memory);
 }
 
 TimeOfImpact time_of_impact_of(const Scene& scene) {
   if (scene.bodies.size() < 2) throw InputError("bodies", "expected two");
-  if (!scene.flight) throw InputError("flight", "is missing");
+  if (!scene.motion) throw InputError("motion", "is missing");
   const Start A(scene, 0), B(scene, 1);
-  const double from = std::max(A.since, B.since), until = scene.flight->times.back();
-  std::vector<lin_canny::FeaturePair> memory(A.flyer.solid.parts().size() * B.flyer.solid.parts().size());
+  const double from = std::max(A.since, B.since), until = scene.motion->sample_times.back();
+  std::vector<lin_canny::FeaturePair> memory(A.model.solid.parts().size() * B.model.solid.parts().size());
   if (verdict_at(from, A, B, memory) == Verdict::overlapping) {
     throw InputError("bodies",
                      '\'' + scene.bodies[0].name + "' and '" + scene.bodies[1].name + "' overlap at the start");
   }
-  const Meeting met = time_of_impact(A.flight, B.flight, from, until, 0, memory);
-  TimeOfImpact said;
-  said.meeting = met.meeting;
-  if (met.meeting == Kind::miss) return said;
-  said.enclosure = {met.lo, met.hi};
-  // At lo rounding alone keeps the two apart; hi is where the overlap was proved, deeper than that.
-  if (met.meeting == Kind::hit) said.time = met.lo;
-  if (met.meeting == Kind::undecided) said.gap = met.gap;
-  return said;
+  const FirstContact met = time_of_impact(A.motion, B.motion, from, until, 0, memory);
+  TimeOfImpact answer;
+  answer.meeting = met.meeting;
+  if (met.meeting == Kind::miss) return answer;
+  answer.enclosure = {met.lo, met.hi};
+  // At lo only rounding separates the two; hi is where the overlap was proved, which is deeper than that.
+  if (met.meeting == Kind::hit) answer.time = met.lo;
+  if (met.meeting == Kind::undecided) answer.gap = met.gap;
+  return answer;
 }
 
 }  // namespace touchstone::fast

@@ -1,4 +1,4 @@
-// What a subject answers: one plain type a stem, wrapped in Answer<T> = T | Abstains | Breaks.
+// The answers of a subject: one plain type for each query, wrapped in Answer<T> = T | Abstains | Breaks.
 #pragma once
 
 #include <array>
@@ -13,10 +13,11 @@
 
 namespace touchstone {
 
-/// Of two closed solids. `touching`: they share boundary points, but no interior point.
+/// How two closed solids lie to each other. `touching`: they share boundary points, but no interior point.
 enum class Verdict { separated, touching, overlapping };
 
-/// Vertices of a convex part whose hull is a face, edge or vertex of it. A sphere's only "vertex" is its centre, 0.
+/// The vertices of a convex part whose hull is one of its faces, edges or vertices. A sphere has one "vertex", its
+/// centre, with index 0.
 struct Feature {
   int part = 0;  ///< index into Compound::parts; 0 for a convex body
   std::vector<int> vertices;
@@ -24,7 +25,7 @@ struct Feature {
   bool operator==(const Feature&) const = default;
 };
 
-/// "How far apart are bodies 0 (A) and 1 (B)?" A subject fills in what it offers; absent means "does not say".
+/// "How far apart are bodies 0 (A) and 1 (B)?" A subject fills in what it computes; an absent member means "no claim".
 struct Distance {
   std::optional<Verdict> verdict;
   std::optional<double> distance;  ///< m; ≥ 0, and 0 when touching or overlapping
@@ -32,57 +33,58 @@ struct Distance {
   std::optional<Vec3> p_WCb;       ///< witness point on B
   std::optional<Feature> feature_A;
   std::optional<Feature> feature_B;
-  std::optional<Interval> enclosure;  ///< claimed to hold the exact distance
+  std::optional<Interval> enclosure;  ///< claimed to contain the exact distance
 
   bool operator==(const Distance&) const = default;
 };
 
-/// "How deep are bodies 0 (A) and 1 (B) in each other?" The least translation of A that leaves no common interior.
+/// "How deeply do bodies 0 (A) and 1 (B) overlap?" The shortest translation of A after which they share no interior
+/// point.
 struct Penetration {
   std::optional<Verdict> verdict;
   std::optional<double> depth;    ///< m; ≥ 0, and 0 unless overlapping
-  std::optional<Vec3> nhat_BA_W;  ///< unit, from B to A: moving A by depth·nhat_BA_W separates the two
+  std::optional<Vec3> nhat_BA_W;  ///< unit, from B to A: translating A by depth·nhat_BA_W separates the two
 
   bool operator==(const Penetration&) const = default;
 };
 
-/// Index pairs i < j, sorted, each once.
+/// Index pairs i < j, sorted, without duplicates.
 using PairSet = std::vector<std::pair<int, int>>;
 
-/// What a broad phase says once a frame is done. A subject that has no events leaves begun and ended absent.
+/// The answer of a broad phase after one frame. If a subject reports no events, `begun` and `ended` are absent.
 struct PairFrame {
-  PairSet pairs;                 ///< of bodies that are there
-  std::optional<PairSet> begun;  ///< in pairs, and not in those of the frame before
-  std::optional<PairSet> ended;  ///< the other way round
+  PairSet pairs;                 ///< overlapping pairs among the bodies that are present
+  std::optional<PairSet> begun;  ///< pairs of this frame that the previous frame did not have
+  std::optional<PairSet> ended;  ///< pairs of the previous frame that this frame does not have
 
   bool operator==(const PairFrame&) const = default;
 };
 
-/// "Which boxes meet in each frame of the film?" One entry a frame.
+/// "Which boxes overlap in each frame of the sequence?" One entry per frame.
 using PairHistory = std::vector<PairFrame>;
 
-/// One box a body, in the scene's order.
+/// One box per body, in the scene's order.
 using Bounds = std::vector<Aabb>;
 
-/// One entry a body, in the scene's order; a fixed body has none.
+/// One entry per body, in the scene's order; a fixed body has none.
 using Masses = std::vector<std::optional<MassProperties>>;
 
-/// "What does the impact at the scene's contact do?"
+/// "What is the result of the impact at the scene's contact?"
 struct Impulse {
   std::array<Velocity, 2> after;  ///< of bodies 0 (A) and 1 (B)
   std::optional<Vec3> P_A_W;      ///< impulse on A at C (N s); B takes its opposite
   std::optional<double>
       error;  ///< claimed: sqrt((P − P*)ᵀ K (P − P*)) is at most this (sqrt(J)), K as in docs/spec/impulse.md
-  std::optional<double> ambiguous;  ///< the law itself jumps within this relative distance of the scene
+  std::optional<double> ambiguous;  ///< the impact law itself jumps within this relative distance of the scene
 
   bool operator==(const Impulse&) const = default;
 };
 
-/// Pixels of a raster: a string a row, the lowest first; '1' for a pixel that is in, '0' for one that is not.
+/// The pixels of a raster: one string per row, the lowest row first; '1' is a pixel in the set, '0' one outside it.
 using Mask = std::vector<std::string>;
 
-/// Of two masks, the second moved by the raster's shift: how many pixels are in both, and the first of them by row,
-/// then column.
+/// The overlap of two masks, the second one moved by the raster's shift: how many pixels are in both, and the first of
+/// them by row, then column.
 struct MaskOverlap {
   int count = 0;
   std::optional<std::pair<int, int>> first;  ///< column, row
@@ -90,24 +92,26 @@ struct MaskOverlap {
   bool operator==(const MaskOverlap&) const = default;
 };
 
-/// "Which pixels of the raster do the bodies cover, and in which do bodies 0 (A) and 1 (B) meet?" Bodies are closed.
+/// "Which pixels of the raster do the bodies cover, and in which pixels do bodies 0 (A) and 1 (B) intersect?" Bodies
+/// are closed sets.
 struct Pixels {
-  std::vector<Mask> sampled;       ///< by body: the pixel's centre is in its picture
-  std::vector<Mask> conservative;  ///< by body: holds every pixel whose closed square meets its picture
+  std::vector<Mask> sampled;       ///< by body: the pixel's centre is in the body's image
+  std::vector<Mask> conservative;  ///< by body: contains every pixel whose closed square intersects the body's image
   MaskOverlap overlap;             ///< of A's and B's sampled masks
-  Mask meet_sampled;               ///< A and B share a point above the pixel's centre
-  Mask meet_conservative;          ///< holds every pixel above whose closed square A and B share a point
+  Mask meet_sampled;               ///< A and B share a point on the vertical line through the pixel's centre
+  Mask meet_conservative;          ///< contains every pixel over whose closed square A and B share a point
 
   bool operator==(const Pixels&) const = default;
 };
 
-/// "When do bodies 0 (A) and 1 (B) first meet in flight?" Contact where both flights begin counts if they approach.
+/// "When do bodies 0 (A) and 1 (B) first come into contact?" Contact at the start of their motion counts if they
+/// approach there.
 struct TimeOfImpact {
   enum class Meeting { hit, miss, undecided };
   Meeting meeting = Meeting::undecided;
   std::optional<double> time;         ///< s; of a hit
-  std::optional<Interval> enclosure;  ///< claimed: apart before its lower end; of a hit, its upper end is not before it
-  std::optional<double> gap;          ///< m; undecided: somewhere in the enclosure the two are as near as this
+  std::optional<Interval> enclosure;  ///< claimed: the bodies are apart before `lo`; a hit occurs no later than `hi`
+  std::optional<double> gap;          ///< m; undecided: at some time in the enclosure the bodies are this close
 
   bool operator==(const TimeOfImpact&) const = default;
 };
@@ -119,15 +123,15 @@ struct State {
   bool operator==(const State&) const = default;
 };
 
-/// What ended one flight and began the next. From `time` on, each body flies from its state here.
+/// What ended one ballistic motion and started the next. From `time` on, each body moves from its state given here.
 struct Event {
   enum class Kind {
     impact,           ///< an impulse at one point
-    micro_collision,  ///< one of many impulses that stand for a resting contact
-    completed,        ///< infinitely many impacts, in closed form, that end at `time`
-    contact,          ///< the pair begins to roll, slide or rest on each other, or changes between these
+    micro_collision,  ///< one of many impulses that replace a resting contact
+    completed,        ///< an infinite sequence of impacts, summed in closed form, that ends at `time`
+    contact,          ///< the pair starts to roll, slide or rest on each other, or changes between these
     release,          ///< such a contact ends
-    push              ///< a force on body a begins, changes or ends; b = −1
+    push              ///< an applied force on body a starts, changes or ends; b = −1
   };
   Kind kind = Kind::impact;
   double time = 0;  ///< s
@@ -140,24 +144,24 @@ struct Event {
   bool operator==(const Event&) const = default;
 };
 
-/// "What happens next?" Until the end of the scene's flight.
+/// "What happens next?" The trajectory until the last sample time of the scene's motion.
 struct Trajectory {
-  std::vector<std::vector<State>> states;    ///< by time of the flight, then by body
+  std::vector<std::vector<State>> states;    ///< by sample time, then by body
   std::optional<std::vector<Event>> events;  ///< in the order in which they were resolved
-  std::optional<double> complete_until;      ///< s; where the subject gave up: states and events end here
-  std::string gave_up;                       ///< why, and on whom; empty: it did not, or does not say
+  std::optional<double> complete_until;      ///< s; the time at which the subject gave up: states and events end here
+  std::string gave_up;                       ///< why, and at which bodies; empty: did not give up, or does not say
 
   bool operator==(const Trajectory&) const = default;
 };
 
-/// The subject does not answer this; never a pass.
+/// The subject does not answer this query; never counted as a pass.
 struct Abstains {
   std::string why;
 
   bool operator==(const Abstains&) const = default;
 };
 
-/// The subject failed to answer; always a failure.
+/// The subject failed to answer; always counted as a failure.
 struct Breaks {
   enum class Kind { threw, crashed, hung, garbage };
   Kind kind = Kind::threw;

@@ -1,4 +1,4 @@
-// Whole files in, whole files out.
+// Reads and writes whole files.
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -31,12 +31,12 @@ bool is_a_fault_of_the_disk(int error) {
 
 class File {
  public:
-  /// Complaints name `path`, whatever file stands in for it while it is being written.
+  /// Messages name `path`, even while the text is being written to another file in its place.
   File(const std::string& file, int flags, const std::string& path, const std::string& doing)
       : path_(path), doing_(doing), descriptor_(::open(file.c_str(), flags | O_CLOEXEC, 0666)) {
     if (descriptor_ < 0) refuse(path_, doing_);
   }
-  /// Takes over a descriptor that is open.
+  /// Takes over an open descriptor.
   File(int descriptor, const std::string& path, const std::string& doing)
       : path_(path), doing_(doing), descriptor_(descriptor) {
     if (descriptor_ < 0) refuse(path_, doing_);
@@ -47,7 +47,7 @@ class File {
     if (descriptor_ >= 0) ::close(descriptor_);
   }
 
-  /// 0 at the end of the file.
+  /// Returns 0 at the end of the file.
   std::size_t read(char* to, std::size_t size) {
     ssize_t got = -1;
     do got = ::read(descriptor_, to, size);
@@ -76,7 +76,7 @@ class File {
   int descriptor_;
 };
 
-/// A name of our own beside `path`: other processes and threads may be writing the same file.
+/// A unique name beside `path`, since other processes and threads may be writing the same file.
 std::string name_beside(const std::string& path) {
   static std::atomic<unsigned> count = 0;
   return path + ".part-" + std::to_string(::getpid()) + "-" + std::to_string(count++);
@@ -98,7 +98,7 @@ const char* kind_of(mode_t mode) {
   throw InputError(path, "has " + has + "; at most " + std::to_string(largest_text_bytes / 1'000'000) + " MB are read");
 }
 
-/// Looks before the file is opened: opening a pipe waits for its writer, and opening a device may do anything.
+/// Checks the file before it is opened: opening a pipe waits for a writer, and opening a device may have side effects.
 void require_plain(const std::string& path) {
   struct stat status {};
   if (::stat(path.c_str(), &status) != 0) refuse(path, "cannot read");
@@ -110,7 +110,7 @@ void require_plain(const std::string& path) {
   if (bytes > largest_text_bytes) refuse_size(path, std::to_string(bytes / 1'000'000) + " MB");
 }
 
-/// Reads up to the end, or gives up where a text without end has become too large.
+/// Reads up to the end of the file. Refuses an endless input once it has become too large.
 std::string read_all(File& file, const std::string& path) {
   std::string text;
   constexpr std::size_t chunk = 1 << 16;
@@ -133,7 +133,7 @@ std::string read_text(const std::string& path) {
     return read_all(standard_input, "<stdin>");
   }
   require_plain(path);
-  // O_NONBLOCK: a pipe may have taken the file's place meanwhile; then this must not wait.
+  // O_NONBLOCK: the file may have been replaced by a pipe since the check; then open() must not wait.
   File file(path, O_RDONLY | O_NONBLOCK, path, doing);
   return read_all(file, path);
 }

@@ -1,4 +1,5 @@
-// Points, poses and boxes, as IEEE doubles that are read as exact rationals.
+// Points, poses and boxes. Their components are IEEE doubles, and each double is taken as the exact rational that it
+// is.
 //
 // Monogram notation: p_WA is the position of point A in frame W, X_WB the pose of frame B in W, R_WB its rotation;
 // adjacent letters cancel (p_WA = X_WB p_BA). W is the world, B a body's own frame. Units: SI (m, kg, s, rad).
@@ -11,7 +12,8 @@ namespace touchstone {
 using Vec3 = Eigen::Vector3d;
 using Mat3 = Eigen::Matrix3d;
 
-/// A rotation: that of q/|q|, exactly, for any non-zero q. q and s·q (s ≠ 0) are the same rotation; nobody normalises.
+/// The rotation of q/|q|, exactly, for any non-zero q. q and s·q (s ≠ 0) are the same rotation, so q is never
+/// normalised.
 ///
 ///   R(q) = 1/|q|² · [ w²+x²−y²−z²   2(xy−wz)      2(xz+wy)    ]
 ///                   [ 2(xy+wz)      w²−x²+y²−z²   2(yz−wx)    ]
@@ -33,7 +35,7 @@ struct Pose {
   bool operator==(const Pose& other) const { return p_WB == other.p_WB && q_WB == other.q_WB; }
 };
 
-/// A closed interval [lo, hi] that holds a real number.
+/// A closed interval [lo, hi] that contains a real number.
 struct Interval {
   double lo = 0;
   double hi = 0;

@@ -1,4 +1,4 @@
-// The one way to say "your input is wrong": the message names the place and says what would be right. Exit code 2.
+// The error for wrong input: the message names the place and says what would be right. The program exits with code 2.
 #pragma once
 
 #include <stdexcept>

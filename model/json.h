@@ -1,8 +1,8 @@
-// Scenes and answers as JSON; doubles survive write and read bit for bit (shortest round-trip form).
+// Scenes and answers as JSON. Doubles survive writing and reading bit for bit (shortest round-trip form).
 //
 // The published schema is docs/scene.schema.json. Reading is strict: an unknown key, a wrong type, a number that is not
-// finite, or text that ends early is an InputError that names the place ("bodies[3].shape.vertices[17][0]: …").
-// The same readers serve the pipe, so an engine's NaN (JSON null or a string) is an InputError there, never a number.
+// finite, or text that ends early is an InputError that names the place ("bodies[3].shape.vertices[17][0]: …"). The
+// pipe uses the same readers, so an engine's NaN (JSON null or a string) is an InputError there, never a number.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -33,7 +33,7 @@ Json json_of(const Event& event);
 Json json_of(const TimeOfImpact& answer);
 Json json_of(const Trajectory& answer);
 
-/// T is any type that json_of writes. `place` is the JSON path that messages start with. Throws InputError.
+/// T is any type that json_of writes. `place` is the JSON path with which messages start. Throws InputError.
 template <class T>
 T read(const Json& json, const std::string& place);
 template <>
@@ -61,21 +61,23 @@ TimeOfImpact read<TimeOfImpact>(const Json& json, const std::string& place);
 template <>
 Trajectory read<Trajectory>(const Json& json, const std::string& place);
 
-/// Parses text; an InputError says the line and column. `place` is the file's name or the like.
+/// Parses text; an InputError names the line and column. `place` is the name of the file or of another source.
 Json parse(std::string_view text, const std::string& place);
 
-/// For people: what fits on a line stands on one; ends with a newline. (For machines: Json::dump.)
+/// Formats JSON for people: a value that fits on one line is written on one line; the text ends with a newline.
+/// (Programs use Json::dump.)
 std::string text_of(const Json& json);
 
 /// Parses, reads and validates (model/limits.h) a scene. Throws InputError.
 Scene scene_from(std::string_view text, const std::string& place);
 
-/// Reads a file whole. Throws InputError.
+/// Reads a whole file. Throws InputError.
 std::string read_text(const std::string& path);
 Scene read_scene(const std::string& path);
 
-/// Writes beside `path` and renames: a reader sees the old file or the new one, never a part. Throws InputError, or
-/// OutputError where the disk is full or fails; the old file stays. (A device or a pipe is written in place.)
+/// Writes a file beside `path` and renames it, so a reader sees the old file or the new one, never a part. Throws
+/// InputError, or OutputError if the disk is full or fails; then the old file remains. (A device or a pipe is written
+/// in place.)
 void write_text(const std::string& path, std::string_view text);
 
 }  // namespace touchstone

@@ -1,4 +1,4 @@
-// Answers as JSON: what a subject does not say is absent.
+// Answers as JSON. A member for which a subject makes no claim is absent.
 #include <array>
 
 #include "model/json_node.h"

@@ -1,9 +1,11 @@
 #include "model/json_node.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <utility>
 
 namespace touchstone {
 namespace {
@@ -25,7 +27,11 @@ std::string kind(const Json& json) {
   return json.dump();
 }
 
-/// 2^64 and beyond do not fit the integer, so they are compared as doubles first.
+/// Keys of older files, and what they are called now.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 4> renamed_keys = {
+    {{"flight", "motion"}, {"times", "sample_times"}, {"since", "start_times"}, {"pushes", "forces"}}};
+
+/// 2^64 and beyond do not fit in the integer type, so they are compared as doubles first.
 template <class Integer>
 bool is_exact(Integer integer, double nearest) {
   const double end = std::ldexp(1.0, std::numeric_limits<Integer>::digits);
@@ -37,7 +43,11 @@ bool is_exact(Integer integer, double nearest) {
 void Node::expect_object(std::initializer_list<std::string_view> known) const {
   if (!json_.is_object()) refuse("expected an object, found " + kind(json_));
   for (const auto& [key, value] : json_.items()) {
-    if (std::find(known.begin(), known.end(), key) == known.end()) {
+    if (std::ranges::find(known, key) == known.end()) {
+      const auto renamed = std::ranges::find(renamed_keys, key, &std::pair<std::string_view, std::string_view>::first);
+      if (renamed != renamed_keys.end() && std::ranges::find(known, renamed->second) != known.end()) {
+        refuse("the key " + in_quotes(key) + " is " + in_quotes(renamed->second) + " now");
+      }
       refuse("unknown key " + in_quotes(key) + "; known are " + listed(known));
     }
   }

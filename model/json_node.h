@@ -1,5 +1,5 @@
-// A JSON value together with the way to it, so that every complaint names the place. Other readers (the pipe, cases)
-// use it too.
+// A JSON value together with its path, so that every message names the place. Other readers (the pipe, cases) use it
+// too.
 #pragma once
 
 #include <initializer_list>
@@ -11,25 +11,25 @@
 
 namespace touchstone {
 
-/// Nodes live on the stack of the reading functions: a child points at its parent, and a place's text is built only
-/// when something is wrong.
+/// Nodes live on the stack of the reading functions: a child points to its parent, and the text of a place is built
+/// only for an error.
 class Node {
  public:
   Node(const Json& json, const std::string& root) : json_(json), key_(root) {}
 
-  /// Refuses what is not an object, and any key but these.
+  /// Refuses a value that is not an object, and an object with any other key.
   void expect_object(std::initializer_list<std::string_view> known) const;
 
-  Node at(std::string_view key) const;  ///< a key that must be there
+  Node at(std::string_view key) const;  ///< the member with this key; refuses an object without it
   std::optional<Node> find(std::string_view key) const;
 
-  int size() const;  ///< refuses what is not an array
+  int size() const;  ///< refuses a value that is not an array
   void expect_size(int size) const;
   Node operator[](int index) const { return Node(json_[static_cast<std::size_t>(index)], this, {}, index); }
 
   bool is_null() const { return json_.is_null(); }
   bool is_text() const { return json_.is_string(); }
-  double number() const;  ///< an integer counts when a double holds it exactly
+  double number() const;  ///< accepts an integer only if a double represents it exactly
   int index() const;      ///< an integer from 0 to the greatest int
   std::string text() const;
   bool truth() const;

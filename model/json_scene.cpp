@@ -1,4 +1,4 @@
-// Scenes as JSON: docs/scene.schema.json in code.
+// Scenes as JSON; implements docs/scene.schema.json.
 #include <array>
 #include <cmath>
 #include <limits>
@@ -79,17 +79,17 @@ Json json_of(const Raster& raster) {
           {"rows", raster.rows},   {"shift", {raster.shift_x, raster.shift_y}}};
 }
 
-Json json_of(const Push& push) {
+Json json_of(const AppliedForce& push) {
   return {{"time", push.time}, {"body", push.body}, {"force_W", json_of(push.force_W)}};
 }
 
-Json json_of(const Flight& flight) {
-  Json json = {{"times", flight.times}};
-  if (!flight.since.empty()) json["since"] = flight.since;
-  if (flight.envelope) json["envelope"] = *flight.envelope;
-  json["law"] = word_of(flight.law);
-  if (flight.force_bound != 0) json["force_bound"] = flight.force_bound;
-  for (const Push& push : flight.pushes) json["pushes"].push_back(json_of(push));
+Json json_of(const Motion& motion) {
+  Json json = {{"sample_times", motion.sample_times}};
+  if (!motion.start_times.empty()) json["start_times"] = motion.start_times;
+  if (motion.envelope) json["envelope"] = *motion.envelope;
+  json["law"] = word_of(motion.law);
+  if (motion.force_bound != 0) json["force_bound"] = motion.force_bound;
+  for (const AppliedForce& push : motion.forces) json["forces"].push_back(json_of(push));
   return json;
 }
 
@@ -197,8 +197,8 @@ Placement read_placement(const Node& node) {
   return placement;
 }
 
-Frame read_frame(const Node& node) {
-  Frame frame;
+SequenceFrame read_frame(const Node& node) {
+  SequenceFrame frame;
   for (int i = 0; i < node.size(); ++i) frame.push_back(read_placement(node[i]));
   return frame;
 }
@@ -257,23 +257,23 @@ std::vector<double> read_numbers(const Node& node) {
   return numbers;
 }
 
-Push read_push(const Node& node) {
+AppliedForce read_force(const Node& node) {
   node.expect_object({"time", "body", "force_W"});
   return {node.at("time").number(), node.at("body").index(), read_vec3(node.at("force_W"))};
 }
 
-Flight read_flight(const Node& node) {
-  node.expect_object({"times", "since", "envelope", "law", "force_bound", "pushes"});
-  Flight flight;
-  flight.times = read_numbers(node.at("times"));
-  if (const auto since = node.find("since")) flight.since = read_numbers(*since);
-  if (const auto envelope = node.find("envelope")) flight.envelope = envelope->number();
-  if (const auto law = node.find("law")) flight.law = read_law(*law);
-  if (const auto bound = node.find("force_bound")) flight.force_bound = bound->number();
-  if (const auto pushes = node.find("pushes")) {
-    for (int i = 0; i < pushes->size(); ++i) flight.pushes.push_back(read_push((*pushes)[i]));
+Motion read_motion(const Node& node) {
+  node.expect_object({"sample_times", "start_times", "envelope", "law", "force_bound", "forces"});
+  Motion motion;
+  motion.sample_times = read_numbers(node.at("sample_times"));
+  if (const auto since = node.find("start_times")) motion.start_times = read_numbers(*since);
+  if (const auto envelope = node.find("envelope")) motion.envelope = envelope->number();
+  if (const auto law = node.find("law")) motion.law = read_law(*law);
+  if (const auto bound = node.find("force_bound")) motion.force_bound = bound->number();
+  if (const auto pushes = node.find("forces")) {
+    for (int i = 0; i < pushes->size(); ++i) motion.forces.push_back(read_force((*pushes)[i]));
   }
-  return flight;
+  return motion;
 }
 
 }  // namespace
@@ -291,14 +291,14 @@ Json json_of(const Scene& scene) {
   json["gravity"] = json_of(scene.gravity);
   json["bodies"] = Json::array();
   for (const Body& body : scene.bodies) json["bodies"].push_back(json_of(body));
-  for (const Frame& frame : scene.frames) {
+  for (const SequenceFrame& frame : scene.frames) {
     Json placements = Json::array();
     for (const Placement& placement : frame) placements.push_back(json_of(placement));
     json["frames"].push_back(std::move(placements));
   }
   if (scene.contact) json["contact"] = json_of(*scene.contact);
   if (scene.raster) json["raster"] = json_of(*scene.raster);
-  if (scene.flight) json["flight"] = json_of(*scene.flight);
+  if (scene.motion) json["motion"] = json_of(*scene.motion);
   return json;
 }
 
@@ -309,7 +309,7 @@ Scene read<Scene>(const Json& json, const std::string& place) {
   if (format != scene_format) {
     node.at("touchstone").refuse("expected \"" + std::string(scene_format) + "\", found " + Json(format).dump());
   }
-  node.expect_object({"touchstone", "name", "gravity", "bodies", "frames", "contact", "raster", "flight"});
+  node.expect_object({"touchstone", "name", "gravity", "bodies", "frames", "contact", "raster", "motion"});
   Scene scene;
   if (const auto name = node.find("name")) scene.name = name->text();
   if (const auto gravity = node.find("gravity")) scene.gravity = read_vec3(*gravity);
@@ -320,7 +320,7 @@ Scene read<Scene>(const Json& json, const std::string& place) {
   }
   if (const auto contact = node.find("contact")) scene.contact = read_contact(*contact);
   if (const auto raster = node.find("raster")) scene.raster = read_raster(*raster);
-  if (const auto flight = node.find("flight")) scene.flight = read_flight(*flight);
+  if (const auto motion = node.find("motion")) scene.motion = read_motion(*motion);
   return scene;
 }
 

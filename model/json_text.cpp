@@ -1,4 +1,4 @@
-// Text to JSON and back.
+// Converts text to JSON and back.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,13 +13,12 @@
 namespace touchstone {
 namespace {
 
-/// The document that has the most levels, a case about a body of several hulls, has 10: case, scene, bodies, body,
-/// shape, parts, part, shape, vertices, vertex. What is nested deeper is none, and walking over it would use up the
-/// stack.
+/// The document with the most levels, a case about a body of several hulls, has 10: case, scene, bodies, body, shape,
+/// parts, part, shape, vertices, vertex. A deeper document is none of ours, and walking over it would use up the stack.
 constexpr std::size_t deepest = 16;
 
-/// The objects of our formats have ten members or so. A member is found by going through all, which takes long where
-/// there are many.
+/// The objects of our formats have about ten members. A lookup goes through all members, which is slow in a large
+/// object.
 constexpr std::size_t most_keys = 64;
 
 std::string shortened(const std::string& word) {
@@ -27,8 +26,8 @@ std::string shortened(const std::string& word) {
   return word.size() <= longest ? word : word.substr(0, longest) + "...";
 }
 
-/// "[json.exception.parse_error.101] parse error at line 1, column 5: syntax error ..." from "syntax" on; printable, as
-/// it quotes what may be any bytes of any length.
+/// Shortens "[json.exception.parse_error.101] parse error at line 1, column 5: syntax error ..." to the part from
+/// "syntax" on, and makes it printable, since it may quote any bytes of any length.
 std::string readable(std::string message) {
   for (const std::string words : {"] ", ": "}) {
     const auto at = message.find(words);
@@ -40,13 +39,13 @@ std::string readable(std::string message) {
   return message.size() <= longest ? message : message.substr(0, longest) + " ...";
 }
 
-/// What is wrong with a text, before its file is known: an error about a JSON path, or about an offset.
+/// What is wrong with a text, before its file is known: an error about a JSON path or about an offset.
 struct Flaw {
   InputError error;
   std::optional<std::size_t> offset;
 };
 
-/// Builds the value from the parser's events, and refuses what JSON's grammar allows and we do not.
+/// Builds the value from the parser's events. Refuses what JSON's grammar allows and our formats do not.
 class Builder final : public nlohmann::json_sax<Json> {
  public:
   explicit Builder(std::size_t most_values) : most_values_(most_values) {}
@@ -58,13 +57,13 @@ class Builder final : public nlohmann::json_sax<Json> {
   bool number_integer(Json::number_integer_t value) override { return add(value); }
   bool number_unsigned(Json::number_unsigned_t value) override { return add(value); }
   bool string(std::string& value) override { return add(std::move(value)); }
-  bool binary(Json::binary_t&) override { return false; }  // JSON in text has none
+  bool binary(Json::binary_t&) override { return false; }  // JSON text has no binary values
 
   bool number_float(double value, const std::string& digits) override {
     if (value == 0 && digits.substr(0, digits.find_first_of("eE")).find_first_of("123456789") != std::string::npos) {
       refuse_next("too small for a double, found " + shortened(digits) + ": it would be read as 0");
     }
-    // An integer that has no room in 64 bits.
+    // An integer that does not fit in 64 bits.
     constexpr double room = 0x1p63;
     if (std::abs(value) >= room && digits.find_first_of(".eE") == std::string::npos && digits != exactly(value)) {
       refuse_next("the integer " + shortened(digits) +
@@ -119,7 +118,7 @@ class Builder final : public nlohmann::json_sax<Json> {
     return true;
   }
 
-  /// Where the next value goes. Only the innermost open value grows, so the outer ones stay where they are.
+  /// Where the next value goes. Only the innermost open value grows, so pointers to the outer ones stay valid.
   Json& slot() {
     if (open_.empty()) {
       last_ = &root_;
@@ -163,7 +162,7 @@ class Builder final : public nlohmann::json_sax<Json> {
   std::size_t most_values_;
 };
 
-/// Finds a string or a number that is too long: the parser makes several copies of each. Returns where it begins.
+/// Finds a string or a number that is too long, since the parser makes several copies of each. Returns its offset.
 std::optional<std::size_t> long_word(std::string_view text) {
   constexpr std::size_t longest = 1'000'000;
   bool is_in_string = false;
@@ -184,7 +183,7 @@ std::optional<std::size_t> long_word(std::string_view text) {
 
 Json parsed(std::string_view text, const std::string& file, std::size_t most_values) try {
   if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) throw InputError(file, "empty; expected JSON");
-  // The parser takes it for the end.
+  // The parser takes a NUL byte for the end of the text.
   const auto nul = text.find('\0');
   if (nul != std::string_view::npos) throw Flaw{InputError("", "a NUL byte; expected text"), nul};
   Builder builder(most_values);

@@ -16,7 +16,7 @@ namespace {
 
 std::string item(const std::string& place, std::size_t index) { return place + '[' + std::to_string(index) + ']'; }
 
-/// The shortest decimal that is this double.
+/// The shortest decimal that reads back as this double.
 std::string found(double number) {
   std::array<char, 32> digits{};
   const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(), number);
@@ -105,12 +105,12 @@ void validate(const Compound& compound, const std::string& place) {
   }
 }
 
-/// The principal moments of a solid are positive and none exceeds the sum of the other two (each is a sum of two of the
-/// three second moments of mass, and those are ≥ 0).
+/// The principal moments of a solid are positive, and none exceeds the sum of the other two (each is a sum of two of
+/// the three second moments of mass, and those are ≥ 0).
 ///
 /// The computed moments of a symmetric I scaled to max |I_ij| = 1 are those of I + E with ‖E‖ ≤ c·2⁻⁵³·‖I‖, ‖I‖ ≤ 3,
 /// where c is a modest constant for 3×3 (Golub & Van Loan 2013, 8.1: Weyl's inequality). An inertia that was itself
-/// rounded may miss equality by as much (a thin plate), so only a miss beyond 2⁻⁴⁶ is certain to be a fault.
+/// rounded may violate the inequality by as much (a thin plate), so only a violation beyond 2⁻⁴⁶ is certainly an error.
 void validate_inertia(const Mat3& I, const std::string& place) {
   for (int i = 0; i < 3; ++i) finite(Vec3(I.row(i)), item(place, static_cast<std::size_t>(i)));
   if (I != I.transpose()) throw InputError(place, "not symmetric; expected I[i][j] = I[j][i]");
@@ -156,8 +156,8 @@ void validate(const Body& body, const std::string& place) {
   std::visit([&](const auto& mass) { validate(mass, place + ".mass"); }, body.mass);
 }
 
-/// `there` is by body, and kept from frame to frame.
-void validate(const Frame& frame, std::vector<bool>& there, const std::string& place) {
+/// `there` says for each body whether it is present; it is kept from frame to frame.
+void validate(const SequenceFrame& frame, std::vector<bool>& there, const std::string& place) {
   std::set<int> seen;
   for (std::size_t i = 0; i < frame.size(); ++i) {
     const auto& [body, X_WB] = frame[i];
@@ -175,8 +175,8 @@ void validate(const Frame& frame, std::vector<bool>& there, const std::string& p
   }
 }
 
-/// A normal n/|n| rounded to doubles has | |n|² − 1 | < 2⁻⁵⁰ with room to spare: 3 components, each off by at most 2⁻⁵³
-/// relatively after a square root and a division.
+/// A normal n/|n| rounded to doubles has | |n|² − 1 | < 2⁻⁵⁰ with room to spare: each of its 3 components has a
+/// relative error of at most 2⁻⁵³ after a square root and a division.
 void validate_normal(const Vec3& n, const std::string& place) {
   finite(n, place);
   if (n == Vec3::Zero()) throw InputError(place, "zero; expected a direction of length 1");
@@ -210,7 +210,7 @@ void validate(const Raster& raster, const std::string& place) {
   for (const int shift : {raster.shift_x, raster.shift_y}) {
     if (std::abs(static_cast<double>(shift)) > 1e9) throw InputError(place + ".shift", "expected at most 1e9 pixels");
   }
-  constexpr int most = 1 << 24;  // pixels: an answer of some 100 MB
+  constexpr int most = 1 << 24;  // pixels; an answer then has about 100 MB
   if (raster.columns > most / raster.rows) {
     throw InputError(place, "expected at most " + std::to_string(most) + " pixels, found " +
                                 std::to_string(raster.columns) + " x " + std::to_string(raster.rows));
@@ -263,21 +263,21 @@ void validate_since(const std::vector<double>& since, std::size_t bodies, double
     finite(since[i], item(place, i));
     if (since[i] < 0) throw InputError(item(place, i), "expected a number that is not negative" + found(since[i]));
     if (since[i] > first)
-      throw InputError(item(place, i), "expected no more than the flight's first time" + found(since[i]));
+      throw InputError(item(place, i), "expected no more than the motion's first sample time" + found(since[i]));
   }
 }
 
-void validate_pushes(const Flight& flight, const std::vector<Body>& bodies, const std::string& place) {
-  finite(flight.force_bound, place + ".force_bound");
-  if (flight.force_bound < 0)
-    throw InputError(place + ".force_bound", "expected a number that is not negative" + found(flight.force_bound));
-  for (std::size_t i = 0; i < flight.pushes.size(); ++i) {
-    const Push& push = flight.pushes[i];
-    const std::string here = item(place + ".pushes", i);
+void validate_pushes(const Motion& motion, const std::vector<Body>& bodies, const std::string& place) {
+  finite(motion.force_bound, place + ".force_bound");
+  if (motion.force_bound < 0)
+    throw InputError(place + ".force_bound", "expected a number that is not negative" + found(motion.force_bound));
+  for (std::size_t i = 0; i < motion.forces.size(); ++i) {
+    const AppliedForce& push = motion.forces[i];
+    const std::string here = item(place + ".forces", i);
     finite(push.time, here + ".time");
     if (push.time < 0) throw InputError(here + ".time", "expected a number that is not negative" + found(push.time));
-    if (i > 0 && push.time < flight.pushes[i - 1].time) {
-      throw InputError(here + ".time", "expected no less than the time of the push before it" + found(push.time));
+    if (i > 0 && push.time < motion.forces[i - 1].time) {
+      throw InputError(here + ".time", "expected no less than the time of the force before it" + found(push.time));
     }
     if (push.body < 0 || static_cast<std::size_t>(push.body) >= bodies.size()) {
       throw InputError(here + ".body", "body " + std::to_string(push.body) + " does not exist; there are " +
@@ -287,24 +287,24 @@ void validate_pushes(const Flight& flight, const std::vector<Body>& bodies, cons
       throw InputError(here + ".body", "a fixed body; no force moves it");
     }
     finite(push.force_W, here + ".force_W");
-    if (push.force_W.stableNorm() > flight.force_bound) {
+    if (push.force_W.stableNorm() > motion.force_bound) {
       throw InputError(here + ".force_W",
-                       "stronger than the flight's force_bound" + found(push.force_W.stableNorm()) + " N");
+                       "stronger than the motion's force_bound" + found(push.force_W.stableNorm()) + " N");
     }
   }
 }
 
-void validate(const Flight& flight, const Scene& scene, const std::string& place) {
-  validate_times(flight.times, place + ".times");
-  validate_since(flight.since, scene.bodies.size(), flight.times.front(), place + ".since");
-  if (flight.envelope) {
-    positive(*flight.envelope, place + ".envelope");
-    if (!(*flight.envelope < least_moving_size(scene) / 1000)) {
+void validate(const Motion& motion, const Scene& scene, const std::string& place) {
+  validate_times(motion.sample_times, place + ".sample_times");
+  validate_since(motion.start_times, scene.bodies.size(), motion.sample_times.front(), place + ".start_times");
+  if (motion.envelope) {
+    positive(*motion.envelope, place + ".envelope");
+    if (!(*motion.envelope < least_moving_size(scene) / 1000)) {
       throw InputError(place + ".envelope",
-                       "expected less than a thousandth of the size of each body that moves" + found(*flight.envelope));
+                       "expected less than a thousandth of the size of each body that moves" + found(*motion.envelope));
     }
   }
-  validate_pushes(flight, scene.bodies, place);
+  validate_pushes(motion, scene.bodies, place);
 }
 
 }  // namespace
@@ -314,7 +314,7 @@ double size(const Shape& shape) {
 }
 
 double envelope(const Scene& scene) {
-  if (scene.flight && scene.flight->envelope) return *scene.flight->envelope;
+  if (scene.motion && scene.motion->envelope) return *scene.motion->envelope;
   const double least = least_moving_size(scene);
   return std::isinf(least) ? 0 : std::ldexp(least, -30);
 }
@@ -326,7 +326,7 @@ void validate(const Scene& scene) {
   for (std::size_t i = 0; i < scene.frames.size(); ++i) validate(scene.frames[i], there, item("frames", i));
   if (scene.contact) validate(*scene.contact, scene, "contact");
   if (scene.raster) validate(*scene.raster, "raster");
-  if (scene.flight) validate(*scene.flight, scene, "flight");
+  if (scene.motion) validate(*scene.motion, scene, "motion");
 }
 
 }  // namespace touchstone

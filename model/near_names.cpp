@@ -7,11 +7,11 @@
 namespace touchstone {
 namespace {
 
-constexpr std::size_t longest_word = 64;  // a longer one is no slip of the fingers
+constexpr std::size_t longest_word = 64;  // a longer word is not a typing error
 constexpr std::size_t shortest_part = 3;
 
-/// Levenshtein distance: how many letters to change, add or drop. `row` holds, for each beginning of b, the distance
-/// from nothing to it.
+/// The last row of the Levenshtein distance, the number of letters to change, add or drop. `row` holds, for each prefix
+/// of b, its distance from the empty word.
 std::vector<std::size_t> last_row(const std::string& a, const std::string& b, std::vector<std::size_t> row) {
   for (std::size_t i = 0; i < a.size(); ++i) {
     std::size_t diagonal = row[0]++;
@@ -30,7 +30,7 @@ std::size_t edits(const std::string& a, const std::string& b) {
   return last_row(a, b, row).back();
 }
 
-/// The same to that part of the whole which is most like it.
+/// The distance from `part` to the part of `whole` that is closest to it.
 std::size_t edits_to_a_part(const std::string& part, const std::string& whole) {
   return std::ranges::min(last_row(part, whole, std::vector<std::size_t>(whole.size() + 1)));
 }

@@ -1,4 +1,5 @@
-// What was to be written could not be: a full disk, a closed stdout. Neither the input's fault nor a bug; exit code 3.
+// The error for output that cannot be written: a full disk, a closed stdout. Neither wrong input nor a bug; the program
+// exits with code 3.
 #pragma once
 
 #include <stdexcept>

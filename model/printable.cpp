@@ -10,10 +10,10 @@ namespace {
 
 struct Character {
   char32_t code = 0;
-  std::size_t bytes = 0;  ///< 0: not UTF-8
+  std::size_t bytes = 0;  ///< 0 if it is not UTF-8
 };
 
-/// Strict: neither overlong forms nor surrogates.
+/// Strict: accepts neither overlong forms nor surrogates.
 Character first_of(std::string_view text) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const unsigned char lead = byte(0);
@@ -35,17 +35,17 @@ struct Range {
   char32_t first, last;
 };
 
-/// What moves the cursor, breaks the line, changes the direction of writing, or cannot be seen.
+/// Characters that move the cursor, break the line, change the writing direction, or are invisible.
 constexpr std::array<Range, 10> harmful_ranges = {{
     {0x00, 0x1f},
     {0x7f, 0x9f},
     {0x61c, 0x61c},      // Arabic letter mark
-    {0x200b, 0x200f},    // of no width; directions
-    {0x2028, 0x202e},    // line breaks; directions
-    {0x2060, 0x206f},    // invisible; directions
+    {0x200b, 0x200f},    // zero width; writing direction
+    {0x2028, 0x202e},    // line breaks; writing direction
+    {0x2060, 0x206f},    // invisible; writing direction
     {0xfeff, 0xfeff},    // byte order mark
     {0xfff9, 0xfffc},    // annotations; objects
-    {0xfffe, 0xffff},    // no characters: XML forbids them
+    {0xfffe, 0xffff},    // noncharacters, which XML forbids
     {0xe0000, 0xe0fff},  // tags
 }};
 

@@ -1,4 +1,4 @@
-// The solids a body can be. Every shape is a closed point set in its own frame.
+// The shapes of bodies. Every shape is a closed point set in its own frame.
 #pragma once
 
 #include <variant>
@@ -16,7 +16,7 @@ struct Sphere {
 };
 
 /// |x| ≤ hx, |y| ≤ hy, |z| ≤ hz with half_extents = (hx, hy, hz), each > 0.
-/// Vertex i stands at (±hx, ±hy, ±hz): bit 0, 1, 2 of i set means + on x, y, z.
+/// Vertex i is (±hx, ±hy, ±hz): bits 0, 1, 2 of i set mean + on x, y, z.
 struct Box {
   Vec3 half_extents = Vec3::Zero();
 
@@ -25,9 +25,10 @@ struct Box {
 
 /// The convex hull of `vertices`, exactly.
 ///
-/// Laws of a valid polytope: it has volume; no two vertices are equal; every vertex lies on the hull's boundary; `faces`
-/// are its boundary: plane polygons (exactly plane), wound counter-clockwise seen from outside, each edge met once in each
-/// direction. Coplanar neighbouring faces are allowed. Empty `faces` mean "derive them" (reference/convex_hull.h).
+/// Conditions of a valid polytope: it has volume; no two vertices are equal; every vertex lies on the hull's boundary;
+/// `faces` are that boundary: exactly plane polygons, counter-clockwise seen from outside, and each edge belongs to two
+/// faces, once in each direction. Coplanar neighbouring faces are allowed. If `faces` is empty, the faces are derived
+/// (reference/convex_hull.h).
 struct Polytope {
   std::vector<Vec3> vertices;
   std::vector<std::vector<int>> faces;
@@ -37,7 +38,7 @@ struct Polytope {
 
 using ConvexShape = std::variant<Sphere, Box, Polytope>;
 
-/// One convex part P of a compound, posed in the body's frame.
+/// One convex part P of a compound, with its pose in the body's frame.
 struct Part {
   Pose X_BP;
   ConvexShape shape;
@@ -45,7 +46,8 @@ struct Part {
   bool operator==(const Part&) const = default;
 };
 
-/// The union of its parts (at least one). Parts may overlap; mass properties then count the overlap once a part.
+/// The union of its parts (at least one). Parts may overlap; the mass properties then count the overlap once for each
+/// part.
 struct Compound {
   std::vector<Part> parts;
 

@@ -1,4 +1,4 @@
-// Where in a text a JSON path leads. Runs only when something is wrong, so that reading itself keeps no positions.
+// Finds the place of a JSON path in a text. Runs only after an error, so that reading itself need not record positions.
 #include "model/source_text.h"
 
 #include <algorithm>
@@ -14,7 +14,7 @@ struct Step {
   std::optional<std::size_t> index;
 };
 
-/// "bodies[3].shape" is the steps bodies, 3, shape.
+/// Splits a path: "bodies[3].shape" has the steps bodies, 3, shape.
 std::vector<Step> steps_of(std::string_view path) {
   std::vector<Step> steps;
   while (!path.empty()) {
@@ -37,7 +37,7 @@ std::vector<Step> steps_of(std::string_view path) {
 /// What a message is about.
 struct About {
   std::vector<Step> path;   ///< empty: the whole text
-  std::optional<Step> key;  ///< one that stands there, or is missing there
+  std::optional<Step> key;  ///< a key that is present or missing there
 };
 
 std::optional<Step> key_named_by(std::string_view reason) {
@@ -53,11 +53,11 @@ About about(std::string_view message) {
   const std::optional<Step> key = key_named_by(message);
   const auto colon = message.find(": ");
   if (key || colon == std::string_view::npos) return {{}, key};
-  const std::string_view path = message.substr(0, message.find_first_of(" :"));  // "bodies[2] (wheel): ..." too
+  const std::string_view path = message.substr(0, message.find_first_of(" :"));  // also of "bodies[2] (wheel): ..."
   return {steps_of(path), key_named_by(message.substr(colon + 2))};
 }
 
-/// Goes over text that is JSON at least as far as its reader came, and never beyond its end.
+/// Scans text that is JSON at least as far as its reader came; never goes beyond its end.
 class Cursor {
  public:
   explicit Cursor(std::string_view text) : text_(text) {
@@ -68,8 +68,8 @@ class Cursor {
   std::size_t offset() const { return at_; }
   bool is_at_start() const { return at_ == start_; }
 
-  /// From the start of a value to that of the item or member; where there is none, nothing moves. Of equal keys the
-  /// last one is meant.
+  /// Moves from the start of a value to the start of an item or member of it; returns false, without moving, if there
+  /// is none. Of several equal keys it takes the last.
   bool enter(const Step& step) {
     Cursor item = *this;
     if (item.next() != (step.index ? '[' : '{')) return false;
@@ -104,7 +104,7 @@ class Cursor {
     return true;
   }
 
-  /// From an opening quote to behind the closing one; returns what stands between them.
+  /// Skips from an opening quote to behind the closing one; returns the text between them.
   std::string_view skip_string() {
     const std::size_t begin = at_ + 1;
     for (advance(1); at_ < text_.size() && next() != '"';) advance(next() == '\\' ? 2 : 1);
@@ -113,7 +113,7 @@ class Cursor {
     return inside;
   }
 
-  /// And the space behind it.
+  /// Skips a value and the space behind it.
   void skip_value() {
     int open = 0;
     do {
@@ -136,11 +136,11 @@ class Cursor {
   std::size_t start_ = 0;
 };
 
-/// The end of what may be any text of any length is left out.
-std::string shortened(const std::string& message) {
+/// Cuts the end off a message that may quote any text of any length.
+std::string cut_to_length(const std::string& message) {
   constexpr std::size_t longest = 600;
   if (message.size() <= longest) return message;
-  std::size_t end = longest;  // between two characters of UTF-8
+  std::size_t end = longest;  // moved back to a boundary between UTF-8 characters
   while (end > 0 && (static_cast<unsigned char>(message[end]) & 0xC0) == 0x80) --end;
   return message.substr(0, end) + " ...";
 }
@@ -164,8 +164,8 @@ InputError located(const InputError& error, std::string_view json, const std::st
   bool is_there = true;
   for (std::size_t i = 0; i < it.path.size() && is_there; ++i) is_there = cursor.enter(it.path[i]);
   if (is_there && it.key) cursor.enter(*it.key);
-  if (!is_there && cursor.is_at_start()) return InputError(file, shortened(what));  // no place in the text
-  return InputError((file.empty() ? "" : file + ':') + line_and_column(json, cursor.offset()), shortened(what));
+  if (!is_there && cursor.is_at_start()) return InputError(file, cut_to_length(what));  // the path does not exist
+  return InputError((file.empty() ? "" : file + ':') + line_and_column(json, cursor.offset()), cut_to_length(what));
 }
 
 std::string without_byte_order_mark(std::string text) {

@@ -28,7 +28,7 @@ double read_number(const Json& json, const Node& node) {
   node.refuse("expected a number, \"inf\", \"-inf\" or \"nan\", found " + json.dump());
 }
 
-/// The value whose name it is; `last` is the greatest of the enumeration.
+/// Finds the value with this name; `last` is the greatest value of the enumeration.
 template <class Name>
 Name read_name(const Node& node, Name last) {
   const std::string word = node.text();
@@ -46,7 +46,7 @@ void read_if_there(const Node& node, const char* key, std::string& text) {
   if (const auto found = node.find(key)) text = found->text();
 }
 
-/// All 64 bits, which Node's numbers, being doubles, do not hold.
+/// Keeps all 64 bits, which Node::number, a double, cannot hold.
 std::uint64_t read_uint64(const Json& json, const char* key, const Node& node) {
   const Node value = node.at(key);
   if (!json.at(key).is_number_unsigned())

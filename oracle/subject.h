@@ -1,4 +1,4 @@
-// A Subject is whatever is on trial. It answers the queries it offers and abstains from the rest.
+// A subject is what is being tested. It answers the queries that it offers and abstains from the others.
 #pragma once
 
 #include <string>
@@ -11,22 +11,22 @@ namespace touchstone::oracle {
 
 enum class Precision { exact, binary64, binary32 };
 
-/// A known departure from the specification, as data: it explains a failing row, it never excuses one.
+/// A known departure from the specification, as data. It explains a failing row but does not excuse it.
 struct Deviation {
   std::string clause;
   std::string what;
   std::string link;
 };
 
-/// How a subject introduces itself.
+/// A subject's description of itself.
 struct Card {
   std::string name;     ///< "bullet.double"
-  std::string version;  ///< of the engine, as it reports it
+  std::string version;  ///< the version that the engine reports
   Precision precision = Precision::binary64;
   std::vector<std::string> answers;  ///< the queries it claims: "distance", "penetration", ...
   bool knows_touching = false;       ///< verdicts have three values, not two
   double broad_phase_margin = 0;     ///< m; boxes closer than this may be reported as overlapping
-  std::string about;                 ///< one line: what is asked of the engine, with which settings
+  std::string about;                 ///< one line: which functions of the engine are called, with which settings
   std::string homepage;
   std::vector<Deviation> deviations;
 };

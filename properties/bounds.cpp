@@ -1,16 +1,16 @@
-// docs/spec/bounds.md, as sentences that run.
+// The clauses of docs/spec/bounds.md as executable properties.
 #include <algorithm>
 #include <cmath>
 #include <concepts>
 #include <functional>
 #include <limits>
 
-#include "oracle/tolerance.h"
-#include "oracle/truth.h"
-#include "oracle/words.h"
-#include "properties/asking.h"
-#include "properties/motion.h"
-#include "properties/stems.h"
+#include "oracle/judge/words.h"
+#include "oracle/tolerance/tolerance.h"
+#include "oracle/truth/truth.h"
+#include "properties/judging/asking.h"
+#include "properties/queries.h"
+#include "properties/transforms/scene.h"
 
 namespace touchstone::properties {
 namespace {
@@ -25,8 +25,8 @@ namespace tolerance = oracle::tolerance;
 namespace truth = oracle::truth;
 namespace words = oracle::words;
 
-// Asks only about scenes whose exact boxes end within the range of the subject's precision: beyond it the most careful
-// arithmetic has no finite box that holds the body.
+// Queries the subject only if every exact box lies within the range of the subject's precision. Beyond that range no
+// finite box contains the body, however careful the arithmetic.
 template <std::invocable Ask>
 Finding of_sayable(const Scene& scene, Subject& subject, Ask&& ask) {
   return of_scene(scene, subject, [&] {
@@ -42,7 +42,7 @@ Finding of_sayable(const Scene& scene, Subject& subject, Ask&& ask) {
   });
 }
 
-// One box a body, or there is nothing to judge.
+// Fails an answer that does not have one box per body. Passes any other answer to judge_it(const Bounds&).
 template <class JudgeIt>
 Finding given_boxes(const Scene& scene, Subject& subject, JudgeIt&& judge_it) {
   return judge::given(subject.bounds(scene), [&](const Bounds& said) {
@@ -63,7 +63,8 @@ std::string text(const ExactBox& exact) {
   return words::text(Aabb{nearest(exact.lo), nearest(exact.hi)});
 }
 
-// The six distances from the exact box's sides out to the claimed one's: < 0 where the claimed side cuts into the body.
+// The signed distances from the six sides of the exact box outward to those of the claimed box. A distance is negative
+// where the claimed side cuts into the body.
 std::array<Rational, 6> outward(const Aabb& said, const ExactBox& exact) {
   std::array<Rational, 6> gaps;
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -74,10 +75,9 @@ std::array<Rational, 6> outward(const Aabb& said, const ExactBox& exact) {
   return gaps;
 }
 
-// agrees
-// ---------------------------------------------------------------------------------------------------------------
+// Agreement with the exact answer
 
-// The worst side of all bodies; `excess` turns the six gaps of a box into what counts as an error.
+// Judges the largest error over all bodies. `excess` reduces the six distances of one box to its error.
 Finding worst_side(const Scene& scene, Subject& subject, double allowed, Defect defect,
                    const std::function<Rational(const std::array<Rational, 6>&)>& excess) {
   return of_boxes(scene, subject, [&](const Bounds& said) {
@@ -107,8 +107,7 @@ Finding tight(const Scene& scene, Subject& subject) {
                     [](const std::array<Rational, 6>& gaps) { return *std::ranges::max_element(gaps); });
 }
 
-// laws
-// -----------------------------------------------------------------------------------------------------------------
+// Laws: how the answer follows a change of the scene
 
 using Change = std::function<Aabb(const Aabb&)>;
 
@@ -116,8 +115,8 @@ double apart(const Aabb& a, const Aabb& b) {
   return std::max((a.lo - b.lo).cwiseAbs().maxCoeff(), (a.hi - b.hi).cwiseAbs().maxCoeff());
 }
 
-// Both boxes are exact to within their tolerance and the declared margin, so the second is the changed first to within
-// both.
+// Each box is exact to within its tolerance and the declared margin. So the second box equals the transformed first box
+// to within the sum of both.
 Finding boxes_change(const Scene& before, const std::optional<Scene>& moved, double times, const Change& change,
                      Subject& subject, Defect defect) {
   return of_moved(moved, subject, [&](const Scene& after) {
@@ -179,7 +178,7 @@ Finding relabels(const Scene& scene, Subject& subject) {
       scene, relabelled(scene), 1, [](const Aabb& box) { return box; }, subject, Defect::relabelled);
 }
 
-// A body's box is its own: the others' presence and order change no bit of it.
+// The box of a body depends on that body only: reversing the order of the bodies changes no bit of it.
 Finding alone(const Scene& scene, Subject& subject) {
   if (scene.bodies.size() < 2) return judge::outside("one body");
   return of_boxes(scene, subject, [&](const Bounds& said) {
@@ -196,8 +195,7 @@ Finding alone(const Scene& scene, Subject& subject) {
   });
 }
 
-// survives, repeats
-// ----------------------------------------------------------------------------------------------------
+// Robustness and determinism
 
 std::string senseless(const Bounds& said) {
   for (const Aabb& box : said) {

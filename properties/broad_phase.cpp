@@ -1,4 +1,4 @@
-// docs/spec/broad_phase.md, as sentences that run.
+// The clauses of docs/spec/broad_phase.md about single scenes as executable properties.
 
 #include <algorithm>
 #include <cmath>
@@ -6,14 +6,14 @@
 #include <iterator>
 #include <utility>
 
-#include "model/film.h"
-#include "oracle/tolerance.h"
-#include "oracle/truth.h"
-#include "oracle/words.h"
-#include "properties/asking.h"
-#include "properties/motion.h"
-#include "properties/pair_sets.h"
-#include "properties/stems.h"
+#include "model/sequence.h"
+#include "oracle/judge/words.h"
+#include "oracle/tolerance/tolerance.h"
+#include "oracle/truth/truth.h"
+#include "properties/cases/pair_sets.h"
+#include "properties/judging/asking.h"
+#include "properties/queries.h"
+#include "properties/transforms/scene.h"
 
 namespace touchstone::properties {
 namespace {
@@ -26,10 +26,10 @@ namespace tolerance = oracle::tolerance;
 namespace truth = oracle::truth;
 namespace words = oracle::words;
 
-// Films have properties of their own (properties/broad_phase_films.cpp).
+// Sequences have properties of their own (properties/broad_phase_sequences.cpp).
 template <class Ask>
 Finding of_still(const Scene& scene, const Subject& subject, Ask&& ask) {
-  if (is_film(scene)) return judge::outside("a film");
+  if (is_sequence(scene)) return judge::outside("a film");
   return of_scene(scene, subject, std::forward<Ask>(ask));
 }
 
@@ -44,20 +44,19 @@ reference::Rational gap(const Scene& scene, const Pair& pair) {
   return reference::gap(boxes[static_cast<std::size_t>(pair.first)], boxes[static_cast<std::size_t>(pair.second)]);
 }
 
-// A pair whose boxes are closer than this may be reported: two boxes, each as much wider as a tight box may be, and the
-// margin.
+// A pair whose exact boxes are no farther apart than this may be reported. It is the rounding allowance of both boxes
+// plus the declared margin (m).
 double reach(const Scene& scene, const oracle::Card& card) {
   return 2 * tolerance::bounds(scene, card.precision) + card.broad_phase_margin;
 }
 
-// agrees
-// ---------------------------------------------------------------------------------------------------------------
+// Agreement with the exact answer
 
 Finding misses_none(const Scene& scene, Subject& subject) {
   return of_pairs(scene, subject, [&](const PairSet& said) {
     const PairSet missed = without(truth::broad_phase(scene), as_set(said, scene));
     if (missed.empty()) return judge::holds();
-    double deepest = 0;  // boxes that only touch overlap by 0, and are missed all the same
+    double deepest = 0;  // boxes that only touch overlap by 0 and still count as missed
     for (const Pair& pair : missed) deepest = std::max(deepest, -gap(scene, pair).nearest());
     Finding finding = judge::wrong_by(deepest, judge::in_ulps(scene, subject.card(), 0), Defect::missed,
                                       "without " + words::text(missed), "every pair whose closed boxes meet");
@@ -87,18 +86,18 @@ Finding well_formed(const Scene& scene, Subject& subject) {
   });
 }
 
-// laws
-// -----------------------------------------------------------------------------------------------------------------
+// Laws: how the answer follows a change of the scene
 
 Pair same(const Pair& pair) { return pair; }
 
-// What a motion does to lengths, and to the names of a pair's bodies.
+// The effect of a transform: the factor on lengths, and the new indices of a pair.
 struct Change {
   double times = 1;
   std::function<Pair(const Pair&)> renamed = same;
 };
 
-// Two answers about one set of pairs may differ by pairs that one of the two scenes leaves free; by no others.
+// Two answers about the same set of pairs may differ only in free pairs: separate pairs within the reach of one of the
+// two scenes.
 Finding pairs_kept(const Scene& before, const std::optional<Scene>& moved, Subject& subject, Defect defect,
                    const Change& change = {}) {
   return of_moved(moved, subject, [&](const Scene& after) {
@@ -148,8 +147,7 @@ Finding relabels(const Scene& scene, Subject& subject) {
   return pairs_kept(scene, swapped(scene), subject, Defect::relabelled, {1, renamed});
 }
 
-// survives, repeats
-// ----------------------------------------------------------------------------------------------------
+// Robustness and determinism
 
 Finding lives(const Scene& scene, Subject& subject) {
   const auto any_set_has_sense = [](const PairSet&) { return std::string(); };

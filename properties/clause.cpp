@@ -16,7 +16,7 @@ constexpr std::string_view strong = "**";
 constexpr std::array<std::string_view, 7> keys = {"Domain", "Truth",      "Allowed",        "Freedom",
                                                   "Source", "Checked by", "Proved sharp by"};
 
-// Words on one line, without list marks and outer blanks.
+// The words on one line, without list markers and outer blanks.
 std::string flat(std::string_view text) {
   std::string words;
   bool gap = false;
@@ -33,7 +33,7 @@ std::string flat(std::string_view text) {
   return words == "-" ? "" : words;
 }
 
-// What stands between backquotes.
+// The strings between backquotes.
 std::vector<std::string> names(const std::string& text) {
   std::vector<std::string> found;
   for (std::size_t open = text.find('`'); open != std::string::npos;) {
@@ -63,16 +63,17 @@ std::map<std::string, std::string, std::less<>> keyed(std::string_view text, con
   return values;
 }
 
-Clause parse_clause(std::string_view block, const std::string& stem) {
+Clause parse_clause(std::string_view block, const std::string& query) {
   const std::size_t line_end = std::min(block.find('\n'), block.size());
   const std::string_view head = block.substr(0, line_end);
   const std::size_t dot = head.find(id_end);
-  if (dot == std::string_view::npos) throw InputError("docs/spec/" + stem + ".md", "no title in: " + std::string(head));
+  if (dot == std::string_view::npos)
+    throw InputError("docs/spec/" + query + ".md", "no title in: " + std::string(head));
   Clause clause;
-  clause.stem = stem;
+  clause.query = query;
   clause.id = head.substr(0, dot);
   clause.title = flat(head.substr(dot + id_end.size()));
-  const std::string place = "docs/spec/" + stem + ".md, " + clause.id;
+  const std::string place = "docs/spec/" + query + ".md, " + clause.id;
   const std::string_view body = block.substr(line_end);
   const std::size_t first_key = std::min(body.find(strong), body.size());
   clause.says = flat(body.substr(0, first_key));
@@ -91,19 +92,19 @@ Clause parse_clause(std::string_view block, const std::string& stem) {
 std::vector<Clause> read_all() {
   std::vector<Clause> all;
   for (const SpecPage& page : spec_pages()) {
-    for (Clause& clause : parse_clauses(page.text, std::string(page.stem))) all.push_back(std::move(clause));
+    for (Clause& clause : parse_clauses(page.text, std::string(page.query))) all.push_back(std::move(clause));
   }
   return all;
 }
 
 }  // namespace
 
-std::vector<Clause> parse_clauses(std::string_view page, const std::string& stem) {
+std::vector<Clause> parse_clauses(std::string_view page, const std::string& query) {
   std::vector<Clause> found;
   std::size_t at = page.find(heading);
   while (at != std::string_view::npos) {
     const std::size_t next = page.find(heading, at + heading.size());
-    found.push_back(parse_clause(page.substr(at + heading.size(), next - at - heading.size()), stem));
+    found.push_back(parse_clause(page.substr(at + heading.size(), next - at - heading.size()), query));
     at = next;
   }
   return found;

@@ -1,4 +1,4 @@
-// A Clause is one numbered sentence of the specification, read from docs/spec (which the build takes into the program).
+// A clause is one numbered sentence of the specification, read from docs/spec (which the build embeds in the program).
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@ namespace touchstone::properties {
 
 struct Clause {
   std::string id;     ///< "TS-DISTANCE-2"
-  std::string stem;   ///< "distance": the page's name
+  std::string query;  ///< "distance": the page's name
   std::string title;  ///< "Symmetry"
   std::string says;   ///< the sentence
   std::string domain;
@@ -21,22 +21,22 @@ struct Clause {
   std::vector<std::string> sharp_by;    ///< canaries
 };
 
-/// The clauses of one page, in its form:
+/// Reads the clauses of one page, which has this form:
 ///
-///   ### TS-STEM-1 · Title
+///   ### TS-QUERY-1 · Title
 ///   The sentence.
 ///   - **Domain** … **Truth** … **Allowed** …
 ///   - **Freedom** …
 ///   - **Source** …  **Checked by** `property`, ….  **Proved sharp by** `canary`, ….
 ///
-/// Freedom may be left out. Throws InputError naming the page and the clause for a key that is unknown, missing or
-/// twice.
-std::vector<Clause> parse_clauses(std::string_view page, const std::string& stem);
+/// Freedom may be left out. Throws InputError with the page and the clause for a key that is unknown, missing or
+/// repeated.
+std::vector<Clause> parse_clauses(std::string_view page, const std::string& query);
 
-/// All clauses, in the order of the stems and the pages.
+/// All clauses, in the order of the queries and the pages.
 const std::vector<Clause>& clauses();
 
-/// Throws InputError if there is none.
+/// Throws InputError if there is no such clause.
 const Clause& clause(const std::string& id);
 
 }  // namespace touchstone::properties

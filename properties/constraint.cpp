@@ -1,13 +1,13 @@
-// docs/spec/constraint.md, as sentences that run.
+// The clauses of docs/spec/constraint.md as executable properties.
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
-#include "oracle/tolerance_impulse.h"
-#include "oracle/words.h"
-#include "properties/motion.h"
-#include "properties/rolling_case.h"
-#include "properties/stems.h"
+#include "oracle/judge/words.h"
+#include "oracle/tolerance/impulse.h"
+#include "properties/cases/constraint_case.h"
+#include "properties/queries.h"
+#include "properties/transforms/scene.h"
 
 namespace touchstone::properties {
 namespace {
@@ -27,14 +27,16 @@ std::string text_of(const std::array<Interval, 3>& v) {
       Vec3(v[0].lo + (v[0].hi - v[0].lo) / 2, v[1].lo + (v[1].hi - v[1].lo) / 2, v[2].lo + (v[2].hi - v[2].lo) / 2));
 }
 
-std::string at(const Scene& scene, std::size_t look) { return " at " + text(scene.flight->times[look]) + " s"; }
+std::string at(const Scene& scene, std::size_t sample) {
+  return " at " + text(scene.motion->sample_times[sample]) + " s";
+}
 
-/// The worst over the looks; the first failure ends it.
-template <class JudgeLook>
-Finding each_look(const RollingCase& asked, JudgeLook&& judge_look) {
+/// The worst finding over all samples. The first failure ends the search.
+template <class JudgeSample>
+Finding each_sample(const RollingCase& asked, JudgeSample&& judge_sample) {
   Finding worst = judge::outside("a change may be at each of the looks");
-  for (std::size_t i = 0; i < asked.looks(); ++i) {
-    const Finding finding = judge_look(i);
+  for (std::size_t i = 0; i < asked.samples(); ++i) {
+    const Finding finding = judge_sample(i);
     if (finding.outcome == oracle::Outcome::outside) continue;
     if (finding.outcome != oracle::Outcome::holds) return finding;
     if (worst.outcome == oracle::Outcome::outside || finding.error > worst.error) worst = finding;
@@ -44,7 +46,7 @@ Finding each_look(const RollingCase& asked, JudgeLook&& judge_look) {
 
 Finding place(const Scene& scene, Subject& subject) {
   return of_rolling(scene, subject, [](const RollingCase& asked) {
-    return each_look(asked, [&](std::size_t i) {
+    return each_sample(asked, [&](std::size_t i) {
       const Vec3& p = asked.ball(i).X_WB.p_WB;
       return judge::at_most(
           off(p, asked.exact(i).p_WB), metres(asked.bounds[i].place), Defect::wrong_motion,
@@ -56,7 +58,7 @@ Finding place(const Scene& scene, Subject& subject) {
 
 Finding velocity(const Scene& scene, Subject& subject) {
   return of_rolling(scene, subject, [](const RollingCase& asked) {
-    return each_look(asked, [&](std::size_t i) {
+    return each_sample(asked, [&](std::size_t i) {
       if (!asked.bounds[i].settled) return judge::outside("a change may be at the look");
       const Velocity& V = asked.ball(i).velocity;
       const double error =
@@ -87,9 +89,9 @@ Finding contacts(const Scene& scene, Subject& subject) {
       event.b = std::max(asked.truth.ball, change.other);
       exact.push_back(std::move(event));
     }
-    return each_look(asked, [&](std::size_t i) {
+    return each_sample(asked, [&](std::size_t i) {
       if (!asked.bounds[i].settled) return judge::outside("a change may be at the look");
-      const double time = asked.scene.flight->times[i];
+      const double time = asked.scene.motion->sample_times[i];
       const auto said = in_contact(*asked.said.events, time), truth = in_contact(exact, time);
       if (said == truth) return judge::holds();
       return judge::wrong(said.size() < truth.size() ? Defect::missed : Defect::phantom,
@@ -106,9 +108,9 @@ Scene as_at(Scene scene, const std::vector<State>& states) {
 Finding apart(const Scene& scene, Subject& subject) {
   return of_steps(scene, subject, [&](const Trajectory& said) {
     if (said.states.empty()) return judge::silent("any look");
-    const double bound = tolerance::sunk(scene);
+    const double bound = tolerance::overlap_of_step(scene);
     Finding worst;
-    // The last look: what has sunk stays sunk.
+    // Only the last sample is judged: an overlap, once there, does not disappear.
     const Scene end = as_at(scene, said.states.back());
     for (std::size_t a = 0; a < end.bodies.size(); ++a) {
       for (std::size_t b = a + 1; b < end.bodies.size(); ++b) {
@@ -135,7 +137,7 @@ Finding apart(const Scene& scene, Subject& subject) {
   });
 }
 
-/// Kinetic and potential, J.
+/// Kinetic plus potential energy (J).
 double energy(const Scene& scene, const std::vector<State>& states) {
   double sum = 0;
   const auto& masses = oracle::truth::mass(scene);
@@ -159,7 +161,7 @@ Finding energy_falls(const Scene& scene, Subject& subject) {
   return of_steps(scene, subject, [&](const Trajectory& said) {
     for (const Body& body : scene.bodies) {
       const bool moves = std::holds_alternative<Fixed>(body.mass) && body.velocity != Velocity{};
-      if (moves || !scene.flight->pushes.empty()) return judge::outside("something from outside does work");
+      if (moves || !scene.motion->forces.empty()) return judge::outside("something from outside does work");
     }
     std::vector<State> before;
     for (const Body& body : scene.bodies) before.push_back({body.X_WB, body.velocity});
@@ -220,14 +222,15 @@ Finding fixed(const Scene& scene, Subject& subject) {
   });
 }
 
-/// The answer to the moved question, moved back, against the answer; each may be off by its bound.
+/// Compares the answer for the transformed scene, transformed back by `back`, with the original answer. Each of the two
+/// may be off by its bound.
 template <class Back>
 Finding covariant(const Scene& scene, const std::optional<Scene>& moved, Subject& subject, Back&& back) {
   return of_rolling(scene, subject, [&](const RollingCase& asked) {
     return of_moved(moved, subject, [&](const Scene& other) {
       return judge::given(subject.constraint(other), [&](const Trajectory& said) {
         if (!fault_of_steps(other, said).empty()) return judge::outside("not a trajectory; see constraint.survives");
-        return each_look(asked, [&](std::size_t i) {
+        return each_sample(asked, [&](std::size_t i) {
           if (i >= said.states.size()) return judge::outside("not so far");
           const Vec3 p = asked.ball(i).X_WB.p_WB;
           const Vec3 q = back(said.states[i][static_cast<std::size_t>(asked.truth.ball)].X_WB.p_WB);
@@ -251,7 +254,7 @@ Finding turned_world(const Scene& scene, Subject& subject) {
 }
 
 Finding survives_any(const Scene& scene, Subject& subject) {
-  if (!scene.flight) return judge::outside("no flight");
+  if (!scene.motion) return judge::outside("no motion");
   return of_scene(scene, subject, [&] {
     return survives<Trajectory>(&Subject::constraint, scene, subject,
                                 [&](const Trajectory& said) { return fault_of_steps(scene, said); });
@@ -259,7 +262,7 @@ Finding survives_any(const Scene& scene, Subject& subject) {
 }
 
 Finding repeats_itself(const Scene& scene, Subject& subject) {
-  if (!scene.flight) return judge::outside("no flight");
+  if (!scene.motion) return judge::outside("no motion");
   Scene another = scene;
   another.gravity *= 0.5;
   return of_scene(scene, subject, [&] { return repeats<Trajectory>(&Subject::constraint, scene, another, subject); });
@@ -268,19 +271,19 @@ Finding repeats_itself(const Scene& scene, Subject& subject) {
 }  // namespace
 
 std::vector<Property> constraint_properties() {
-  const std::string stem = "constraint";
+  const std::string query = "constraint";
   return {
-      {"constraint.agrees", stem, {"TS-CONSTRAINT-1"}, "The ball is where it is.", place},
-      {"constraint.velocity", stem, {"TS-CONSTRAINT-2"}, "It moves and spins as it does.", velocity},
-      {"constraint.contacts", stem, {"TS-CONSTRAINT-3"}, "It touches what it touches.", contacts},
-      {"constraint.fixed", stem, {"TS-CONSTRAINT-4"}, "Fixed bodies stay where they are.", fixed},
-      {"constraint.moved", stem, {"TS-CONSTRAINT-5"}, "The world moves, the ball with it.", moved},
-      {"constraint.turned", stem, {"TS-CONSTRAINT-5"}, "The world turns, the ball with it.", turned_world},
-      {"constraint.apart", stem, {"TS-CONSTRAINT-6"}, "Bodies do not sink into each other.", apart},
-      {"constraint.energy", stem, {"TS-CONSTRAINT-7"}, "Energy never rises.", energy_falls},
-      {"constraint.cone", stem, {"TS-CONSTRAINT-8"}, "Contacts push, and friction is in its cone.", cone},
-      {"constraint.survives", stem, {"TS-CONSTRAINT-9"}, "An answer comes, finite and whole.", survives_any},
-      {"constraint.repeats", stem, {"TS-CONSTRAINT-10"}, "The same scene, the same answer.", repeats_itself},
+      {"constraint.agrees", query, {"TS-CONSTRAINT-1"}, "The ball is where it is.", place},
+      {"constraint.velocity", query, {"TS-CONSTRAINT-2"}, "It moves and spins as it does.", velocity},
+      {"constraint.contacts", query, {"TS-CONSTRAINT-3"}, "It touches what it touches.", contacts},
+      {"constraint.fixed", query, {"TS-CONSTRAINT-4"}, "Fixed bodies stay where they are.", fixed},
+      {"constraint.moved", query, {"TS-CONSTRAINT-5"}, "The world moves, the ball with it.", moved},
+      {"constraint.turned", query, {"TS-CONSTRAINT-5"}, "The world turns, the ball with it.", turned_world},
+      {"constraint.apart", query, {"TS-CONSTRAINT-6"}, "Bodies do not sink into each other.", apart},
+      {"constraint.energy", query, {"TS-CONSTRAINT-7"}, "Energy never rises.", energy_falls},
+      {"constraint.cone", query, {"TS-CONSTRAINT-8"}, "Contacts push, and friction is in its cone.", cone},
+      {"constraint.survives", query, {"TS-CONSTRAINT-9"}, "An answer comes, finite and whole.", survives_any},
+      {"constraint.repeats", query, {"TS-CONSTRAINT-10"}, "The same scene, the same answer.", repeats_itself},
   };
 }
 

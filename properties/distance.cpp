@@ -1,15 +1,15 @@
-// docs/spec/distance.md, as sentences that run.
+// The clauses of docs/spec/distance.md as executable properties.
 #include <algorithm>
 #include <cmath>
 
-#include "oracle/feature_gap.h"
-#include "oracle/tolerance.h"
-#include "oracle/truth.h"
-#include "oracle/words.h"
-#include "properties/asking.h"
-#include "properties/motion.h"
-#include "properties/pair_laws.h"
-#include "properties/stems.h"
+#include "oracle/judge/words.h"
+#include "oracle/tolerance/tolerance.h"
+#include "oracle/truth/feature_gap.h"
+#include "oracle/truth/truth.h"
+#include "properties/judging/asking.h"
+#include "properties/judging/pair_laws.h"
+#include "properties/queries.h"
+#include "properties/transforms/scene.h"
 
 namespace touchstone::properties {
 namespace {
@@ -27,8 +27,7 @@ Finding of_answer(const Scene& scene, Subject& subject, JudgeIt&& judge_it) {
   return of_pair(scene, subject, [&] { return judge::given(subject.distance(scene), judge_it); });
 }
 
-// agrees
-// ---------------------------------------------------------------------------------------------------------------
+// Agreement with the exact answer
 
 Finding verdict(const Scene& scene, Subject& subject) {
   return of_answer(scene, subject, [&](const Distance& said) {
@@ -60,8 +59,8 @@ Finding enclosure(const Scene& scene, Subject& subject) {
   });
 }
 
-// [0, ∞) holds every distance. Who computes as well as tolerance::distance says can enclose by that much on either
-// side.
+// The interval [0, ∞) contains every distance, so the width is bounded too. A subject as accurate as
+// tolerance::distance can enclose the exact distance by that much on either side.
 Finding enclosure_tight(const Scene& scene, Subject& subject) {
   return of_answer(scene, subject, [&](const Distance& said) {
     if (!said.enclosure) return judge::silent("an enclosure");
@@ -75,7 +74,7 @@ Finding enclosure_tight(const Scene& scene, Subject& subject) {
   });
 }
 
-// Where bodies overlap no pair of points is closest, and a witness means nothing.
+// Overlapping bodies have no closest pair of points, so witness points have no meaning there.
 template <class JudgeIt>
 Finding of_witnesses(const Scene& scene, Subject& subject, JudgeIt&& judge_it) {
   return of_answer(scene, subject, [&](const Distance& said) {
@@ -135,8 +134,7 @@ Finding features(const Scene& scene, Subject& subject) {
   });
 }
 
-// laws
-// -----------------------------------------------------------------------------------------------------------------
+// Laws: how the answer follows a change of the scene
 
 Finding symmetric(const Scene& scene, Subject& subject) {
   return of_pair(scene, subject,
@@ -166,8 +164,8 @@ Finding scales(const Scene& scene, Subject& subject) {
   });
 }
 
-// Needs no truth: what is apart is apart by something, what is not is apart by nothing. (Two verdicts have no word for
-// touching, so that "separated by 0" is what such a subject can say of it.)
+// Needs no truth: the distance is positive exactly if the verdict is separated. (A subject with only two verdicts
+// cannot report touching; it may answer "separated" with distance 0.)
 Finding consistent(const Scene& scene, Subject& subject) {
   return of_answer(scene, subject, [&](const Distance& said) {
     if (!said.verdict || !said.distance) return judge::silent("both verdict and distance");
@@ -181,8 +179,7 @@ Finding consistent(const Scene& scene, Subject& subject) {
   });
 }
 
-// survives, repeats
-// ----------------------------------------------------------------------------------------------------
+// Robustness and determinism
 
 std::string senseless(const Distance& said) {
   if (said.distance && *said.distance < 0) return "distance " + words::text(*said.distance) + " < 0";

@@ -1,13 +1,13 @@
-// docs/spec/impulse.md, as sentences that run: what one answer must obey.
+// The clauses of docs/spec/impulse.md about a single answer as executable properties.
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
-#include "oracle/precision.h"
-#include "oracle/truth.h"
-#include "oracle/words.h"
-#include "properties/impact_case.h"
-#include "properties/stems.h"
+#include "oracle/judge/words.h"
+#include "oracle/tolerance/precision.h"
+#include "oracle/truth/truth.h"
+#include "properties/cases/impact_case.h"
+#include "properties/queries.h"
 
 namespace touchstone::properties {
 namespace {
@@ -22,7 +22,7 @@ Point exact(const reference::ExactVec3& v) {
   return {static_cast<Real>(v[0].nearest()), static_cast<Real>(v[1].nearest()), static_cast<Real>(v[2].nearest())};
 }
 
-// The claimed velocities against those after an impulse that is known.
+// Compares the claimed velocities with those that a known impulse gives.
 Finding moves_as(const ImpactCase& asked, const SaidImpact& said, const After& expected) {
   return judge::at_most(
       static_cast<double>(difference(asked, said.after, expected)), of_energy(asked, said.allowed),
@@ -45,7 +45,7 @@ Finding error_bound(const Scene& scene, Subject& subject) {
     const reference::ImpulseTruth& truth = oracle::truth::impulse(asked.scene);
     if (truth.ambiguous || asked.law_jumps()) return judge::outside("the law itself jumps here");
     const Point off = said.answer.P_A_W->cast<Real>() - exact(truth.P_A_W);
-    // The truth's own error, and its three coordinates as doubles.
+    // The truth's own error plus the rounding of its three coordinates to doubles.
     const double enclosed =
         truth.error + 0x1p-53 * static_cast<double>(exact(truth.P_A_W).norm() * std::sqrt(asked.impact.K.trace()));
     return judge::at_most(
@@ -69,7 +69,7 @@ Finding momentum(const Scene& scene, Subject& subject) {
     Point change = Point::Zero();
     Real size = said.P.norm();
     for (std::size_t i = 0; i < 2; ++i) {
-      const oracle::Struck& body = asked.impact.bodies[i];
+      const oracle::ImpactBody& body = asked.impact.bodies[i];
       if (body.fixed) return judge::outside("a fixed body takes any momentum");
       change += body.mass * (said.after[i].v_WBcm - body.v_WBcm);
       size += body.mass * said.after[i].v_WBcm.norm();
@@ -83,12 +83,13 @@ Finding momentum(const Scene& scene, Subject& subject) {
   });
 }
 
-// An impulse at C has no moment about C: what a body's spin gains, its centre's motion about C loses.
+// An impulse at C has no moment about C. So the gain of a body's spin equals the loss of its centre's angular momentum
+// about C.
 Finding angular_momentum(const Scene& scene, Subject& subject) {
   return of_answered_impact(scene, subject, [](const ImpactCase& asked, const SaidImpact& said) {
     Finding worst;
     for (std::size_t i = 0; i < 2; ++i) {
-      const oracle::Struck& body = asked.impact.bodies[i];
+      const oracle::ImpactBody& body = asked.impact.bodies[i];
       if (body.fixed) continue;
       const Point gained = body.mass * (said.after[i].v_WBcm - body.v_WBcm);
       const Point spin = body.angular_momentum(said.after[i].w_WB - body.w_WB);
@@ -124,7 +125,7 @@ Finding stated(const Scene& scene, Subject& subject) {
     if (!said.answer.P_A_W) return judge::silent("the impulse");
     const Point P = said.answer.P_A_W->cast<Real>();
     const After made = asked.moved_by(P);
-    // What is stated is rounded too.
+    // The stated impulse is rounded too.
     const Real rounded = oracle::unit_roundoff(asked.precision) * P.norm() * std::sqrt(asked.impact.K.trace());
     return judge::at_most(
         static_cast<double>(difference(asked, said.after, made)),
@@ -133,8 +134,8 @@ Finding stated(const Scene& scene, Subject& subject) {
   });
 }
 
-// How far an impulse is beyond the cone, and what that may be by rounding; the worse of the one that explains the
-// velocities and the one that is stated.
+// Judges by how much an impulse violates `law`, against the rounding bound: first the impulse recovered from the
+// velocities, then the stated one, if any. Returns the first failure.
 template <class Beyond>
 Finding impulses(const ImpactCase& asked, const SaidImpact& said, double allowed, Real cone, Defect defect,
                  const std::string& law, Beyond&& beyond) {
@@ -160,7 +161,7 @@ Finding push(const Scene& scene, Subject& subject) {
 Finding cone(const Scene& scene, Subject& subject) {
   return of_answered_impact(scene, subject, [](const ImpactCase& asked, const SaidImpact& said) {
     if (!std::isfinite(asked.contact.friction)) return judge::outside("infinite friction has no cone");
-    // |dP_t| ≤ √λ √(dPᵀ K dP), λ the greatest of K⁻¹.
+    // |dP_t| ≤ √λ √(dPᵀ K dP), where λ is the greatest eigenvalue of K⁻¹.
     const double across = said.allowed * static_cast<double>(std::sqrt(asked.impact.K_inverse.trace()));
     return impulses(asked, said, across + asked.contact.friction * said.per_normal, asked.mu(), Defect::beyond_cone,
                     "|P_t| ≤ mu P·n", [&](const Point& P) {
@@ -170,7 +171,7 @@ Finding cone(const Scene& scene, Subject& subject) {
   });
 }
 
-// The gain that theory allows at most, as a negative number or 0; none: it allows any (J).
+// The greatest change of kinetic energy that theory allows (J): at most 0. None if theory does not bound it.
 std::optional<Real> greatest_gain(const ImpactCase& asked, const SaidImpact& said) {
   const Real e = asked.e(), P_n = asked.impact.nhat_BA_W.dot(said.P), u_n = asked.impact.u_n();
   const bool free = asked.uncoupled() || asked.contact.friction == 0;
@@ -184,7 +185,8 @@ std::optional<Real> greatest_gain(const ImpactCase& asked, const SaidImpact& sai
   return -(1 - e * e) * u_n * u_n / (2 * steepest);
 }
 
-// dT against a bound; the velocities' error weighs as much as they do, and as the impulse that the bound may hold.
+// Compares dT with an upper (`above`) or a lower bound. The error of the velocities enters dT in proportion to the
+// velocities, and the bound in proportion to the impulse.
 Finding gain(const ImpactCase& asked, const SaidImpact& said, bool above, Real bound, const std::string& law) {
   const Real before = asked.kinetic_energy(moving({asked.scene.bodies[0].velocity, asked.scene.bodies[1].velocity}));
   const Real after = asked.kinetic_energy(said.after), dT = after - before;
@@ -232,7 +234,7 @@ Finding stuck(const Scene& scene, Subject& subject) {
   });
 }
 
-// K_tn = 0, and M u_t along u_t: slip keeps its line, and stops for good once it is 0.
+// K_tn = 0, and the slip direction is an eigenvector of K: slip keeps its line and stays 0 once it is 0.
 Finding straight(const Scene& scene, Subject& subject) {
   return of_answered_impact(scene, subject, [](const ImpactCase& asked, const SaidImpact& said) {
     const oracle::Impact& impact = asked.impact;
@@ -249,7 +251,7 @@ Finding straight(const Scene& scene, Subject& subject) {
   });
 }
 
-// Of the normal velocity after: |du_n| ≤ √K_nn √(duᵀ K⁻¹ du).
+// Judges the normal velocity after the impact, with |du_n| ≤ √K_nn √(duᵀ K⁻¹ du).
 Finding normal_velocity(const ImpactCase& asked, const SaidImpact& said, Real error, const std::string& law) {
   const Real size = std::sqrt(asked.impact.K_nn());
   return judge::at_most(
@@ -308,39 +310,39 @@ Finding survives_any(const Scene& scene, Subject& subject) {
 }  // namespace
 
 std::vector<Property> impulse_properties() {
-  const std::string stem = "impulse";
+  const std::string query = "impulse";
   return {
-      {"impulse.agrees", stem, {"TS-IMPULSE-1"}, "The velocities after the impact are those of the law.", agrees},
-      {"impulse.error_bound", stem, {"TS-IMPULSE-2"}, "The impulse is off by no more than is stated.", error_bound},
-      {"impulse.decided", stem, {"TS-IMPULSE-3"}, "Nothing is called ambiguous where the law is continuous.", decided},
-      {"impulse.momentum", stem, {"TS-IMPULSE-4"}, "The pair keeps its momentum.", momentum},
+      {"impulse.agrees", query, {"TS-IMPULSE-1"}, "The velocities after the impact are those of the law.", agrees},
+      {"impulse.error_bound", query, {"TS-IMPULSE-2"}, "The impulse is off by no more than is stated.", error_bound},
+      {"impulse.decided", query, {"TS-IMPULSE-3"}, "Nothing is called ambiguous where the law is continuous.", decided},
+      {"impulse.momentum", query, {"TS-IMPULSE-4"}, "The pair keeps its momentum.", momentum},
       {"impulse.angular_momentum",
-       stem,
+       query,
        {"TS-IMPULSE-5"},
        "Each body keeps its angular momentum about C.",
        angular_momentum},
-      {"impulse.fixed", stem, {"TS-IMPULSE-6"}, "A fixed body moves as before.", fixed},
-      {"impulse.stated", stem, {"TS-IMPULSE-7"}, "The stated impulse makes the velocities.", stated},
-      {"impulse.push", stem, {"TS-IMPULSE-8"}, "The bodies never pull.", push},
-      {"impulse.cone", stem, {"TS-IMPULSE-9"}, "The impulse is in the friction cone.", cone},
-      {"impulse.energy", stem, {"TS-IMPULSE-10"}, "At least the energy that theory says is lost.", energy},
-      {"impulse.energy_floor", stem, {"TS-IMPULSE-11"}, "No more energy is lost than can be.", energy_floor},
+      {"impulse.fixed", query, {"TS-IMPULSE-6"}, "A fixed body moves as before.", fixed},
+      {"impulse.stated", query, {"TS-IMPULSE-7"}, "The stated impulse makes the velocities.", stated},
+      {"impulse.push", query, {"TS-IMPULSE-8"}, "The bodies never pull.", push},
+      {"impulse.cone", query, {"TS-IMPULSE-9"}, "The impulse is in the friction cone.", cone},
+      {"impulse.energy", query, {"TS-IMPULSE-10"}, "At least the energy that theory says is lost.", energy},
+      {"impulse.energy_floor", query, {"TS-IMPULSE-11"}, "No more energy is lost than can be.", energy_floor},
       {"impulse.frictionless",
-       stem,
+       query,
        {"TS-IMPULSE-12"},
        "Without friction, −(1 + e) u_n/K_nn along the normal.",
        frictionless},
-      {"impulse.stuck", stem, {"TS-IMPULSE-13"}, "What sticks from the start takes −(1 + e) u_n K⁻¹ n.", stuck},
+      {"impulse.stuck", query, {"TS-IMPULSE-13"}, "What sticks from the start takes −(1 + e) u_n K⁻¹ n.", stuck},
       {"impulse.straight",
-       stem,
+       query,
        {"TS-IMPULSE-14"},
        "Balls and their like: friction mu P_n until slip stops.",
        straight},
-      {"impulse.no_approach", stem, {"TS-IMPULSE-15"}, "The bodies do not approach after.", no_approach},
-      {"impulse.newton", stem, {"TS-IMPULSE-16"}, "By Newton's law they part at e times their approach.", newton},
-      {"impulse.plastic", stem, {"TS-IMPULSE-17"}, "With e = 0 they stay together along the normal.", plastic},
-      {"impulse.separating", stem, {"TS-IMPULSE-18"}, "Bodies that part are left alone.", separating},
-      {"impulse.survives", stem, {"TS-IMPULSE-25"}, "An answer comes, finite, however hard the impact.", survives_any},
+      {"impulse.no_approach", query, {"TS-IMPULSE-15"}, "The bodies do not approach after.", no_approach},
+      {"impulse.newton", query, {"TS-IMPULSE-16"}, "By Newton's law they part at e times their approach.", newton},
+      {"impulse.plastic", query, {"TS-IMPULSE-17"}, "With e = 0 they stay together along the normal.", plastic},
+      {"impulse.separating", query, {"TS-IMPULSE-18"}, "Bodies that part are left alone.", separating},
+      {"impulse.survives", query, {"TS-IMPULSE-25"}, "An answer comes, finite, however hard the impact.", survives_any},
   };
 }
 

@@ -1,11 +1,11 @@
-// docs/spec/impulse.md, as sentences that run: what two answers must have in common.
+// The clauses of docs/spec/impulse.md about pairs of answers as executable properties.
 #include <cmath>
 #include <functional>
 
-#include "properties/exact_sum.h"
-#include "properties/impact_case.h"
-#include "properties/motion.h"
-#include "properties/stems.h"
+#include "properties/cases/impact_case.h"
+#include "properties/queries.h"
+#include "properties/transforms/exact_sum.h"
+#include "properties/transforms/scene.h"
 
 namespace touchstone::properties {
 namespace {
@@ -15,12 +15,13 @@ using oracle::Finding;
 using oracle::Subject;
 namespace judge = oracle::judge;
 
-// How the velocities after change with the scene.
+// Predicts the velocities after the impact in the changed scene from those in the original one.
 using Predict = std::function<Moving(const Moving&)>;
 
 Moving same(const Moving& V) { return V; }
 
-// Asks both, and holds the second answer against what the first predicts; `times` is how the energy norm changes.
+// Queries both scenes and compares the second answer with the prediction from the first. `times` is the factor on the
+// energy norm.
 Finding changes(const Scene& scene, const std::optional<Scene>& other, Subject& subject, Defect defect,
                 const Predict& predict, Real times = 1, bool exchanged = false) {
   return of_answered_impact(scene, subject, [&](const ImpactCase& asked, const SaidImpact& first) {
@@ -63,7 +64,7 @@ Finding turned_world(const Scene& scene, Subject& subject) {
   return changes(scene, half_turned(scene), subject, Defect::moved_with_frame, by_half);
 }
 
-// Seen in the plane x = 0: spins are axial vectors.
+// Reflection in the plane x = 0. Spins are axial vectors.
 Finding mirrored_world(const Scene& scene, Subject& subject) {
   if (!scene.contact) return judge::outside("no contact");
   return changes(scene, mirrored(scene), subject, Defect::moved_with_frame, [](const Moving& V) {
@@ -81,7 +82,7 @@ Finding galilean(const Scene& scene, Subject& subject) {
   });
 }
 
-// Lengths times s at the same density: masses times s³, velocities times s, energy times s⁵.
+// Lengths times s at the same density: masses times s³, velocities times s, energies times s⁵.
 Finding scaled_world(const Scene& scene, Subject& subject) {
   if (!scene.contact) return judge::outside("no contact");
   for (const int k : {10, -10}) {
@@ -97,7 +98,7 @@ Finding scaled_world(const Scene& scene, Subject& subject) {
   return judge::holds();
 }
 
-// All velocities times s: Coulomb's law and the three of restitution know no speed.
+// All velocities times s: Coulomb's law and the three laws of restitution have no velocity scale.
 Finding faster(const Scene& scene, Subject& subject) {
   if (!scene.contact) return judge::outside("no contact");
   for (const int k : {20, -20}) {
@@ -119,7 +120,7 @@ Scene with(Scene scene, Law law, double e) {
   return scene;
 }
 
-// P_n = (1 + e) p_c, and with e = 0 it is p_c.
+// P_n = (1 + e) p_c, where p_c is the normal impulse with e = 0.
 Finding poisson(const Scene& scene, Subject& subject) {
   return of_answered_impact(scene, subject, [&](const ImpactCase& asked, const SaidImpact& said) {
     if (asked.contact.law != Law::poisson || !asked.regular())
@@ -138,7 +139,7 @@ Finding poisson(const Scene& scene, Subject& subject) {
   });
 }
 
-// The slope of u_n is constant: K_tn = 0, or no friction.
+// The three laws agree where the slope of u_n is constant: where K_tn = 0 or without friction.
 Finding laws(const Scene& scene, Subject& subject) {
   return of_impact(scene, subject, [&](const ImpactCase& asked) {
     if (!asked.uncoupled() && asked.contact.friction != 0) return judge::outside("the laws differ here");
@@ -160,18 +161,18 @@ Finding repeats_itself(const Scene& scene, Subject& subject) {
 }  // namespace
 
 std::vector<Property> impulse_law_properties() {
-  const std::string stem = "impulse";
+  const std::string query = "impulse";
   return {
-      {"impulse.poisson", stem, {"TS-IMPULSE-19"}, "The normal impulse is 1 + e times that with e = 0.", poisson},
-      {"impulse.laws", stem, {"TS-IMPULSE-20"}, "Where theory has one answer, the three laws have it.", laws},
-      {"impulse.swapped", stem, {"TS-IMPULSE-21"}, "Who is A and who B changes nothing.", swapped_bodies},
-      {"impulse.moved", stem, {"TS-IMPULSE-22"}, "Where the world stands changes nothing.", moved},
-      {"impulse.turned", stem, {"TS-IMPULSE-22"}, "Turning the world turns the velocities.", turned_world},
-      {"impulse.mirrored", stem, {"TS-IMPULSE-22"}, "A mirrored impact is the mirror's impact.", mirrored_world},
-      {"impulse.galilean", stem, {"TS-IMPULSE-23"}, "A velocity that all share changes nothing else.", galilean},
-      {"impulse.scaled", stem, {"TS-IMPULSE-24"}, "Lengths times s: velocities times s.", scaled_world},
-      {"impulse.faster", stem, {"TS-IMPULSE-24"}, "Velocities times s before: times s after.", faster},
-      {"impulse.repeats", stem, {"TS-IMPULSE-26"}, "The same impact, the same answer, bit for bit.", repeats_itself},
+      {"impulse.poisson", query, {"TS-IMPULSE-19"}, "The normal impulse is 1 + e times that with e = 0.", poisson},
+      {"impulse.laws", query, {"TS-IMPULSE-20"}, "Where theory has one answer, the three laws have it.", laws},
+      {"impulse.swapped", query, {"TS-IMPULSE-21"}, "Who is A and who B changes nothing.", swapped_bodies},
+      {"impulse.moved", query, {"TS-IMPULSE-22"}, "Where the world stands changes nothing.", moved},
+      {"impulse.turned", query, {"TS-IMPULSE-22"}, "Turning the world turns the velocities.", turned_world},
+      {"impulse.mirrored", query, {"TS-IMPULSE-22"}, "A mirrored impact is the mirror's impact.", mirrored_world},
+      {"impulse.galilean", query, {"TS-IMPULSE-23"}, "A velocity that all share changes nothing else.", galilean},
+      {"impulse.scaled", query, {"TS-IMPULSE-24"}, "Lengths times s: velocities times s.", scaled_world},
+      {"impulse.faster", query, {"TS-IMPULSE-24"}, "Velocities times s before: times s after.", faster},
+      {"impulse.repeats", query, {"TS-IMPULSE-26"}, "The same impact, the same answer, bit for bit.", repeats_itself},
   };
 }
 

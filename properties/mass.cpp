@@ -1,4 +1,4 @@
-// docs/spec/mass.md, as sentences that run.
+// The clauses of docs/spec/mass.md as executable properties.
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
@@ -7,13 +7,13 @@
 #include <functional>
 #include <limits>
 
-#include "oracle/tolerance.h"
-#include "oracle/truth.h"
-#include "oracle/words.h"
-#include "properties/asking.h"
-#include "properties/body_motion.h"
-#include "properties/motion.h"
-#include "properties/stems.h"
+#include "oracle/judge/words.h"
+#include "oracle/tolerance/tolerance.h"
+#include "oracle/truth/truth.h"
+#include "properties/judging/asking.h"
+#include "properties/queries.h"
+#include "properties/transforms/body.h"
+#include "properties/transforms/scene.h"
 
 namespace touchstone::properties {
 namespace {
@@ -28,7 +28,7 @@ namespace tolerance = oracle::tolerance;
 namespace truth = oracle::truth;
 namespace words = oracle::words;
 
-// What is judged of a body: its mass, the coordinates of its centre, the entries of its inertia.
+// The judged quantities of a body: mass, coordinates of the centre of mass, entries of the inertia.
 enum class Part { mass, centre, inertia };
 
 std::vector<double> numbers(const MassProperties& m, Part part) {
@@ -49,7 +49,7 @@ double bound(const Body& body, Part part, oracle::Precision precision) {
   return part == Part::mass ? all.mass : part == Part::centre ? all.centre : all.inertia;
 }
 
-// Errors are counted in ulps of the mass, of the body's radius, or of mass times size squared.
+// Measures errors in ulps of the mass, of the body's radius, or of mass times size squared.
 judge::Allowance allowance(const Body& body, const MassTruth& exact, Part part, double bound,
                            oracle::Precision precision) {
   const double u = oracle::unit_roundoff(precision), m = exact.mass.hi, size = tolerance::size(body);
@@ -58,7 +58,7 @@ judge::Allowance allowance(const Body& body, const MassTruth& exact, Part part, 
   return {bound, u * m * size * size, "ulps of mass times size squared"};
 }
 
-// The finding that is worse for the subject.
+// The worse of two findings.
 const Finding& worse(const Finding& a, const Finding& b) {
   const auto badness = [](const Finding& f) {
     return std::pair(f.outcome == oracle::Outcome::fails, f.error / (f.allowed + 1));
@@ -66,8 +66,9 @@ const Finding& worse(const Finding& a, const Finding& b) {
   return badness(a) < badness(b) ? b : a;
 }
 
-// Whether a subject's precision has numbers for the exact mass properties: normal ones, for a rounded subnormal is off
-// by more than any bound of tolerance.h, and an overflow is infinite in the most careful arithmetic.
+// Can the subject's precision represent the exact mass properties? They must be normal numbers: a rounded subnormal is
+// off by more than any bound of oracle/tolerance/tolerance.h, and an overflow is infinite in any arithmetic of that
+// precision.
 bool sayable(const MassTruth& exact, oracle::Precision precision) {
   const bool single = precision == oracle::Precision::binary32;
   const double least = single ? std::numeric_limits<float>::min() : std::numeric_limits<double>::min();
@@ -78,7 +79,7 @@ bool sayable(const MassTruth& exact, oracle::Precision precision) {
          std::all_of(exact.I_BBcm_B.begin(), exact.I_BBcm_B.begin() + 3, normal);
 }
 
-// Asks only about scenes whose every exact answer the subject's precision can say.
+// Queries the subject only if its precision can represent every exact answer.
 template <std::invocable Ask>
 Finding of_sayable(const Scene& scene, Subject& subject, Ask&& ask) {
   return of_scene(scene, subject, [&] {
@@ -90,7 +91,8 @@ Finding of_sayable(const Scene& scene, Subject& subject, Ask&& ask) {
   });
 }
 
-// One entry a body, and none exactly for the fixed ones, or there is nothing to judge.
+// Fails an answer that does not have one entry per body, empty exactly for the fixed bodies. Passes any other answer to
+// judge_it(const Masses&).
 template <class JudgeIt>
 Finding given_masses(const Scene& scene, Subject& subject, JudgeIt&& judge_it) {
   return judge::given(subject.mass(scene), [&](const Masses& said) {
@@ -109,8 +111,7 @@ Finding of_masses(const Scene& scene, Subject& subject, JudgeIt&& judge_it) {
   return of_sayable(scene, subject, [&] { return given_masses(scene, subject, judge_it); });
 }
 
-// agrees
-// ---------------------------------------------------------------------------------------------------------------
+// Agreement with the exact answer
 
 Finding agrees(const Scene& scene, Subject& subject, Part part) {
   return of_masses(scene, subject, [&](const Masses& said) {
@@ -131,10 +132,10 @@ Finding agrees(const Scene& scene, Subject& subject, Part part) {
   });
 }
 
-// bounds
-// ---------------------------------------------------------------------------------------------------------------
+// Physical bounds
 
-// ∫(y² + z²), ... of any matter: symmetric, principal moments > 0, and none greater than the sum of the two others.
+// The inertia ∫(y² + z²), ... of any mass distribution is symmetric, its principal moments are > 0, and none exceeds
+// the sum of the two others.
 Finding possible(const Scene& scene, Subject& subject) {
   return of_masses(scene, subject, [&](const Masses& said) {
     const auto precision = subject.card().precision;
@@ -146,8 +147,8 @@ Finding possible(const Scene& scene, Subject& subject) {
       const Vec3 lambda = Eigen::SelfAdjointEigenSolver<Mat3>(I, Eigen::EigenvaluesOnly).eigenvalues();  // ascending
       const double impossible =
           std::max({-lambda[0], lambda[2] - lambda[1] - lambda[0], (I - I.transpose()).cwiseAbs().maxCoeff()});
-      // Each eigenvalue is off by at most the norm of the matrix' error, 3 entries' worth, and there are three of them;
-      // the solver's own error is some ulps of the norm.
+      // Each eigenvalue is off by at most the norm of the matrix error, 3 times the bound of an entry, and three
+      // eigenvalues are added. The solver's own error is some ulps of the norm.
       const double eigenvalues = 9 * bound(scene.bodies[i], Part::inertia, precision) + 64 * 0x1p-53 * I.norm();
       const double zero_mass = said[i]->mass > 0 ? 0 : 1;
       worst = worse(
@@ -163,10 +164,9 @@ Finding possible(const Scene& scene, Subject& subject) {
   });
 }
 
-// laws
-// -----------------------------------------------------------------------------------------------------------------
+// Laws: how the answer follows a change of the scene
 
-// What the law makes of the first answer, and the factor by which it scales (mass, centre, inertia).
+// Predicts the second answer from the first. `times` are the factors on (mass, centre, inertia).
 struct Law {
   std::function<MassProperties(MassProperties, const Body&)> predict;
   MassBound times = {1, 1, 1};
@@ -182,7 +182,8 @@ double widest(const MassTruth& m, Part part) {
   return width;
 }
 
-// Both answers lie within their bounds of truths that obey the law, each known to the width of its enclosure.
+// The truths obey the law, and each is known to the width of its enclosure. So the two answers obey it to within their
+// bounds and those widths.
 Finding obeys(const Scene& before, const std::optional<Scene>& moved, const Law& law, Subject& subject, Defect defect) {
   const bool uniform =
       std::ranges::all_of(before.bodies, [](const Body& b) { return std::holds_alternative<Density>(b.mass); });
@@ -257,8 +258,7 @@ Finding density(const Scene& scene, Subject& subject) {
   return obeys(scene, denser(scene, 3), scaling(8, 1, 8), subject, Defect::scaled);
 }
 
-// survives, repeats
-// ----------------------------------------------------------------------------------------------------
+// Robustness and determinism
 
 std::string senseless(const Masses& said) {
   for (const std::optional<MassProperties>& m : said) {

@@ -1,14 +1,14 @@
-// docs/spec/penetration.md, as sentences that run.
+// The clauses of docs/spec/penetration.md as executable properties.
 #include <algorithm>
 #include <cmath>
 
-#include "oracle/tolerance.h"
-#include "oracle/truth.h"
-#include "oracle/words.h"
-#include "properties/asking.h"
-#include "properties/motion.h"
-#include "properties/pair_laws.h"
-#include "properties/stems.h"
+#include "oracle/judge/words.h"
+#include "oracle/tolerance/tolerance.h"
+#include "oracle/truth/truth.h"
+#include "properties/judging/asking.h"
+#include "properties/judging/pair_laws.h"
+#include "properties/queries.h"
+#include "properties/transforms/scene.h"
 
 namespace touchstone::properties {
 namespace {
@@ -37,8 +37,7 @@ Finding of_answer(const Scene& scene, Subject& subject, JudgeIt&& judge_it) {
   return of_convex_pair(scene, subject, [&] { return judge::given(subject.penetration(scene), judge_it); });
 }
 
-// agrees
-// ---------------------------------------------------------------------------------------------------------------
+// Agreement with the exact answer
 
 Finding verdict(const Scene& scene, Subject& subject) {
   return of_answer(scene, subject, [&](const Penetration& said) {
@@ -57,7 +56,7 @@ Finding depth(const Scene& scene, Subject& subject) {
   });
 }
 
-// Where the bodies have no common interior there is nothing to separate.
+// A separating direction is defined only for bodies with a common interior.
 template <class JudgeIt>
 Finding of_direction(const Scene& scene, Subject& subject, JudgeIt&& judge_it) {
   return of_answer(scene, subject, [&](const Penetration& said) {
@@ -95,8 +94,7 @@ Finding unit_direction(const Scene& scene, Subject& subject) {
   });
 }
 
-// laws
-// -----------------------------------------------------------------------------------------------------------------
+// Laws: how the answer follows a change of the scene
 
 Finding symmetric(const Scene& scene, Subject& subject) {
   return of_convex_pair(scene, subject,
@@ -128,7 +126,7 @@ Finding scales(const Scene& scene, Subject& subject) {
   });
 }
 
-// Needs no truth: no depth without overlap.
+// Needs no truth: without overlap the depth is 0.
 Finding consistent(const Scene& scene, Subject& subject) {
   return of_answer(scene, subject, [&](const Penetration& said) {
     if (!said.verdict || !said.depth) return judge::silent("both verdict and depth");
@@ -141,8 +139,7 @@ Finding consistent(const Scene& scene, Subject& subject) {
   });
 }
 
-// survives, repeats
-// ----------------------------------------------------------------------------------------------------
+// Robustness and determinism
 
 std::string senseless(const Penetration& said) {
   return said.depth && *said.depth < 0 ? "depth " + words::text(*said.depth) + " < 0" : "";

@@ -1,13 +1,13 @@
-// docs/spec/pixel.md, as sentences that run.
+// The clauses of docs/spec/pixel.md as executable properties.
 #include <algorithm>
 #include <cmath>
 
-#include "oracle/tolerance.h"
-#include "oracle/truth.h"
-#include "properties/asking.h"
-#include "properties/motion.h"
-#include "properties/pixel_motion.h"
-#include "properties/stems.h"
+#include "oracle/tolerance/tolerance.h"
+#include "oracle/truth/truth.h"
+#include "properties/judging/asking.h"
+#include "properties/queries.h"
+#include "properties/transforms/raster.h"
+#include "properties/transforms/scene.h"
 
 namespace touchstone::properties {
 namespace {
@@ -34,7 +34,8 @@ bool has_form(const Mask& mask, const Raster& raster) {
          });
 }
 
-// One mask of each kind a body, two of where they meet, all of the raster's size; or there is nothing to judge.
+// Fails an answer that does not have a sampled and a conservative mask per body and of the contact, all of the raster's
+// size. Passes any other answer to judge_it(const Pixels&).
 template <class JudgeIt>
 Finding given_pixels(const Scene& scene, Subject& subject, JudgeIt&& judge_it) {
   return judge::given(subject.pixel(scene), [&](const Pixels& said) {
@@ -72,7 +73,7 @@ std::string text(const MaskOverlap& overlap) {
   return std::to_string(overlap.count) + " pixels" + first;
 }
 
-// The first pixel for which `fault` says what is wrong with it, if any.
+// The first finding of `fault` over all pixels that does not hold.
 template <class Fault>
 Finding each_pixel(const Raster& raster, Fault&& fault) {
   for (int j = 0; j < raster.rows; ++j) {
@@ -84,7 +85,7 @@ Finding each_pixel(const Raster& raster, Fault&& fault) {
   return judge::holds();
 }
 
-// No pixel of `inner` is missing in `outer`.
+// Requires every pixel of `inner` to be in `outer`.
 Finding holds_mask(const Raster& raster, const Mask& inner, const Mask& outer, Defect defect, const std::string& what) {
   return each_pixel(raster, [&](int i, int j) {
     if (!at(inner, i, j) || at(outer, i, j)) return judge::holds();
@@ -101,7 +102,7 @@ Finding same_mask(const Raster& raster, const Mask& said, const Mask& exact, con
   });
 }
 
-// Of all bodies' masks the first finding that does not hold.
+// The first finding over all bodies that does not hold.
 template <class JudgeBody>
 Finding each_body(const Scene& scene, JudgeBody&& judge_body) {
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
@@ -111,8 +112,7 @@ Finding each_body(const Scene& scene, JudgeBody&& judge_body) {
   return judge::holds();
 }
 
-// agrees
-// ---------------------------------------------------------------------------------------------------------------
+// Agreement with the exact answer
 
 Finding sampled(const Scene& scene, Subject& subject) {
   return of_pixels(scene, subject, [&](const Pixels& said) {
@@ -137,7 +137,7 @@ Finding narrow(const Scene& scene, Subject& subject) {
     return each_body(scene, [&](std::size_t b, const std::string& whose) {
       return each_pixel(*scene.raster, [&](int i, int j) {
         if (!at(said.conservative[b], i, j) || at(truth::pixel(scene).conservative[b], i, j) ||
-            truth::picture_comes_near(scene, b, i, j, around)) {
+            truth::projection_comes_near(scene, b, i, j, around)) {
           return judge::holds();
         }
         return judge::wrong(Defect::loose_box, place(i, j) + " is in the conservative mask" + whose,
@@ -184,8 +184,7 @@ Finding comes_near(const Scene& scene, Subject& subject) {
   });
 }
 
-// laws
-// -----------------------------------------------------------------------------------------------------------------
+// Laws: how the answer follows a change of the scene
 
 MaskOverlap counted(const Raster& raster, const Mask& A, const Mask& B) {
   MaskOverlap overlap;
@@ -226,7 +225,7 @@ Finding bracket(const Scene& scene, Subject& subject) {
   });
 }
 
-// What sampling says of the second scene is what it said of the first, moved by whole pixels, wherever both are on the
+// The samples of the second scene are those of the first, moved by whole pixels, wherever both pixels are on the
 // raster.
 Finding samples_move(const Scene& before, const std::optional<Scene>& moved, int right, int up, Subject& subject,
                      Defect defect) {
@@ -269,7 +268,8 @@ Finding scales(const Scene& scene, Subject& subject) {
              : larger;
 }
 
-// B's picture laid over A's (dx, dy) pixels away is A's over B's (−dx, −dy) away, each in its own coordinates.
+// B's mask over A's with shift (dx, dy) has the same overlap as A's mask over B's with shift (−dx, −dy), each in the
+// pixel coordinates of its first body.
 Finding symmetric(const Scene& scene, Subject& subject) {
   return of_pixels_of_two(scene, subject, [&](const Pixels& ab) {
     return given_pixels(swapped(scene), subject, [&](const Pixels& ba) {
@@ -286,8 +286,8 @@ Finding symmetric(const Scene& scene, Subject& subject) {
   });
 }
 
-// To lay B's picture over A's some pixels away is to move B by as many. What comes from beyond the raster does not
-// count.
+// Shifting B's mask over A's equals moving B by the same number of pixels. Pixels that come from outside the raster do
+// not count.
 Finding shifts(const Scene& scene, Subject& subject) {
   if (!scene.raster) return judge::outside("no raster");
   const Raster& raster = *scene.raster;
@@ -311,8 +311,7 @@ Finding shifts(const Scene& scene, Subject& subject) {
   });
 }
 
-// survives, repeats
-// ----------------------------------------------------------------------------------------------------
+// Robustness and determinism
 
 Finding lives(const Scene& scene, Subject& subject) {
   return of_pixels(scene, subject, [](const Pixels&) { return judge::holds(); });

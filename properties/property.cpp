@@ -4,19 +4,19 @@
 
 #include "model/input_error.h"
 #include "model/near_names.h"
-#include "properties/stems.h"
+#include "properties/queries.h"
 
 namespace touchstone::properties {
 namespace {
 
 std::vector<Property> join() {
   std::vector<Property> joined;
-  for (const auto& stem :
-       {mass_properties, bounds_properties, broad_phase_properties, broad_phase_film_properties, distance_properties,
-        penetration_properties, pixel_properties, impulse_properties, impulse_law_properties, time_of_impact_properties,
-        simulation_properties, simulation_lockstep_properties, simulation_meeting_properties, simulation_law_properties,
-        simulation_scene_properties, constraint_properties}) {
-    for (Property& property : stem()) joined.push_back(std::move(property));
+  for (const auto& query :
+       {mass_properties, bounds_properties, broad_phase_properties, broad_phase_sequence_properties,
+        distance_properties, penetration_properties, pixel_properties, impulse_properties, impulse_law_properties,
+        time_of_impact_properties, simulation_properties, simulation_lockstep_properties, simulation_meeting_properties,
+        simulation_law_properties, simulation_scene_properties, constraint_properties}) {
+    for (Property& property : query()) joined.push_back(std::move(property));
   }
   return joined;
 }

@@ -1,4 +1,4 @@
-// A Property is one executable sentence: a pure function (Scene, Subject) -> Finding that cites clauses.
+// A property is one executable sentence: a pure function (Scene, Subject) -> Finding that cites clauses.
 #pragma once
 
 #include <functional>
@@ -6,23 +6,23 @@
 #include <vector>
 
 #include "model/scene.h"
-#include "oracle/finding.h"
+#include "oracle/judge/finding.h"
 #include "oracle/subject.h"
 
 namespace touchstone::properties {
 
 struct Property {
   std::string id;                    ///< "distance.symmetric"
-  std::string stem;                  ///< "distance"
+  std::string query;                 ///< "distance"
   std::vector<std::string> clauses;  ///< "TS-DISTANCE-2"
   std::string says;                  ///< the sentence
   std::function<oracle::Finding(const Scene&, oracle::Subject&)> check;
 };
 
-/// All properties, in the order of the stems and, within one, of the five families.
+/// All properties, in the order of the queries and, within one, of the five families.
 const std::vector<Property>& all();
 
-/// Throws InputError listing the near names.
+/// Throws InputError with a list of similar names if there is no such property.
 const Property& find(const std::string& id);
 
 }  // namespace touchstone::properties

@@ -19,7 +19,7 @@ std::uint64_t hash(std::string_view text) {
   return h;
 }
 
-/// Each word goes through a full mix before the next joins, so (1, 2) and (2, 1) are strangers.
+/// Mixes each word fully before it adds the next, so (1, 2) and (2, 1) give unrelated seeds.
 std::uint64_t mixed(std::uint64_t seed, std::uint64_t name, std::uint64_t index) {
   for (const std::uint64_t word : {name, index}) {
     seed = splitmix(seed) ^ word;

@@ -1,4 +1,4 @@
-// Random numbers that are the same on every machine and compiler; the standard's distributions are not.
+// Random numbers that are the same on every machine and compiler; those of the standard's distributions are not.
 #pragma once
 
 #include <array>
@@ -28,7 +28,7 @@ class Random {
 
   double whole(int lo, int hi) { return between(lo, hi); }
 
-  /// True once in `n` times, on average.
+  /// True with probability 1/n.
   bool one_in(int n) { return below(n) == 0; }
 
   int sign() { return one_in(2) ? 1 : -1; }

@@ -1,20 +1,20 @@
-// docs/spec/simulation.md, as sentences that run: what one trajectory must obey, step by step.
+// The clauses of docs/spec/simulation.md about the segments and events of one trajectory as executable properties.
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "model/limits.h"
-#include "oracle/flown.h"
-#include "oracle/tolerance.h"
-#include "oracle/tolerance_motion.h"
-#include "oracle/truth.h"
-#include "oracle/words.h"
-#include "oracle/world_points.h"
-#include "properties/flight_case.h"
-#include "properties/impact_case.h"
-#include "properties/stems.h"
-#include "properties/trajectory_case.h"
+#include "oracle/judge/words.h"
+#include "oracle/tolerance/motion.h"
+#include "oracle/tolerance/tolerance.h"
+#include "oracle/truth/motion_in_doubles.h"
+#include "oracle/truth/truth.h"
+#include "oracle/truth/world_points.h"
+#include "properties/cases/impact_case.h"
+#include "properties/cases/time_of_impact_case.h"
+#include "properties/cases/trajectory_case.h"
+#include "properties/queries.h"
 
 namespace touchstone::properties {
 namespace {
@@ -31,25 +31,26 @@ using Kind = Event::Kind;
 bool is_struck(const Event& event) { return event.kind == Kind::impact || event.kind == Kind::micro_collision; }
 
 Finding ordered(const Scene& scene, Subject& subject) {
-  if (!scene.flight) return judge::outside("no flight");
+  if (!scene.motion) return judge::outside("no motion");
   return judge::given(subject.simulation(scene), [&](const Trajectory& said) {
     const std::string fault = fault_in_form(scene, said);
     return fault.empty() ? judge::holds() : judge::wrong(Defect::inconsistent, fault, "a trajectory");
   });
 }
 
-// Where a look falls into a flight. At an event's own time the state before and the one after are both there.
-Finding flights(const Scene& scene, Subject& subject) {
-  return of_course(scene, subject, [&](const TrajectoryCase& asked, const Course& course) {
+// Judges each sample that falls into a ballistic segment. A sample at an event's own time is not judged: both the state
+// before the event and the one after it are correct there.
+Finding ballistic_segments(const Scene& scene, Subject& subject) {
+  return of_timeline(scene, subject, [&](const TrajectoryCase& asked, const Timeline& timeline) {
     Finding worst = judge::outside("no look in flight");
-    for (const std::vector<Leg>& legs : course) {
-      for (const Leg& leg : legs) {
-        for (std::size_t look = 0; look < asked.looks(); ++look) {
-          const double time = asked.time(look);
-          const bool inside = time > leg.from && (time < leg.until || &leg == &legs.back());
-          if (!leg.flies || !inside) continue;
-          const Scene alone = in_flight(scene, {leg}, time);
-          if (worse(worst, arrives(asked, alone, 0, time, asked.said.states[look][leg.body]))) return worst;
+    for (const std::vector<Segment>& segments : timeline) {
+      for (const Segment& segment : segments) {
+        for (std::size_t sample = 0; sample < asked.samples(); ++sample) {
+          const double time = asked.time(sample);
+          const bool inside = time > segment.from && (time < segment.until || &segment == &segments.back());
+          if (!segment.ballistic || !inside) continue;
+          const Scene alone = segment_scene(scene, {segment}, time);
+          if (worse(worst, check_state(asked, alone, 0, time, asked.said.states[sample][segment.body]))) return worst;
         }
       }
     }
@@ -57,21 +58,22 @@ Finding flights(const Scene& scene, Subject& subject) {
   });
 }
 
-// An impact leaves bodies where they are, a push their velocities too, and a fixed body is left alone.
+// An impact changes no pose. A change of an applied force changes neither pose nor velocity. A fixed body keeps its own
+// motion.
 Finding event_states(const Scene& scene, Subject& subject) {
-  return of_course(scene, subject, [&](const TrajectoryCase& asked, const Course& course) {
+  return of_timeline(scene, subject, [&](const TrajectoryCase& asked, const Timeline& timeline) {
     Finding worst = judge::outside("no event in flight");
     for (std::size_t e = 0; e < asked.events(); ++e) {
       const Event& event = (*asked.said.events)[e];
       if (!is_struck(event) && event.kind != Kind::push) continue;
-      const std::vector<Leg> legs = legs_into(course, asked.said, e);
-      const Scene few = in_flight(scene, legs, event.time);
-      for (std::size_t k = 0; k < legs.size(); ++k) {
-        if (!legs[k].flies) continue;
+      const std::vector<Segment> segments = segments_into(timeline, asked.said, e);
+      const Scene few = segment_scene(scene, segments, event.time);
+      for (std::size_t k = 0; k < segments.size(); ++k) {
+        if (!segments[k].ballistic) continue;
         const State& said = k == 0 ? event.after_a : event.after_b;
-        const bool moves_on = event.kind == Kind::push || asked.is_fixed(legs[k].body);
+        const bool moves_on = event.kind == Kind::push || asked.is_fixed(segments[k].body);
         const Finding finding =
-            moves_on ? arrives(asked, few, k, event.time, said) : stands(asked, few, k, event.time, said.X_WB);
+            moves_on ? check_state(asked, few, k, event.time, said) : check_pose(asked, few, k, event.time, said.X_WB);
         if (worse(worst, finding)) return worst;
       }
     }
@@ -79,15 +81,16 @@ Finding event_states(const Scene& scene, Subject& subject) {
   });
 }
 
-/// The flights of two bodies that have time in common: judge_it(pair's scene, from, until) gives a finding. True: a
-/// failure ends the search.
+/// Calls judge_it(pair's scene, from, until) for each pair of ballistic segments of two bodies that have time in
+/// common. Keeps the worst finding. Returns true on a failure, which ends the search.
 template <class JudgeIt>
-bool of_flights_together(const Scene& scene, const std::vector<Leg>& of_a, const std::vector<Leg>& of_b, Finding& worst,
-                         JudgeIt&& judge_it) {
+bool of_segments_together(const Scene& scene, const std::vector<Segment>& of_a, const std::vector<Segment>& of_b,
+                          Finding& worst, JudgeIt&& judge_it) {
   for (std::size_t i = 0, j = 0; i < of_a.size() && j < of_b.size();) {
-    const Leg &a = of_a[i], &b = of_b[j];
+    const Segment &a = of_a[i], &b = of_b[j];
     const double from = std::max(a.from, b.from), until = std::min(a.until, b.until);
-    if (a.flies && b.flies && from < until && worse(worst, judge_it(in_flight(scene, {a, b}, until), from, until))) {
+    if (a.ballistic && b.ballistic && from < until &&
+        worse(worst, judge_it(segment_scene(scene, {a, b}, until), from, until))) {
       return true;
     }
     ++(a.until < b.until ? i : j);
@@ -95,14 +98,14 @@ bool of_flights_together(const Scene& scene, const std::vector<Leg>& of_a, const
   return false;
 }
 
-/// Of all pairs that are not fixed.
+/// The same for all pairs of which at least one body is not fixed.
 template <class JudgeIt>
-Finding of_pairs_in_flight(const TrajectoryCase& asked, const Course& course, JudgeIt&& judge_it) {
+Finding of_pairs_in_motion(const TrajectoryCase& asked, const Timeline& timeline, JudgeIt&& judge_it) {
   Finding worst = judge::outside("no two in flight");
-  for (std::size_t i = 0; i < course.size(); ++i) {
-    for (std::size_t j = i + 1; j < course.size(); ++j) {
+  for (std::size_t i = 0; i < timeline.size(); ++i) {
+    for (std::size_t j = i + 1; j < timeline.size(); ++j) {
       if (asked.is_fixed(i) && asked.is_fixed(j)) continue;
-      if (of_flights_together(asked.scene, course[i], course[j], worst, judge_it)) return worst;
+      if (of_segments_together(asked.scene, timeline[i], timeline[j], worst, judge_it)) return worst;
     }
   }
   return worst;
@@ -111,20 +114,20 @@ Finding of_pairs_in_flight(const TrajectoryCase& asked, const Course& course, Ju
 bool stay_apart(const Scene& pair, double until) {
   double reach = 0;
   for (std::size_t k = 0; k < 2; ++k) {
-    const tolerance::FlightBound bound = tolerance::flight(pair, k, until, oracle::Precision::binary64);
-    reach += tolerance::radius(pair.bodies[k]) + bound.fastest * (until - pair.flight->since[k]);
+    const tolerance::BallisticBound bound = tolerance::ballistic(pair, k, until, oracle::Precision::binary64);
+    reach += tolerance::radius(pair.bodies[k]) + bound.fastest * (until - pair.motion->start_times[k]);
   }
   return (pair.bodies[0].X_WB.p_WB - pair.bodies[1].X_WB.p_WB).norm() > 1.01 * reach;
 }
 
-// Two that fly are not in each other when either's next event comes, nor have they been, deeper than rounding explains.
+// Two bodies in ballistic motion do not overlap deeper than rounding explains, up to the next event of either.
 Finding none_missed(const Scene& scene, Subject& subject) {
-  return of_course(scene, subject, [&](const TrajectoryCase& asked, const Course& course) {
-    return of_pairs_in_flight(asked, course, [&](const Scene& pair, double from, double until) {
+  return of_timeline(scene, subject, [&](const TrajectoryCase& asked, const Timeline& timeline) {
+    return of_pairs_in_motion(asked, timeline, [&](const Scene& pair, double from, double until) {
       if (stay_apart(pair, until)) return judge::holds();
-      const double slack = tolerance::meeting(pair, until, asked.precision);
+      const double slack = tolerance::moving_distance(pair, until, asked.precision);
       const auto overlap = [&](double depth) {
-        return counted(tells(pair, slack),
+        return counted(is_decisive(pair, slack),
                        judge::at_most(
                            depth, in_ulps_of_place(asked, slack), Defect::missed,
                            [&] { return "no impact of the pair until " + oracle::words::text(until) + " s"; },
@@ -132,22 +135,24 @@ Finding none_missed(const Scene& scene, Subject& subject) {
       };
       const Scene at_first = oracle::pair_at(pair, from);
       if (truth::distance(at_first).verdict == Verdict::overlapping) return overlap(judge::margin(at_first).lo);
-      const std::optional<FlightCase> flight = flight_case(pair, asked.precision);
-      return overlap(flight ? -flight->deepest(until) : 0);
+      const std::optional<MotionCase> pair_case = motion_case(pair, asked.precision);
+      return overlap(pair_case ? -pair_case->deepest(until) : 0);
     });
   });
 }
 
-/// An impact, with both bodies as they flew into it: judge_it(asked, event, pair's scene, both at the time).
+/// Calls judge_it(asked, event, pair, there) for each impact. `pair` is the scene of the two segments that end with it,
+/// `there` has both bodies at the time of the impact.
 template <class JudgeIt>
 Finding of_struck_pairs(const Scene& scene, Subject& subject, JudgeIt&& judge_it) {
-  return of_impacts(scene, subject, [&](const TrajectoryCase& asked, const Event& event, const std::vector<Leg>& legs) {
-    const Scene pair = in_flight(scene, legs, event.time);
-    return judge_it(asked, event, pair, oracle::pair_at(pair, event.time));
-  });
+  return of_impacts(scene, subject,
+                    [&](const TrajectoryCase& asked, const Event& event, const std::vector<Segment>& segments) {
+                      const Scene pair = segment_scene(scene, segments, event.time);
+                      return judge_it(asked, event, pair, oracle::pair_at(pair, event.time));
+                    });
 }
 
-// m: how far convex bodies A and B overlap along n, at most; below 0: how far apart they are.
+// m: the overlap of the convex bodies A and B along n, an upper bound on their depth. Negative: their gap along n.
 Real overlap_along(const Point& n, const Body& A, const Body& B) {
   const auto farthest = [](const Body& body, const Point& d) {
     const auto* ball = std::get_if<Sphere>(&body.shape);
@@ -158,8 +163,8 @@ Real overlap_along(const Point& n, const Body& A, const Body& B) {
   return farthest(B, n) + farthest(A, -n);
 }
 
-/// The two are within the envelope, C is within it of both, and the normal's plane parts them as far as they are
-/// convex: of poses that are right to `slack` (m).
+/// For poses accurate to `slack` (m): the two bodies are within the envelope, C is within the envelope of both, the
+/// normal is a unit vector and, if both bodies are convex, a plane with this normal separates them.
 Finding in_contact(const TrajectoryCase& asked, const Event& event, const Scene& there, double slack) {
   const double near = envelope(asked.scene) + slack, apart = truth::distance(there).distance.hi;
   const auto within = [&](double off, double allowed, Defect defect, const char* law) {
@@ -187,39 +192,41 @@ Finding in_contact(const TrajectoryCase& asked, const Event& event, const Scene&
   return worst;
 }
 
-Scene as_told(Scene there, const Event& event) {
+Scene at_reported_poses(Scene there, const Event& event) {
   there.bodies[0].X_WB = event.after_a.X_WB;
   there.bodies[1].X_WB = event.after_b.X_WB;
   return there;
 }
 
-/// m: what rounding makes of places on a long way, and of the time, at the bodies' speeds; without what it makes of
-/// their turns, since the poses that are told are those that the impact was found at.
+/// m: the error of positions and of the time over a long trajectory, by rounding. It leaves out the error of
+/// orientations, since the event reports the poses at which the impact was found.
 double rounded_way(Scene pair, double time, oracle::Precision precision) {
   for (Body& body : pair.bodies) body.velocity.w_WB.setZero();
-  return tolerance::meeting(pair, time, precision);
+  return tolerance::moving_distance(pair, time, precision);
 }
 
-// Where they are told to be, whatever turned them there; and where their flights bring them, if that can be told.
+// Checks the contact at the reported poses, and at the poses that ballistic motion predicts where rounding permits it.
 Finding contacts(const Scene& scene, Subject& subject) {
   return of_struck_pairs(
       scene, subject, [&](const TrajectoryCase& asked, const Event& event, const Scene& pair, const Scene& there) {
-        const Scene told = as_told(there, event);
+        const Scene reported = at_reported_poses(there, event);
         const double way = rounded_way(pair, event.time, asked.precision);
         Finding worst =
-            counted(tells(pair, way), in_contact(asked, event, told, tolerance::distance(told, asked.precision) + way));
-        const double slack = tolerance::meeting(pair, event.time, asked.precision);
+            counted(is_decisive(pair, way),
+                    in_contact(asked, event, reported, tolerance::distance(reported, asked.precision) + way));
+        const double slack = tolerance::moving_distance(pair, event.time, asked.precision);
         if (worst.outcome == Outcome::holds) {
-          worse(worst, counted(tells(pair, slack), in_contact(asked, event, there, slack)));
+          worse(worst, counted(is_decisive(pair, slack), in_contact(asked, event, there, slack)));
         }
         return worst;
       });
 }
 
-/// The impact that an event tells of, from the velocities that the flights bring: e and mu are the lesser ones.
+/// The impact that an event reports, with the velocities at the end of both segments. e and mu are the lesser ones of
+/// the two bodies.
 Scene impact_of(const Scene& there, const Event& event, Law law) {
   Scene scene = there;
-  scene.flight.reset();
+  scene.motion.reset();
   const Material &a = there.bodies[0].material, &b = there.bodies[1].material;
   scene.contact = Contact{event.p_WC, event.nhat_BA_W, law, std::min(a.restitution, b.restitution),
                           std::min(a.friction, b.friction)};
@@ -233,19 +240,20 @@ Point exact(const reference::ExactVec3& v) {
 Finding impulses(const Scene& scene, Subject& subject) {
   return of_struck_pairs(
       scene, subject, [&](const TrajectoryCase& asked, const Event& event, const Scene& pair, const Scene& there) {
-        if (!tells(pair, tolerance::meeting(pair, event.time, asked.precision))) {
-          return judge::outside(too_far_to_tell);
+        if (!is_decisive(pair, tolerance::moving_distance(pair, event.time, asked.precision))) {
+          return judge::outside(too_far_to_decide);
         }
-        const Scene question = impact_of(there, event, scene.flight->law);
+        const Scene question = impact_of(there, event, scene.motion->law);
         const ImpactCase impact(question, asked.precision);
         const bool in_domain = tolerance::impact_in_range(impact.impact, asked.precision) &&
                                tolerance::impact_is_sure(impact.impact, asked.precision);
         if (!in_domain) return judge::outside("an impact whose law rounding may change");
         const Impulse answer{{event.after_a.velocity, event.after_b.velocity}, event.P_A_W, {}, {}};
         const SaidImpact said(impact, answer);
-        const std::array<tolerance::FlightBound, 2> before = {tolerance::flight(pair, 0, event.time, asked.precision),
-                                                              tolerance::flight(pair, 1, event.time, asked.precision)};
-        const double flown = tolerance::impact_in_flight(impact.impact, before);
+        const std::array<tolerance::BallisticBound, 2> before = {
+            tolerance::ballistic(pair, 0, event.time, asked.precision),
+            tolerance::ballistic(pair, 1, event.time, asked.precision)};
+        const double flown = tolerance::through_impact(impact.impact, before);
         const double u_n = static_cast<double>(impact.impact.u_n());
         const double speed = flown / static_cast<double>(std::sqrt(impact.impact.least_mass()));
         Finding worst = judge::at_most(
@@ -277,12 +285,12 @@ bool spheres_apart(const Body& a, const State& at, const Body& b, const State& b
   return (at.X_WB.p_WB - bt.X_WB.p_WB).norm() > 1.01 * reach;
 }
 
-// Whoever looks sees no two bodies in each other beyond the envelope.
+// No sample shows two bodies that overlap deeper than the envelope.
 Finding solid(const Scene& scene, Subject& subject) {
   return of_trajectory(scene, subject, [&](const TrajectoryCase& asked) {
-    Finding worst = asked.looks() > 0 ? judge::holds() : judge::outside("no look");
-    for (std::size_t look = 0; look < asked.looks(); ++look) {
-      const std::vector<State>& states = asked.said.states[look];
+    Finding worst = asked.samples() > 0 ? judge::holds() : judge::outside("no look");
+    for (std::size_t sample = 0; sample < asked.samples(); ++sample) {
+      const std::vector<State>& states = asked.said.states[sample];
       for (std::size_t i = 0; i < states.size(); ++i) {
         for (std::size_t j = i + 1; j < states.size(); ++j) {
           const bool fixed = asked.is_fixed(i) && asked.is_fixed(j);
@@ -296,7 +304,7 @@ Finding solid(const Scene& scene, Subject& subject) {
           const double allowed = envelope(scene) + tolerance::distance(pair, asked.precision);
           const auto seen = [&] {
             return "bodies " + std::to_string(i) + " and " + std::to_string(j) + " in each other at " +
-                   oracle::words::text(asked.time(look)) + " s";
+                   oracle::words::text(asked.time(sample)) + " s";
           };
           if (worse(worst, judge::at_most(deep, in_ulps_of_place(asked, allowed), Defect::overdeep, seen,
                                           [] { return std::string("none deeper than the envelope"); }))) {
@@ -312,15 +320,15 @@ Finding solid(const Scene& scene, Subject& subject) {
 }  // namespace
 
 std::vector<Property> simulation_properties() {
-  const std::string stem = "simulation", clause = "TS-SIMULATION-";
+  const std::string query = "simulation", clause = "TS-SIMULATION-";
   return {
-      {"simulation.ordered", stem, {clause + "1"}, "states and events come whole and in order", ordered},
-      {"simulation.flights", stem, {clause + "2"}, "between events bodies fly", flights},
-      {"simulation.event_states", stem, {clause + "3"}, "an event moves no body", event_states},
-      {"simulation.none_missed", stem, {clause + "4"}, "no two bodies pass into each other", none_missed},
-      {"simulation.contacts", stem, {clause + "5"}, "an impact is where the two nearly touch", contacts},
-      {"simulation.impulses", stem, {clause + "6"}, "an impact does what the law says", impulses},
-      {"simulation.solid", stem, {clause + "7"}, "nobody sees one body in another", solid},
+      {"simulation.ordered", query, {clause + "1"}, "states and events come whole and in order", ordered},
+      {"simulation.flights", query, {clause + "2"}, "between events bodies fly", ballistic_segments},
+      {"simulation.event_states", query, {clause + "3"}, "an event moves no body", event_states},
+      {"simulation.none_missed", query, {clause + "4"}, "no two bodies pass into each other", none_missed},
+      {"simulation.contacts", query, {clause + "5"}, "an impact is where the two nearly touch", contacts},
+      {"simulation.impulses", query, {clause + "6"}, "an impact does what the law says", impulses},
+      {"simulation.solid", query, {clause + "7"}, "nobody sees one body in another", solid},
   };
 }
 

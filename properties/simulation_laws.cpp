@@ -1,46 +1,46 @@
-// docs/spec/simulation.md, as sentences that run: what holds of a whole run, whatever happens on its way.
+// The clauses of docs/spec/simulation.md about conserved quantities of a whole trajectory as executable properties.
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
 #include "model/limits.h"
-#include "oracle/impact.h"
-#include "oracle/tolerance.h"
-#include "oracle/tolerance_motion.h"
-#include "oracle/words.h"
-#include "properties/flight_case.h"
-#include "properties/stems.h"
-#include "properties/trajectory_case.h"
+#include "oracle/judge/words.h"
+#include "oracle/tolerance/motion.h"
+#include "oracle/tolerance/tolerance.h"
+#include "oracle/truth/impact.h"
+#include "properties/cases/time_of_impact_case.h"
+#include "properties/cases/trajectory_case.h"
+#include "properties/queries.h"
 
 namespace touchstone::properties {
 namespace {
 
 using oracle::Defect;
 using oracle::Finding;
+using oracle::ImpactBody;
 using oracle::Matrix;
 using oracle::Point;
 using oracle::Real;
-using oracle::Struck;
 using oracle::Subject;
 namespace judge = oracle::judge;
 namespace tolerance = oracle::tolerance;
 
-/// A sum over bodies, and the sizes that its rounding is measured by.
+/// A sum over bodies, and the sum of the sizes that scale its rounding.
 template <class Value>
 struct Sum {
   Value value;
   Real size = 0;
 };
 
-/// The bodies of a scene as they move at one look.
-std::vector<Struck> bodies_at(const Scene& scene, const std::vector<State>& states) {
+/// The bodies of a scene in the states of one sample.
+std::vector<ImpactBody> bodies_at(const Scene& scene, const std::vector<State>& states) {
   Scene there = scene;
-  std::vector<Struck> bodies;
+  std::vector<ImpactBody> bodies;
   for (std::size_t i = 0; i < states.size(); ++i) {
     there.bodies[i].X_WB = states[i].X_WB;
     there.bodies[i].velocity = states[i].velocity;
   }
-  for (std::size_t i = 0; i < states.size(); ++i) bodies.push_back(oracle::struck(there, i, Vec3::Zero()));
+  for (std::size_t i = 0; i < states.size(); ++i) bodies.push_back(oracle::impact_body(there, i, Vec3::Zero()));
   return bodies;
 }
 
@@ -51,11 +51,13 @@ std::vector<State> first_states(const Scene& scene) {
 }
 
 bool start_at_once(const Scene& scene) {
-  const std::vector<double>& since = scene.flight->since;
-  return std::ranges::all_of(since, [&](double t) { return t == since.front(); });
+  const std::vector<double>& starts = scene.motion->start_times;
+  return std::ranges::all_of(starts, [&](double t) { return t == starts.front(); });
 }
 
-double start_of_all(const Scene& scene) { return scene.flight->since.empty() ? 0 : scene.flight->since.front(); }
+double start_of_all(const Scene& scene) {
+  return scene.motion->start_times.empty() ? 0 : scene.motion->start_times.front();
+}
 
 bool any_fixed(const Scene& scene) {
   return std::ranges::any_of(scene.bodies, [](const Body& b) { return std::holds_alternative<Fixed>(b.mass); });
@@ -70,33 +72,33 @@ std::size_t changes(const TrajectoryCase& asked) {
   return asked.said.events ? asked.said.events->size() : tolerance::steps;
 }
 
-/// What a sum of such a size may be off by.
+/// The rounding allowance of a sum whose terms have total size `size`.
 judge::Allowance of_sum(const TrajectoryCase& asked, Real size, const char* name) {
   const double u = oracle::unit_roundoff(asked.precision), unit = u * std::max(static_cast<double>(size), 0x1p-900);
-  return {tolerance::gathered(changes(asked), asked.scene.bodies.size()) * unit, unit, name};
+  return {tolerance::accumulated(changes(asked), asked.scene.bodies.size()) * unit, unit, name};
 }
 
-/// 1: of a body's mass, as the subject computes it.
-Real mass_error(const TrajectoryCase& asked, std::size_t i, const Struck& body) {
+/// 1: the relative error of a body's mass as the subject computes it.
+Real mass_error(const TrajectoryCase& asked, std::size_t i, const ImpactBody& body) {
   return tolerance::mass(asked.scene.bodies[i], asked.precision).mass / body.mass;
 }
 
-Sum<Point> momentum_of(const std::vector<Struck>& bodies) {
+Sum<Point> momentum_of(const std::vector<ImpactBody>& bodies) {
   Sum<Point> sum{Point::Zero()};
-  for (const Struck& body : bodies) {
+  for (const ImpactBody& body : bodies) {
     sum.value += body.mass * body.v_WBcm;
     sum.size += body.mass * body.v_WBcm.norm();
   }
   return sum;
 }
 
-// What bodies alone have, they keep; gravity gives to each what it gives to all.
+// Impacts conserve the total momentum of free bodies. Gravity adds the total mass times g times the time.
 Finding momentum(const Scene& scene, Subject& subject) {
   return of_trajectory(scene, subject, [&](const TrajectoryCase& asked) {
-    if (any_fixed(scene) || !scene.flight->pushes.empty() || !start_at_once(scene)) {
+    if (any_fixed(scene) || !scene.motion->forces.empty() || !start_at_once(scene)) {
       return judge::outside("a fixed body or a push takes and gives momentum");
     }
-    const std::vector<Struck> first = bodies_at(scene, first_states(scene));
+    const std::vector<ImpactBody> first = bodies_at(scene, first_states(scene));
     const Sum<Point> before = momentum_of(first);
     Real mass = 0, off = 0;
     for (std::size_t i = 0; i < first.size(); ++i) {
@@ -104,9 +106,9 @@ Finding momentum(const Scene& scene, Subject& subject) {
       off = std::max(off, mass_error(asked, i, first[i]));
     }
     Finding worst = judge::outside("no look");
-    for (std::size_t look = 0; look < asked.looks(); ++look) {
-      const Real seconds = asked.time(look) - start_of_all(scene);
-      const Sum<Point> now = momentum_of(bodies_at(scene, asked.said.states[look]));
+    for (std::size_t sample = 0; sample < asked.samples(); ++sample) {
+      const Real seconds = asked.time(sample) - start_of_all(scene);
+      const Sum<Point> now = momentum_of(bodies_at(scene, asked.said.states[sample]));
       const Point given = mass * seconds * scene.gravity.cast<Real>();
       const Point expected = before.value + given;
       const Real size = before.size + now.size + given.norm();
@@ -123,12 +125,12 @@ Finding momentum(const Scene& scene, Subject& subject) {
   });
 }
 
-bool round(const Struck& body) { return body.moments[2] - body.moments[0] <= 0x1p-40L * body.moments[2]; }
+bool round(const ImpactBody& body) { return body.moments[2] - body.moments[0] <= 0x1p-40L * body.moments[2]; }
 
-// About the world's origin.
-Sum<Point> angular_momentum_of(const std::vector<Struck>& bodies) {
+// The angular momentum about the world's origin.
+Sum<Point> angular_momentum_of(const std::vector<ImpactBody>& bodies) {
   Sum<Point> sum{Point::Zero()};
-  for (const Struck& body : bodies) {
+  for (const ImpactBody& body : bodies) {
     const Point c = -body.p_BcmC_W;  // from W's origin
     sum.value += c.cross(Point(body.mass * body.v_WBcm)) + body.angular_momentum(body.w_WB);
     sum.size += c.norm() * body.mass * body.v_WBcm.norm() + body.moments[2] * body.w_WB.norm();
@@ -136,11 +138,11 @@ Sum<Point> angular_momentum_of(const std::vector<Struck>& bodies) {
   return sum;
 }
 
-// Of bodies whose moments are equal: then the pose, which flights turn, has no part in it.
+// Only for bodies whose three principal moments are equal: their angular momentum does not depend on their orientation.
 Finding angular_momentum(const Scene& scene, Subject& subject) {
   return of_trajectory(scene, subject, [&](const TrajectoryCase& asked) {
-    const std::vector<Struck> first = bodies_at(scene, first_states(scene));
-    if (any_fixed(scene) || !scene.flight->pushes.empty() || !scene.gravity.isZero(0) || !start_at_once(scene)) {
+    const std::vector<ImpactBody> first = bodies_at(scene, first_states(scene));
+    if (any_fixed(scene) || !scene.motion->forces.empty() || !scene.gravity.isZero(0) || !start_at_once(scene)) {
       return judge::outside("forces or fixed bodies");
     }
     if (!std::ranges::all_of(first, round)) return judge::outside("moments that differ");
@@ -151,8 +153,8 @@ Finding angular_momentum(const Scene& scene, Subject& subject) {
       off = std::max({off, mass_error(asked, i, first[i]), I});
     }
     Finding worst = judge::outside("no look");
-    for (std::size_t look = 0; look < asked.looks(); ++look) {
-      const Sum<Point> now = angular_momentum_of(bodies_at(scene, asked.said.states[look]));
+    for (std::size_t sample = 0; sample < asked.samples(); ++sample) {
+      const Sum<Point> now = angular_momentum_of(bodies_at(scene, asked.said.states[sample]));
       judge::Allowance allowed = of_sum(asked, before.size + now.size, "ulps of the angular momenta");
       allowed.bound += 2 * static_cast<double>(off * (before.size + now.size));
       if (worse(worst, judge::at_most(
@@ -166,11 +168,11 @@ Finding angular_momentum(const Scene& scene, Subject& subject) {
   });
 }
 
-// Kinetic, and of place in gravity.
-Sum<Real> energy_of(const TrajectoryCase& asked, const std::vector<Struck>& bodies) {
+// Kinetic plus potential energy.
+Sum<Real> energy_of(const TrajectoryCase& asked, const std::vector<ImpactBody>& bodies) {
   Sum<Real> sum{0};
   for (std::size_t i = 0; i < bodies.size(); ++i) {
-    const Struck& body = bodies[i];
+    const ImpactBody& body = bodies[i];
     if (body.fixed) continue;
     const Point c = -body.p_BcmC_W, g = asked.scene.gravity.cast<Real>();
     const Real swing = body.spin_energy_twice(body.w_WB) / 2, push = body.mass * body.v_WBcm.squaredNorm() / 2;
@@ -180,9 +182,9 @@ Sum<Real> energy_of(const TrajectoryCase& asked, const std::vector<Struck>& bodi
   return sum;
 }
 
-// J, relative: what the masses' errors and the poses' make of an energy. A pose that is off by an angle changes wᵀ I w
-// by twice that of I w².
-Real pose_error(const TrajectoryCase& asked, const std::vector<Struck>& bodies) {
+// 1: the relative error of an energy that follows from the errors of masses and orientations. An orientation that is
+// off by an angle changes wᵀ I w by at most twice that angle times I w².
+Real pose_error(const TrajectoryCase& asked, const std::vector<ImpactBody>& bodies) {
   Real worst = 0;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     if (bodies[i].fixed) continue;
@@ -195,33 +197,35 @@ Real pose_error(const TrajectoryCase& asked, const std::vector<Struck>& bodies) 
   return worst;
 }
 
-// J: what rests may stand anywhere within the envelope.
-Real lift(const TrajectoryCase& asked, const std::vector<Struck>& bodies) {
+// J: the potential energy of a rise by the envelope. A resting body may be anywhere within it.
+Real lift(const TrajectoryCase& asked, const std::vector<ImpactBody>& bodies) {
   Real sum = 0;
-  for (const Struck& body : bodies) sum += body.mass;
+  for (const ImpactBody& body : bodies) sum += body.mass;
   return sum * asked.scene.gravity.cast<Real>().norm() * envelope(asked.scene);
 }
 
-// From look to look: the gain, and where energy is kept its loss too.
-Finding energy_from_look_to_look(const TrajectoryCase& asked, bool kept) {
-  std::vector<Struck> bodies = bodies_at(asked.scene, first_states(asked.scene));
+// Judges the energy gain between consecutive samples, and if `kept` its loss too.
+Finding energy_between_samples(const TrajectoryCase& asked, bool kept) {
+  std::vector<ImpactBody> bodies = bodies_at(asked.scene, first_states(asked.scene));
   Sum<Real> before = energy_of(asked, bodies);
   Real off = pose_error(asked, bodies);
   const Real lifted = lift(asked, bodies);
   Finding worst = judge::outside("no look");
-  for (std::size_t look = 0; look < asked.looks(); ++look) {
-    bodies = bodies_at(asked.scene, asked.said.states[look]);
+  for (std::size_t sample = 0; sample < asked.samples(); ++sample) {
+    bodies = bodies_at(asked.scene, asked.said.states[sample]);
     const Sum<Real> now = energy_of(asked, bodies);
     off = std::max(off, pose_error(asked, bodies));
     const Real gain = now.value - before.value, size = before.size + now.size;
     judge::Allowance allowed = of_sum(asked, size, "ulps of the energies");
     allowed.bound += 2 * static_cast<double>(off * size + lifted);
     const Real error = kept ? std::abs(gain) : std::max<Real>(0, gain);
-    const auto told = [](const Sum<Real>& sum) { return oracle::words::text(static_cast<double>(sum.value)) + " J"; };
-    if (worse(worst,
-              counted(off * 1024 < 1, judge::at_most(
-                                          static_cast<double>(error), allowed, Defect::wrong_energy,
-                                          [&] { return told(now); }, [&] { return told(before) + ", as before"; })))) {
+    const auto text_of_sum = [](const Sum<Real>& sum) {
+      return oracle::words::text(static_cast<double>(sum.value)) + " J";
+    };
+    if (worse(worst, counted(off * 1024 < 1, judge::at_most(
+                                                 static_cast<double>(error), allowed, Defect::wrong_energy,
+                                                 [&] { return text_of_sum(now); },
+                                                 [&] { return text_of_sum(before) + ", as before"; })))) {
       return worst;
     }
     before = now;
@@ -237,67 +241,68 @@ bool elastic(const Scene& scene) {
   return std::ranges::all_of(scene.bodies, [](const Body& b) { return b.material.restitution == 1; });
 }
 
-// By Poisson's law, and by all without friction, no impact makes energy (docs/spec/impulse.md).
+// Under Poisson's law, and under every law without friction, no impact increases the energy (docs/spec/impulse.md).
 Finding energy(const Scene& scene, Subject& subject) {
   return of_trajectory(scene, subject, [&](const TrajectoryCase& asked) {
-    const bool law_loses = scene.flight->law == Law::poisson || frictionless(scene);
-    if (!law_loses || !scene.flight->pushes.empty() || !fixed_rest(scene) || !start_at_once(scene)) {
+    const bool law_loses = scene.motion->law == Law::poisson || frictionless(scene);
+    if (!law_loses || !scene.motion->forces.empty() || !fixed_rest(scene) || !start_at_once(scene)) {
       return judge::outside("a law, a force or a fixed body that may make energy");
     }
-    return energy_from_look_to_look(asked, false);
+    return energy_between_samples(asked, false);
   });
 }
 
 Finding elastic_energy(const Scene& scene, Subject& subject) {
   return of_trajectory(scene, subject, [&](const TrajectoryCase& asked) {
     if (!elastic(scene) || !frictionless(scene)) return judge::outside("impacts that lose energy");
-    if (!scene.flight->pushes.empty() || !fixed_rest(scene) || !start_at_once(scene)) {
+    if (!scene.motion->forces.empty() || !fixed_rest(scene) || !start_at_once(scene)) {
       return judge::outside("a force or a fixed body that may make energy");
     }
-    return energy_from_look_to_look(asked, true);
+    return energy_between_samples(asked, true);
   });
 }
 
-/// Where rounding may move a pair by as much as a thousandth of a body, doubles do not tell whether it meets.
-bool places_tell(const TrajectoryCase& asked) {
+/// Does rounding leave every pair's contact decided until the end? Where it may move a pair by a thousandth of a body,
+/// doubles cannot decide whether the pair touches.
+bool contacts_decided(const TrajectoryCase& asked) {
   const std::vector<Body>& bodies = asked.scene.bodies;
-  const double end = asked.scene.flight->times.back();
-  const auto leg = [&](std::size_t k) {
-    const std::vector<double>& since = asked.scene.flight->since;
-    return Leg{k, since.empty() ? 0 : since[k], end, {bodies[k].X_WB, bodies[k].velocity}, true};
+  const double end = asked.scene.motion->sample_times.back();
+  const auto segment = [&](std::size_t k) {
+    const std::vector<double>& starts = asked.scene.motion->start_times;
+    return Segment{k, starts.empty() ? 0 : starts[k], end, {bodies[k].X_WB, bodies[k].velocity}, true};
   };
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     for (std::size_t j = i + 1; j < bodies.size(); ++j) {
-      const Scene pair = in_flight(asked.scene, {leg(i), leg(j)}, end);
-      if (!tells(pair, tolerance::meeting(pair, end, asked.precision))) return false;
+      const Scene pair = segment_scene(asked.scene, {segment(i), segment(j)}, end);
+      if (!is_decisive(pair, tolerance::moving_distance(pair, end, asked.precision))) return false;
     }
   }
   return true;
 }
 
-// Elastic bodies without gravity have so many impacts and no more.
+// Elastic bodies without gravity have finitely many impacts.
 Finding whole(const Scene& scene, Subject& subject) {
   return of_trajectory(scene, subject, [&](const TrajectoryCase& asked) {
-    if (!elastic(scene) || !scene.gravity.isZero(0) || !scene.flight->pushes.empty()) {
+    if (!elastic(scene) || !scene.gravity.isZero(0) || !scene.motion->forces.empty()) {
       return judge::outside("impacts may pile up");
     }
     if (!asked.said.complete_until) return judge::holds();
-    if (!places_tell(asked)) return judge::outside(too_far_to_tell);
+    if (!contacts_decided(asked)) return judge::outside(too_far_to_decide);
     return judge::wrong(Defect::inconsistent, "whole until " + oracle::words::text(asked.end) + " s",
-                        "whole until " + oracle::words::text(scene.flight->times.back()) + " s");
+                        "whole until " + oracle::words::text(scene.motion->sample_times.back()) + " s");
   });
 }
 
 Finding survives_any(const Scene& scene, Subject& subject) {
-  if (!scene.flight) return judge::outside("no flight");
+  if (!scene.motion) return judge::outside("no motion");
   return survives<Trajectory>(&Subject::simulation, scene, subject,
                               [&](const Trajectory& said) { return fault_in_form(scene, said); });
 }
 
 Finding repeats_itself(const Scene& scene, Subject& subject) {
-  if (!scene.flight) return judge::outside("no flight");
+  if (!scene.motion) return judge::outside("no motion");
   Scene another = scene;
-  std::erase_if(another.flight->times, [&](double t) { return t > scene.flight->times.front(); });
+  std::erase_if(another.motion->sample_times, [&](double t) { return t > scene.motion->sample_times.front(); });
   for (Body& body : another.bodies) body.velocity.v_WBcm *= 0.5;
   return repeats<Trajectory>(&Subject::simulation, scene, another, subject);
 }
@@ -305,15 +310,15 @@ Finding repeats_itself(const Scene& scene, Subject& subject) {
 }  // namespace
 
 std::vector<Property> simulation_law_properties() {
-  const std::string stem = "simulation", clause = "TS-SIMULATION-";
+  const std::string query = "simulation", clause = "TS-SIMULATION-";
   return {
-      {"simulation.momentum", stem, {clause + "8"}, "bodies alone keep their momentum", momentum},
-      {"simulation.angular_momentum", stem, {clause + "9"}, "and their angular momentum", angular_momentum},
-      {"simulation.energy", stem, {clause + "10"}, "energy never rises", energy},
-      {"simulation.elastic_energy", stem, {clause + "11"}, "elastic bodies keep it", elastic_energy},
-      {"simulation.whole", stem, {clause + "12"}, "elastic bodies without gravity are followed to the end", whole},
-      {"simulation.survives", stem, {clause + "20"}, "any valid question ends with sense", survives_any},
-      {"simulation.repeats", stem, {clause + "21"}, "the same question, the same answer", repeats_itself},
+      {"simulation.momentum", query, {clause + "8"}, "bodies alone keep their momentum", momentum},
+      {"simulation.angular_momentum", query, {clause + "9"}, "and their angular momentum", angular_momentum},
+      {"simulation.energy", query, {clause + "10"}, "energy never rises", energy},
+      {"simulation.elastic_energy", query, {clause + "11"}, "elastic bodies keep it", elastic_energy},
+      {"simulation.whole", query, {clause + "12"}, "elastic bodies without gravity are followed to the end", whole},
+      {"simulation.survives", query, {clause + "20"}, "any valid question ends with sense", survives_any},
+      {"simulation.repeats", query, {clause + "21"}, "the same question, the same answer", repeats_itself},
   };
 }
 

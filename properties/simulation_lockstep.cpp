@@ -1,13 +1,13 @@
-// docs/spec/simulation.md, as a sentence that runs: each impact beside the reference, which starts from the states that
+// The clause of docs/spec/simulation.md that compares each impact with the reference, restarted from the states that
 // the last events reported.
 #include <cmath>
 #include <limits>
 
 #include "model/limits.h"
-#include "oracle/words.h"
-#include "properties/flight_case.h"
-#include "properties/stems.h"
-#include "properties/trajectory_case.h"
+#include "oracle/judge/words.h"
+#include "properties/cases/time_of_impact_case.h"
+#include "properties/cases/trajectory_case.h"
+#include "properties/queries.h"
 
 namespace touchstone::properties {
 namespace {
@@ -21,17 +21,17 @@ namespace truth = oracle::truth;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// s: when the pair comes within `near` (m) at the earliest. Two that set out so near have had an impact, as a rule:
-/// if they are farther apart half-way to the next, then after that.
-double comes_within(const FlightCase& pair, double near, double impact) {
+/// s: the earliest time at which the pair comes within `near` (m). A pair that starts this near has usually just had an
+/// impact. If it is farther apart half-way to the next one, the search starts there.
+double comes_within(const MotionCase& pair, double near, double impact) {
   const double half_way = pair.start + (impact - pair.start) / 2;
   const bool again = pair.gap(pair.start) <= near && pair.gap(half_way) > near;
   const auto first = truth::time_of_distance(pair.scene, near, again ? half_way : pair.start);
   return first.meeting == Meeting::miss ? infinite : first.time.lo;
 }
 
-/// s outside the enclosure; and by how much rounding may make that.
-Finding in_enclosure(const FlightCase& pair, double eps, const Event& event) {
+/// Judges how far the event lies outside the enclosure (s), against the part that rounding explains.
+Finding in_enclosure(const MotionCase& pair, double eps, const Event& event) {
   const double from = comes_within(pair, eps, event.time);
   const double to = pair.truth.meeting == Meeting::hit ? pair.truth.time.hi : infinite;
   if (from <= event.time && event.time <= to) return judge::holds();
@@ -48,12 +48,12 @@ Finding in_enclosure(const FlightCase& pair, double eps, const Event& event) {
 
 Finding lockstep(const Scene& scene, Subject& subject) {
   long impacts = 0;
-  Finding worst =
-      of_impacts(scene, subject, [&](const TrajectoryCase& asked, const Event& event, const std::vector<Leg>& legs) {
-        const Scene flying = in_flight(scene, legs, asked.end);
-        const std::optional<FlightCase> pair = flight_case(flying, asked.precision);
+  Finding worst = of_impacts(
+      scene, subject, [&](const TrajectoryCase& asked, const Event& event, const std::vector<Segment>& segments) {
+        const Scene ballistic_scene = segment_scene(scene, segments, asked.end);
+        const std::optional<MotionCase> pair = motion_case(ballistic_scene, asked.precision);
         if (!pair) return judge::outside("pairs that set out overlapping");
-        if (!pair->sure()) return judge::outside(too_far_to_tell);
+        if (!pair->sure()) return judge::outside(too_far_to_decide);
         ++impacts;
         return in_enclosure(*pair, envelope(scene), event);
       });

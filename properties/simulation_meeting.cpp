@@ -1,11 +1,12 @@
-// docs/spec/simulation.md, as a sentence that runs: what one subject says of one meeting, asked in two ways.
+// The clause of docs/spec/simulation.md that compares a subject's time of impact with the first impact of its
+// simulation.
 #include <cmath>
 
 #include "model/limits.h"
-#include "oracle/words.h"
-#include "properties/flight_case.h"
-#include "properties/stems.h"
-#include "properties/trajectory_case.h"
+#include "oracle/judge/words.h"
+#include "properties/cases/time_of_impact_case.h"
+#include "properties/cases/trajectory_case.h"
+#include "properties/queries.h"
 
 namespace touchstone::properties {
 namespace {
@@ -16,9 +17,10 @@ using oracle::Subject;
 using Meeting = TimeOfImpact::Meeting;
 namespace judge = oracle::judge;
 
-/// Both answers lie between the time at which rounding may bring the two within the envelope and the latest at which it
-/// may let them meet: so their difference is at most that window, and a rounding of each.
-Finding agree(const FlightCase& pair, const TimeOfImpact& said, const Trajectory& run) {
+/// Both answers lie in one window: from the time at which the pair may, with rounding, come within the envelope, to the
+/// latest time at which it may, with rounding, first touch. So they differ by at most that window plus their own
+/// rounding.
+Finding agree(const MotionCase& pair, const TimeOfImpact& said, const Trajectory& run) {
   const auto near = oracle::truth::time_of_distance(pair.scene, envelope(pair.scene) + pair.slack);
   const Event* first = run.events->empty() ? nullptr : &run.events->front();
   if (said.meeting == Meeting::miss) {
@@ -30,7 +32,7 @@ Finding agree(const FlightCase& pair, const TimeOfImpact& said, const Trajectory
   if (near.meeting != Meeting::hit || !latest) return judge::outside("they graze: rounding decides");
   if (!said.time) return judge::silent("when they meet");
   if (first == nullptr) {
-    if (whole_until(pair.scene, run) < *latest) return judge::silent("its events until the two meet");
+    if (complete_until(pair.scene, run) < *latest) return judge::silent("its events until the two meet");
     return judge::wrong(Defect::missed, "no impact", text(said));
   }
   if (first->kind != Event::Kind::impact) return judge::outside("a contact in which the two rest");
@@ -41,10 +43,10 @@ Finding agree(const FlightCase& pair, const TimeOfImpact& said, const Trajectory
 }
 
 Finding one_meeting(const Scene& scene, Subject& subject) {
-  return of_answered_flight(scene, subject, [&](const FlightCase& pair, const TimeOfImpact& said) {
+  return of_answered_motion(scene, subject, [&](const MotionCase& pair, const TimeOfImpact& said) {
     const auto fixed = [](const Body& body) { return std::holds_alternative<Fixed>(body.mass); };
     if (fixed(scene.bodies[0]) && fixed(scene.bodies[1])) return judge::outside("two fixed bodies have no impact");
-    if (!scene.flight->pushes.empty()) return judge::outside("pushes");
+    if (!scene.motion->forces.empty()) return judge::outside("pushes");
     if (said.meeting == Meeting::undecided) return judge::silent("whether they meet");
     return judge::given(subject.simulation(scene), [&](const Trajectory& run) {
       if (!fault_in_form(scene, run).empty()) return judge::outside("not a trajectory; see simulation.ordered");

@@ -1,19 +1,20 @@
-// docs/spec/simulation.md, as sentences that run: two runs that must be alike, and scenes whose whole way is known.
+// The clauses of docs/spec/simulation.md about pairs of trajectories, and about scenes with a known trajectory, as
+// executable properties.
 #include <algorithm>
 #include <cmath>
 
 #include "model/limits.h"
-#include "oracle/flown.h"
-#include "oracle/tolerance.h"
-#include "oracle/tolerance_motion.h"
-#include "oracle/words.h"
-#include "properties/exact_sum.h"
-#include "properties/flight_case.h"
-#include "properties/flight_motion.h"
-#include "properties/motion.h"
-#include "properties/pair_laws.h"
-#include "properties/stems.h"
-#include "properties/trajectory_case.h"
+#include "oracle/judge/words.h"
+#include "oracle/tolerance/motion.h"
+#include "oracle/tolerance/tolerance.h"
+#include "oracle/truth/motion_in_doubles.h"
+#include "properties/cases/time_of_impact_case.h"
+#include "properties/cases/trajectory_case.h"
+#include "properties/judging/pair_laws.h"
+#include "properties/queries.h"
+#include "properties/transforms/exact_sum.h"
+#include "properties/transforms/motion.h"
+#include "properties/transforms/scene.h"
 
 namespace touchstone::properties {
 namespace {
@@ -29,53 +30,55 @@ namespace words = oracle::words;
 
 bool is_fixed(const Body& body) { return std::holds_alternative<Fixed>(body.mass); }
 
-std::vector<Leg> from_the_start(const Scene& scene, std::size_t i, std::size_t j) {
-  const auto leg = [&](std::size_t k) {
+std::vector<Segment> from_the_start(const Scene& scene, std::size_t i, std::size_t j) {
+  const auto segment = [&](std::size_t k) {
     const Body& body = scene.bodies[k];
-    const double since = scene.flight->since.empty() ? 0 : scene.flight->since[k];
-    return Leg{k, since, end_of(scene), {body.X_WB, body.velocity}, true};
+    const double since = scene.motion->start_times.empty() ? 0 : scene.motion->start_times[k];
+    return Segment{k, since, end_of(scene), {body.X_WB, body.velocity}, true};
   };
-  return {leg(i), leg(j)};
+  return {segment(i), segment(j)};
 }
 
-/// Every pair that is not fixed, as it would fly on its own until the end: judge_it(const FlightCase&) → go on?
+/// Calls go_on(const MotionCase&) for every pair of which at least one body is not fixed, in its ballistic motion until
+/// the end. Returns false at the first pair for which go_on does, or that overlaps at the start.
 template <class GoOn>
 bool all_pairs(const Scene& scene, oracle::Precision precision, GoOn&& go_on) {
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     for (std::size_t j = i + 1; j < scene.bodies.size(); ++j) {
       if (is_fixed(scene.bodies[i]) && is_fixed(scene.bodies[j])) continue;
-      const Scene pair = in_flight(scene, from_the_start(scene, i, j), end_of(scene));
-      const std::optional<FlightCase> flight = flight_case(pair, precision);
-      if (!flight || !go_on(*flight)) return false;
+      const Scene pair = segment_scene(scene, from_the_start(scene, i, j), end_of(scene));
+      const std::optional<MotionCase> pair_case = motion_case(pair, precision);
+      if (!pair_case || !go_on(*pair_case)) return false;
     }
   }
   return true;
 }
 
-// Of bodies that never meet every state is known, whether events are told or not.
+// Bodies that never touch are in ballistic motion throughout, so all their states are known, even without events.
 Finding alone(const Scene& scene, Subject& subject) {
   return of_trajectory(scene, subject, [&](const TrajectoryCase& asked) {
-    if (!scene.flight->pushes.empty()) return judge::outside("pushes");
-    const bool apart = all_pairs(scene, asked.precision, [](const FlightCase& pair) {
+    if (!scene.motion->forces.empty()) return judge::outside("pushes");
+    const bool apart = all_pairs(scene, asked.precision, [](const MotionCase& pair) {
       return pair.truth.meeting == Meeting::miss && !pair.earliest();
     });
     if (!apart) return judge::outside("bodies that meet");
     if (asked.events() > 0) return judge::wrong(Defect::phantom, text(asked.said.events->front()), "no event");
     Finding worst = judge::outside("no look");
-    for (std::size_t look = 0; look < asked.looks(); ++look) {
+    for (std::size_t sample = 0; sample < asked.samples(); ++sample) {
       for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
-        const State& said = asked.said.states[look][i];
-        const double time = asked.time(look);
-        if (worse(worst, arrives(asked, scene, i, time, said))) return worst;
+        const State& said = asked.said.states[sample][i];
+        const double time = asked.time(sample);
+        if (worse(worst, check_state(asked, scene, i, time, said))) return worst;
       }
     }
     return worst;
   });
 }
 
-/// The pair of the first impact, from the start to the earliest and the latest time at which it may come.
+/// The first impact: its reported time, and the length of the window from the earliest to the latest time that rounding
+/// and the envelope permit.
 struct FirstImpact {
-  double time = 0;    ///< as said, s
+  double time = 0;    ///< s: as reported
   double window = 0;  ///< s
 };
 
@@ -86,25 +89,25 @@ const Event* first_event(const Trajectory& said) {
 std::optional<FirstImpact> first_impact(const Scene& scene, const Trajectory& said, oracle::Precision precision) {
   const Event* event = first_event(said);
   if (event == nullptr || event->kind != Event::Kind::impact) return std::nullopt;
-  const auto legs = from_the_start(scene, static_cast<std::size_t>(event->a), static_cast<std::size_t>(event->b));
-  const Scene flying = in_flight(scene, legs, end_of(scene));
-  const std::optional<FlightCase> pair = flight_case(flying, precision);
+  const auto segments = from_the_start(scene, static_cast<std::size_t>(event->a), static_cast<std::size_t>(event->b));
+  const Scene ballistic_scene = segment_scene(scene, segments, end_of(scene));
+  const std::optional<MotionCase> pair = motion_case(ballistic_scene, precision);
   if (!pair || !pair->sure()) return std::nullopt;
-  const auto near = oracle::truth::time_of_distance(flying, envelope(scene) + pair->slack);
+  const auto near = oracle::truth::time_of_distance(ballistic_scene, envelope(scene) + pair->slack);
   const std::optional<double> latest = pair->latest();
   if (near.meeting != Meeting::hit || !latest) return std::nullopt;
   return FirstImpact{event->time, *latest - near.time.lo};
 }
 
-// The first impact comes when it did; later ones may be another way, by the freedom within the envelope.
+// The first impact keeps its time to within its window. Later impacts may differ, since the envelope leaves a choice.
 Finding first_impact_unchanged(const Scene& scene, const std::optional<Scene>& other, Subject& subject) {
-  return of_course(scene, subject, [&](const TrajectoryCase& asked, const Course&) {
+  return of_timeline(scene, subject, [&](const TrajectoryCase& asked, const Timeline&) {
     const std::optional<FirstImpact> first = first_impact(scene, asked.said, asked.precision);
     if (!first) return judge::outside("no first impact that is clear");
     return of_moved(other, subject, [&](const Scene& moved) {
       return judge::given(subject.simulation(moved), [&](const Trajectory& said) {
         const Event* event = first_event(said);
-        if (event == nullptr && whole_until(moved, said) < moved.flight->times.back()) {
+        if (event == nullptr && complete_until(moved, said) < moved.motion->sample_times.back()) {
           return judge::silent("its events to the end");
         }
         if (event == nullptr)
@@ -127,14 +130,14 @@ Finding shifted(const Scene& scene, Subject& subject) {
 }
 
 Finding galilean(const Scene& scene, Subject& subject) {
-  return first_impact_unchanged(scene, scene.flight ? carried(scene) : std::nullopt, subject);
+  return first_impact_unchanged(scene, scene.motion ? carried(scene) : std::nullopt, subject);
 }
 
-// A ball as large as the largest body that moves, so that the envelope stays, and too far away to be met.
+// A ball as large as the largest body, so that the envelope stays the same, and too far away for any contact.
 Body bystander(const Scene& scene) {
   double largest = 0, far = 0;
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
-    const tolerance::FlightBound bound = tolerance::flight(scene, i, end_of(scene), oracle::Precision::binary64);
+    const tolerance::BallisticBound bound = tolerance::ballistic(scene, i, end_of(scene), oracle::Precision::binary64);
     largest = std::max(largest, size(scene.bodies[i].shape));
     far = std::max(far, bound.farthest + bound.fastest * end_of(scene));
   }
@@ -150,7 +153,7 @@ Finding bystanders(const Scene& scene, Subject& subject) {
     const auto others = static_cast<std::ptrdiff_t>(scene.bodies.size());
     if (others == 0) return judge::outside("no body");
     more.bodies.push_back(bystander(scene));
-    if (!scene.flight->since.empty()) more.flight->since.push_back(scene.flight->since.front());
+    if (!scene.motion->start_times.empty()) more.motion->start_times.push_back(scene.motion->start_times.front());
     return of_scene(more, subject, [&] {
       return judge::given(subject.simulation(more), [&](Trajectory said) {
         for (std::vector<State>& states : said.states) {
@@ -170,13 +173,13 @@ bool may_go_back(const Scene& scene) {
   return scene.bodies.size() == 2 && ball(scene.bodies[0]) && (ball(scene.bodies[1]) || is_fixed(scene.bodies[1])) &&
          std::ranges::all_of(scene.bodies, elastic) &&
          std::min(scene.bodies[0].material.friction, scene.bodies[1].material.friction) == 0 &&
-         scene.flight->pushes.empty() && scene.flight->since.empty();
+         scene.motion->forces.empty() && scene.motion->start_times.empty();
 }
 
-// m: both impacts may be anywhere in the envelope, each ε/|u_n| early. Along the normal that shifts the way by 2ε;
-// across it, the normal differs by |u_t|/|u_n|·ε/R, R the distance of the centres, and so does the way after it:
-// 2|u_t|ε/R for each second; against a body that does not fall the speeds differ by g·ε/|u_n|. All that twice, once for
-// each way.
+// m: both impacts may occur anywhere in the envelope, so each up to ε/|u_n| early. Along the normal that shifts the
+// trajectory by 2ε. Across it, the normal differs by |u_t|/|u_n|·ε/R, where R is the distance of the centres, and the
+// trajectory after it by 2|u_t|ε/R per second. Against a body that does not fall the speeds differ by g·ε/|u_n|. The
+// sum counts twice, once for each direction of time.
 double back_home(const Scene& scene, const Event& event, double end, double slack) {
   const Vec3 u_after = event.after_a.velocity.v_WBcm - event.after_b.velocity.v_WBcm;
   const Vec3 n = event.nhat_BA_W;
@@ -188,7 +191,7 @@ double back_home(const Scene& scene, const Event& event, double end, double slac
 }
 
 Finding reversible(const Scene& scene, Subject& subject) {
-  return of_course(scene, subject, [&](const TrajectoryCase& asked, const Course&) {
+  return of_timeline(scene, subject, [&](const TrajectoryCase& asked, const Timeline&) {
     const bool once = asked.events() == 1 && asked.said.events->front().kind == Event::Kind::impact;
     if (!may_go_back(scene) || !once || asked.said.states.empty())
       return judge::outside("not one elastic impact of balls");
@@ -201,9 +204,9 @@ Finding reversible(const Scene& scene, Subject& subject) {
       back.bodies[i].velocity = {-there[i].velocity.v_WBcm, -there[i].velocity.w_WB};
     }
     const double end = asked.end;
-    back.flight->times = {end};
-    const Scene pair = in_flight(scene, from_the_start(scene, 0, 1), end);
-    const double slack = tolerance::meeting(pair, end, asked.precision);
+    back.motion->sample_times = {end};
+    const Scene pair = segment_scene(scene, from_the_start(scene, 0, 1), end);
+    const double slack = tolerance::moving_distance(pair, end, asked.precision);
     const double allowed = back_home(scene, asked.said.events->front(), end, slack);
     if (std::isinf(allowed)) return judge::outside("a grazing impact");
     return judge::given(subject.simulation(back), [&](const Trajectory& said) {
@@ -212,7 +215,7 @@ Finding reversible(const Scene& scene, Subject& subject) {
       for (std::size_t i = 0; i < 2; ++i) {
         const Vec3 p = said.states.back()[i].X_WB.p_WB, home = scene.bodies[i].X_WB.p_WB;
         if (worse(worst,
-                  counted(tells(pair, slack),
+                  counted(is_decisive(pair, slack),
                           judge::at_most((p - home).norm(), in_ulps_of_place(asked, allowed), Defect::inconsistent,
                                          [&] { return words::text(p); }, [&] { return words::text(home); })))) {
           return worst;
@@ -223,7 +226,8 @@ Finding reversible(const Scene& scene, Subject& subject) {
   });
 }
 
-/// A level table: a fixed box that is not turned and does not move, with gravity straight down, or none.
+/// A level table: the only fixed body is an axis-aligned box at rest, and gravity points straight down or is zero. Else
+/// null.
 const Body* table_of(const Scene& scene) {
   const Body* table = nullptr;
   for (const Body& body : scene.bodies) {
@@ -238,7 +242,7 @@ const Body* table_of(const Scene& scene) {
   return g.x() == 0 && g.y() == 0 && g.z() <= 0 ? table : nullptr;
 }
 
-/// m: from its centre to its lowest point; none for what is no ball or level box.
+/// m: from the centre to the lowest point. None if the body is neither a ball nor a level box.
 std::optional<double> half_height(const Body& body) {
   const auto* given = std::get_if<MassProperties>(&body.mass);
   if (given != nullptr && !given->p_BBcm.isZero(0)) return std::nullopt;
@@ -254,7 +258,7 @@ bool is_over(const Body& table, const Body& body) {
   return std::abs(off.x()) < half.x() && std::abs(off.y()) < half.y();
 }
 
-/// m: of the lowest point over the table's top; none where it is not known exactly.
+/// m: the height of the lowest point over the table's top. None if it is not known exactly.
 std::optional<double> height(const Body& table, const Body& body) {
   const std::optional<double> half = half_height(body);
   if (!half) return std::nullopt;
@@ -272,7 +276,7 @@ bool clear_of_each_other(const Scene& scene) {
   return true;
 }
 
-/// On the table, or over it within the envelope.
+/// All bodies are at rest on the table, or over it within the envelope.
 bool all_rest(const Scene& scene, const Body& table) {
   return std::ranges::all_of(scene.bodies, [&](const Body& body) {
     if (is_fixed(body)) return true;
@@ -281,38 +285,40 @@ bool all_rest(const Scene& scene, const Body& table) {
   });
 }
 
-// A body at rest stays where it is, within the envelope: it does not sink, and does not creep.
+// A body at rest stays at its place to within the envelope: it neither sinks nor creeps.
 Finding rests(const Scene& scene, Subject& subject) {
   return of_trajectory(scene, subject, [&](const TrajectoryCase& asked) {
     const Body* table = table_of(scene);
     const bool still = table != nullptr && all_rest(scene, *table) && clear_of_each_other(scene);
-    if (!still || !scene.flight->pushes.empty()) return judge::outside("not bodies at rest on a level table");
+    if (!still || !scene.motion->forces.empty()) return judge::outside("not bodies at rest on a level table");
     const double allowed = envelope(scene) + tolerance::distance(scene, asked.precision);
     Finding worst;
-    for (std::size_t look = 0; look < asked.looks(); ++look) {
+    for (std::size_t sample = 0; sample < asked.samples(); ++sample) {
       for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
-        const Vec3 p = asked.said.states[look][i].X_WB.p_WB, home = scene.bodies[i].X_WB.p_WB;
-        if (worse(worst, judge::at_most((p - home).norm(), in_ulps_of_place(asked, allowed), Defect::drifts,
-                                        [&] { return words::text(p) + " at " + words::text(asked.time(look)) + " s"; },
-                                        [&] { return words::text(home); }))) {
+        const Vec3 p = asked.said.states[sample][i].X_WB.p_WB, home = scene.bodies[i].X_WB.p_WB;
+        if (worse(worst,
+                  judge::at_most((p - home).norm(), in_ulps_of_place(asked, allowed), Defect::drifts,
+                                 [&] { return words::text(p) + " at " + words::text(asked.time(sample)) + " s"; },
+                                 [&] { return words::text(home); }))) {
           return worst;
         }
       }
     }
-    return asked.looks() > 0 ? worst : judge::silent("where anything is later");
+    return asked.samples() > 0 ? worst : judge::silent("where anything is later");
   });
 }
 
-/// A ball thrown straight up or down over a table, and bouncing for ever less.
+/// A ball that is thrown straight up or down over a table and bounces to decreasing heights.
 struct Bounces {
   Real height = 0, v = 0, g = 0, e = 0;
 
   struct Now {
     Real height = 0;
-    Real impacts = 0;  ///< so far; infinity: it rests
+    Real impacts = 0;  ///< so far; infinity: at rest
   };
 
-  // Impact n is at t₁ + 2v₁/g·(e + … + eⁿ⁻¹), with eⁿ⁻¹v₁ before it; all are over at t₁ + 2v₁/g·e/(1 − e).
+  // Impact n is at t₁ + 2v₁/g·(e + … + eⁿ⁻¹), with speed eⁿ⁻¹v₁ before it. All impacts are over at t₁ + 2v₁/g·e/(1 −
+  // e).
   Now at(Real t) const {
     const Real v1 = std::sqrt(v * v + 2 * g * height), t1 = (v + v1) / g;
     if (t <= t1) return {height + v * t - g * t * t / 2, 0};
@@ -329,9 +335,9 @@ struct Bounces {
   }
 };
 
-// An impact at the height h ≤ ε comes h/v early and changes the energy by (1 − e²) mgh: the sum of the delays, each
-// times the speed after it, is at most 2ε Σ eᵏ; as much again for what the energy makes of the flights, and the
-// rounding of the flight as an envelope of its own.
+// An impact at the height h ≤ ε comes h/v early and changes the energy by (1 − e²) mgh. The sum of the time shifts,
+// each times the speed after it, is at most 2ε Σ eᵏ. The changed energy adds as much again to the bounces. The rounding
+// of the motion counts as a part of the envelope ε.
 double freedom_of(const Bounces& ball, Real impacts, double eps) {
   const Real sum = std::min(impacts + 1, ball.e < 1 ? 1 / (1 - ball.e) : INFINITY);
   return static_cast<double>((4 * sum + 2) * eps);
@@ -341,9 +347,9 @@ Finding bounces(const Scene& scene, Subject& subject) {
   return of_trajectory(scene, subject, [&](const TrajectoryCase& asked) {
     const Body* table = table_of(scene);
     const auto moving = std::ranges::find_if(scene.bodies, [](const Body& b) { return !is_fixed(b); });
-    const bool one =
-        table != nullptr && scene.bodies.size() == 2 && moving != scene.bodies.end() && scene.flight->since.empty();
-    if (!one || !scene.flight->pushes.empty()) return judge::outside("not a ball over a level table");
+    const bool one = table != nullptr && scene.bodies.size() == 2 && moving != scene.bodies.end() &&
+                     scene.motion->start_times.empty();
+    if (!one || !scene.motion->forces.empty()) return judge::outside("not a ball over a level table");
     const Velocity& V = moving->velocity;
     const bool upright = V.v_WBcm.x() == 0 && V.v_WBcm.y() == 0 && V.w_WB.isZero(0) && is_over(*table, *moving) &&
                          std::holds_alternative<Sphere>(moving->shape) && scene.gravity.z() < 0;
@@ -351,15 +357,16 @@ Finding bounces(const Scene& scene, Subject& subject) {
     if (!start || *start < 0 || (*start == 0 && V.v_WBcm.z() <= 0)) return judge::outside("not thrown over the table");
     const Bounces ball{*start, V.v_WBcm.z(), -scene.gravity.z(),
                        std::min(moving->material.restitution, table->material.restitution)};
-    const Scene pair = in_flight(scene, from_the_start(scene, 0, 1), end_of(scene));
-    const double slack = tolerance::meeting(pair, end_of(scene), asked.precision), eps = envelope(scene) + slack;
+    const Scene pair = segment_scene(scene, from_the_start(scene, 0, 1), end_of(scene));
+    const double slack = tolerance::moving_distance(pair, end_of(scene), asked.precision),
+                 eps = envelope(scene) + slack;
     const auto which = static_cast<std::size_t>(moving - scene.bodies.begin());
     Finding worst;
-    for (std::size_t look = 0; look < asked.looks(); ++look) {
-      const Bounces::Now now = ball.at(asked.time(look));
-      const double raised = asked.said.states[look][which].X_WB.p_WB.z() - moving->X_WB.p_WB.z() + *start;
-      const auto said = [&] { return words::text(raised) + " m high at " + words::text(asked.time(look)) + " s"; };
-      if (worse(worst, counted(tells(pair, slack),
+    for (std::size_t sample = 0; sample < asked.samples(); ++sample) {
+      const Bounces::Now now = ball.at(asked.time(sample));
+      const double raised = asked.said.states[sample][which].X_WB.p_WB.z() - moving->X_WB.p_WB.z() + *start;
+      const auto said = [&] { return words::text(raised) + " m high at " + words::text(asked.time(sample)) + " s"; };
+      if (worse(worst, counted(is_decisive(pair, slack),
                                judge::at_most(static_cast<double>(std::abs(raised - now.height)),
                                               in_ulps_of_place(asked, freedom_of(ball, now.impacts, eps)),
                                               Defect::wrong_motion, said,
@@ -367,23 +374,23 @@ Finding bounces(const Scene& scene, Subject& subject) {
         return worst;
       }
     }
-    return asked.looks() > 0 ? worst : judge::silent("where anything is later");
+    return asked.samples() > 0 ? worst : judge::silent("where anything is later");
   });
 }
 
 }  // namespace
 
 std::vector<Property> simulation_scene_properties() {
-  const std::string stem = "simulation", clause = "TS-SIMULATION-";
+  const std::string query = "simulation", clause = "TS-SIMULATION-";
   return {
-      {"simulation.alone", stem, {clause + "13"}, "bodies that never meet fly", alone},
-      {"simulation.rotated", stem, {clause + "14"}, "turning the world changes no first impact", rotated},
-      {"simulation.translated", stem, {clause + "14"}, "moving the world changes no first impact", shifted},
-      {"simulation.galilean", stem, {clause + "15"}, "nor does a velocity of all bodies", galilean},
-      {"simulation.bystanders", stem, {clause + "16"}, "who never touches changes no bit", bystanders},
-      {"simulation.reversible", stem, {clause + "17"}, "an elastic impact of balls runs backwards", reversible},
-      {"simulation.rests", stem, {clause + "18"}, "what rests neither sinks nor creeps", rests},
-      {"simulation.bounces", stem, {clause + "19"}, "a ball bounces as high as it should, and comes to rest", bounces},
+      {"simulation.alone", query, {clause + "13"}, "bodies that never meet fly", alone},
+      {"simulation.rotated", query, {clause + "14"}, "turning the world changes no first impact", rotated},
+      {"simulation.translated", query, {clause + "14"}, "moving the world changes no first impact", shifted},
+      {"simulation.galilean", query, {clause + "15"}, "nor does a velocity of all bodies", galilean},
+      {"simulation.bystanders", query, {clause + "16"}, "who never touches changes no bit", bystanders},
+      {"simulation.reversible", query, {clause + "17"}, "an elastic impact of balls runs backwards", reversible},
+      {"simulation.rests", query, {clause + "18"}, "what rests neither sinks nor creeps", rests},
+      {"simulation.bounces", query, {clause + "19"}, "a ball bounces as high as it should, and comes to rest", bounces},
   };
 }
 

@@ -1,4 +1,4 @@
-// The pages of docs/spec as text in the program: properties/CMakeLists.txt makes spec_pages.cpp from them.
+// The pages of docs/spec as text in the program. properties/CMakeLists.txt generates spec_pages.cpp from them.
 #pragma once
 
 #include <string_view>
@@ -7,7 +7,7 @@
 namespace touchstone::properties {
 
 struct SpecPage {
-  std::string_view stem;
+  std::string_view query;
   std::string_view text;
 };
 

@@ -1,4 +1,4 @@
-// Do the independent routes say the same?
+// Checks that the independent routes to a distance give the same answer.
 #pragma once
 
 #include <string>
@@ -7,8 +7,9 @@
 
 namespace touchstone::reference {
 
-/// Empty if the three routes to the distance of bodies 0 and 1 give the same verdict, |d*|², d*, interval and features, as
-/// exact rationals, and the certificate passes its check; else which of them differ, in what, on which values.
+/// Compares the three routes to the distance of bodies 0 and 1: verdict, |d*|², d*, interval and features, as exact
+/// rationals. Also checks the certificate. Returns "" if all agree and the check passes; else names the routes that
+/// differ, the quantity and its values.
 /// Requires a completed scene (reference/validity.h).
 std::string disagreement(const Scene& scene);
 

@@ -7,13 +7,13 @@
 #include <utility>
 #include <variant>
 
-#include "reference/motion_impl.h"
-#include "reference/rational_impl.h"
+#include "reference/exact/rational.h"
+#include "reference/motion/plain_pose.h"
 
 namespace touchstone::reference {
 namespace {
 
-/// Least and greatest of row·p over the solid, p in its own frame.
+/// Least and greatest value of row·p over the points p of the solid, in its own frame.
 std::pair<mpq_class, mpq_class> extent(const Sphere& sphere, const Triple&) {
   return {mpq_class(-sphere.radius), mpq_class(sphere.radius)};  // a row of a rotation is a unit vector
 }

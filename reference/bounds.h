@@ -9,7 +9,8 @@
 
 namespace touchstone::reference {
 
-/// lo and hi of a body in W. Exact: vertices under R(q/|q|) are rational (reference/exact_pose.h).
+/// The least and the greatest corner of a body's box in W. Exact: vertices under R(q/|q|) are rational
+/// (reference/exact_pose.h).
 struct ExactBox {
   std::array<Rational, 3> lo;
   std::array<Rational, 3> hi;

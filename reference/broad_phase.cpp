@@ -27,13 +27,13 @@ PairSet broad_phase(const Scene& scene) {
   return pairs;
 }
 
-std::vector<FrameBoxes> film_bounds(const Scene& film) {
+std::vector<FrameBoxes> sequence_bounds(const Scene& sequence) {
   std::vector<FrameBoxes> all;
-  FrameBoxes now(film.bodies.size());
-  for (const Frame& frame : film.frames) {
+  FrameBoxes now(sequence.bodies.size());
+  for (const SequenceFrame& frame : sequence.frames) {
     for (const Placement& placement : frame) {
       const auto i = static_cast<std::size_t>(placement.body);
-      Body body = film.bodies[i];
+      Body body = sequence.bodies[i];
       if (placement.X_WB) body.X_WB = *placement.X_WB;
       now[i] = placement.X_WB ? std::optional(box(body)) : std::nullopt;
     }

@@ -1,4 +1,4 @@
-// Which closed tight boxes overlap: every pair is tested, O(n²), exactly.
+// Which closed tight boxes overlap: tests every pair exactly, in O(n²).
 #pragma once
 
 #include <optional>
@@ -12,16 +12,16 @@ namespace touchstone::reference {
 
 PairSet broad_phase(const Scene& scene);
 
-/// By body; none: it is not there.
+/// The boxes by body; none for a body that is not in the frame.
 using FrameBoxes = std::vector<std::optional<ExactBox>>;
 
 /// The boxes after each frame.
-std::vector<FrameBoxes> film_bounds(const Scene& film);
+std::vector<FrameBoxes> sequence_bounds(const Scene& sequence);
 
-/// Every pair in every frame: begun and ended are the differences of one frame's set to the next.
+/// Tests every pair in every frame. `begun` and `ended` are the differences between the sets of successive frames.
 PairHistory pair_history(const std::vector<FrameBoxes>& frames);
 
-/// The greatest gap between two boxes over the axes: > 0 exactly when they are apart, 0 when they touch.
+/// The greatest gap between two boxes over the three axes: > 0 exactly if they are apart, 0 if they touch.
 Rational gap(const ExactBox& a, const ExactBox& b);
 
 }  // namespace touchstone::reference

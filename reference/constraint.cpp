@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "model/input_error.h"
-#include "reference/face_contact_impl.h"
-#include "reference/rational_impl.h"
+#include "reference/constraint/face_contact.h"
+#include "reference/exact/rational.h"
 
 namespace touchstone::reference {
 namespace {
@@ -29,7 +29,7 @@ std::array<Interval, 3> in_doubles(const EnclosedVec& a) {
   return {a[0].in_doubles(), a[1].in_doubles(), a[2].in_doubles()};
 }
 
-BallTruth told(const Parabola& way) { return {in_doubles(way.p), in_doubles(way.v), in_doubles(way.w)}; }
+BallTruth ball_truth(const Parabola& path) { return {in_doubles(path.p), in_doubles(path.v), in_doubles(path.w)}; }
 
 /// Rᵀ v.
 Triple turned_in(const Motion& X_WB, const Triple& v) {
@@ -59,11 +59,12 @@ std::size_t only_ball(const Scene& scene) {
   return *ball;
 }
 
-Ball ball_of(const Body& body, std::size_t index) {
+RollingBall ball_of(const Body& body, std::size_t index) {
   const mpq_class r = std::get<Sphere>(body.shape).radius;
   const auto* given = std::get_if<MassProperties>(&body.mass);
   if (given == nullptr) {
-    // An impulse is told to the nearest double only: π to 53 bits is enough for the mass, which moves nothing else.
+    // The impulse is reported only to the nearest double: π to 53 bits is enough for the mass, which enters nothing
+    // else.
     const double mass = std::get<Density>(body.mass).value * 4 * 3.14159265358979323846 / 3;
     return {Enclosed(r), Enclosed(mass) * Enclosed(mpq_class(r * r * r)), Enclosed(mpq_class(2, 5))};
   }
@@ -74,96 +75,97 @@ Ball ball_of(const Body& body, std::size_t index) {
   return {Enclosed(r), Enclosed(given->mass), Enclosed(mpq_class(mpq_class(I) / (mpq_class(given->mass) * r * r)))};
 }
 
-/// Where the ball is to a box at the start, decided in rationals.
+/// The ball's position relative to a box at the start, decided in rationals.
 struct Start {
   int apart = 0;  ///< sign of the distance
   std::optional<Face> face;
-  int approach = 0;  ///< of a face that is touched: sign of v·n
-  Slip slip = Slip::any;
+  int approach = 0;  ///< for a face in contact: sign of v·n
+  SlipKnowledge slip = SlipKnowledge::any;
 };
 
-class Course {
+class Simulation {
  public:
-  explicit Course(const Scene& scene);
+  explicit Simulation(const Scene& scene);
   ConstraintTruth run();
 
  private:
-  Slab slab_of(std::size_t index) const;
-  Start start_of(const Slab& slab) const;
+  FixedBox fixed_box(std::size_t index) const;
+  Start start_of(const FixedBox& box) const;
   void begin();
-  void rests_on(const Face& face, Slip slip);
-  void flies();
+  void set_resting(const Face& face, SlipKnowledge slip);
+  void set_ballistic();
 
   struct Next {
-    enum class What { nothing, slip_stops, passes, meets };
+    enum class What { nothing, slip_stops, crosses_edge, touches };
     What what = What::nothing;
     Enclosed tau;
-    Passing passing;
-    const Slab* met = nullptr;
+    EdgeCrossing crossing;
+    const FixedBox* touched_box = nullptr;
   };
   Next next() const;
-  void look(const Enclosed& until);
-  void pass(const Passing& passing);
-  void meet(const Slab& slab);
-  Slip strike(const Slab& slab, const EnclosedVec& n_B);
-  void land(const Slab& slab, const EnclosedVec& over, Slip slip);
-  void record(Event::Kind kind, const Slab& slab, const EnclosedVec& n, const EnclosedVec& P, const Enclosed& rate,
-              const Enclosed& kick);
-  void note_clear(const Next& change, const Enclosed& span);
+  void sample_until(const Enclosed& until);
+  void cross_edge(const EdgeCrossing& crossing);
+  void handle_contact(const FixedBox& box);
+  SlipKnowledge apply_impulse(const FixedBox& box, const EnclosedVec& n_B);
+  void land(const FixedBox& box, const EnclosedVec& over, SlipKnowledge slip);
+  void record(Event::Kind kind, const FixedBox& box, const EnclosedVec& n, const EnclosedVec& P, const Enclosed& rate,
+              const Enclosed& velocity_jump);
+  void note_clearance(const Next& change, const Enclosed& span);
   void note_speed();
-  Enclosed pull() const;
+  Enclosed acceleration() const;
 
   const Scene& scene_;
   const std::vector<double>& times_;
   ConstraintTruth truth_;
   std::size_t index_;
-  Ball ball_;
-  std::vector<Slab> slabs_;
+  RollingBall ball_;
+  std::vector<FixedBox> boxes_;
   EnclosedVec gravity_;
 
-  Parabola way_;
-  Mode mode_ = Mode::flies;
+  Parabola path_;
+  Mode mode_ = Mode::ballistic;
   std::optional<Face> face_;
   ContactLaw law_;
-  std::vector<Parting> partings_;
+  std::vector<LeavingContact> leaving_contacts_;
 };
 
-Course::Course(const Scene& scene) : scene_(scene), times_(scene.flight->times), index_(only_ball(scene)) {
-  const Flight& flight = *scene.flight;
-  if (!flight.pushes.empty()) throw InputError("flight.pushes", "a ball that is pushed");
-  for (const double since : flight.since) {
-    if (since != 0) throw InputError("flight.since", "a body that starts later than another");
+Simulation::Simulation(const Scene& scene)
+    : scene_(scene), times_(scene.motion->sample_times), index_(only_ball(scene)) {
+  const touchstone::Motion& motion = *scene.motion;
+  if (!motion.forces.empty()) throw InputError("motion.forces", "a ball that is pushed");
+  for (const double start : motion.start_times) {
+    if (start != 0) throw InputError("motion.start_times", "a body that starts later than another");
   }
   const Body& body = scene.bodies[index_];
   truth_.ball = static_cast<int>(index_);
   ball_ = ball_of(body, index_);
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
-    if (i != index_) slabs_.push_back(slab_of(i));
+    if (i != index_) boxes_.push_back(fixed_box(i));
   }
   gravity_ = enclosed(triple(scene.gravity));
-  way_ = {0,        enclosed(triple(body.X_WB.p_WB)),     enclosed(triple(body.velocity.v_WBcm)),
-          gravity_, enclosed(triple(body.velocity.w_WB)), {}};
+  path_ = {0,        enclosed(triple(body.X_WB.p_WB)),     enclosed(triple(body.velocity.v_WBcm)),
+           gravity_, enclosed(triple(body.velocity.w_WB)), {}};
 }
 
-Slab Course::slab_of(std::size_t index) const {
+FixedBox Simulation::fixed_box(std::size_t index) const {
   const Body& body = scene_.bodies[index];
   const Motion X_WB = motion(body.X_WB);
-  Slab slab;
-  slab.body = static_cast<int>(index);
+  FixedBox box;
+  box.body = static_cast<int>(index);
   for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) slab.axes[i][j] = Enclosed(X_WB.rows[j][i]);
+    for (std::size_t j = 0; j < 3; ++j) box.axes[i][j] = Enclosed(X_WB.rows[j][i]);
   }
-  slab.origin = enclosed(X_WB.translation);
-  slab.half = enclosed(triple(std::get<Box>(body.shape).half_extents));
-  slab.gravity = enclosed(turned_in(X_WB, triple(scene_.gravity)));
+  box.origin = enclosed(X_WB.translation);
+  box.half = enclosed(triple(std::get<Box>(body.shape).half_extents));
+  box.gravity = enclosed(turned_in(X_WB, triple(scene_.gravity)));
   const Material& ball = scene_.bodies[index_].material;
-  slab.friction = std::min(ball.friction, body.material.friction);
-  slab.restitution = std::min(ball.restitution, body.material.restitution);
-  return slab;
+  box.friction = std::min(ball.friction, body.material.friction);
+  box.restitution = std::min(ball.restitution, body.material.restitution);
+  return box;
 }
 
-Start Course::start_of(const Slab& slab) const {
-  const Body &body = scene_.bodies[static_cast<std::size_t>(slab.body)], &ball = scene_.bodies[index_];
+Start Simulation::start_of(const FixedBox& box) const {
+  const Body &body = scene_.bodies[static_cast<std::size_t>(box.body)], &ball = scene_.bodies[index_];
   const Motion X_WB = motion(body.X_WB);
   const Triple half = triple(std::get<Box>(body.shape).half_extents);
   const mpq_class r(std::get<Sphere>(ball.shape).radius);
@@ -182,7 +184,7 @@ Start Course::start_of(const Slab& slab) const {
   if (start.apart != 0) return start;
   if (beyond.size() != 1) throw InputError("bodies", "the ball starts at an edge of a box");
   const std::size_t axis = beyond[0];
-  start.face = Face{&slab, axis, sgn(c[axis])};
+  start.face = Face{&box, axis, sgn(c[axis])};
   const Triple v = turned_in(X_WB, triple(ball.velocity.v_WBcm)), w = turned_in(X_WB, triple(ball.velocity.w_WB));
   start.approach = start.face->side * sgn(v[axis]);
   Triple n;
@@ -193,120 +195,122 @@ Start Course::start_of(const Slab& slab) const {
   u[axis] = g[axis] = 0;
   const Triple across = cross(u, g);
   const auto zero = [](const Triple& a) { return sgn(a[0]) == 0 && sgn(a[1]) == 0 && sgn(a[2]) == 0; };
-  start.slip = zero(u) ? Slip::none : zero(across) ? Slip::straight : Slip::any;
+  start.slip = zero(u) ? SlipKnowledge::none : zero(across) ? SlipKnowledge::straight : SlipKnowledge::any;
   return start;
 }
 
-Enclosed Course::pull() const {
-  const Enclosed spin = ball_.radius * length(way_.alpha), centre = length(way_.a);
+Enclosed Simulation::acceleration() const {
+  const Enclosed spin = ball_.radius * length(path_.alpha), centre = length(path_.a);
   return hull(spin, centre);
 }
 
-void Course::note_speed() {
-  const Enclosed centre = length(way_.v), spin = ball_.radius * length(way_.w);
+void Simulation::note_speed() {
+  const Enclosed centre = length(path_.v), spin = ball_.radius * length(path_.w);
   truth_.speed = std::max({truth_.speed, centre.in_doubles().hi, spin.in_doubles().hi});
 }
 
-void Course::record(Event::Kind kind, const Slab& slab, const EnclosedVec& n, const EnclosedVec& P,
-                    const Enclosed& rate, const Enclosed& kick) {
-  if (truth_.changes.size() == most_changes) throw InputError("flight", "more changes than are followed");
+void Simulation::record(Event::Kind kind, const FixedBox& box, const EnclosedVec& n, const EnclosedVec& P,
+                        const Enclosed& rate, const Enclosed& velocity_jump) {
+  if (truth_.changes.size() == most_changes) throw InputError("motion", "more changes than are followed");
   note_speed();
   Change change;
   change.kind = kind;
-  change.time = way_.start.in_doubles();
-  change.other = slab.body;
-  change.p_WC = nearest(minus(way_.p, scaled(ball_.radius, n)));
+  change.time = path_.start.in_doubles();
+  change.other = box.body;
+  change.p_WC = nearest(minus(path_.p, scaled(ball_.radius, n)));
   change.nhat_W = nearest(n);
   change.P_W = nearest(P);
   change.mode = mode_;
   change.rate = rate.in_doubles().lo;
-  change.kick = kick.in_doubles().hi;
-  change.pull = pull().in_doubles().hi;
-  change.after = told(way_);
+  change.velocity_jump = velocity_jump.in_doubles().hi;
+  change.acceleration = acceleration().in_doubles().hi;
+  change.after = ball_truth(path_);
   truth_.changes.push_back(std::move(change));
 }
 
-/// Boxes that the ball has just left or is about to meet are what the changes themselves are about.
-void Course::note_clear(const Next& change, const Enclosed& span) {
-  Float clear = ldexp(Float(1), 1000);  // where there is nothing else
+/// Sets the lower bound of the distance to any other change. Leaves out boxes that the ball has just left or touches
+/// next: the changes themselves are about these.
+void Simulation::note_clearance(const Next& change, const Enclosed& span) {
+  Float clearance = ldexp(Float(1), 1000);  // if there is nothing else
   if (face_) {
-    const bool passes = change.what == Next::What::passes;
-    clear =
-        std::min(clear, least_inside(*face_, way_, span, passes ? std::optional(change.passing.over) : std::nullopt));
+    const bool crosses_edge = change.what == Next::What::crosses_edge;
+    clearance = std::min(clearance, least_inside(*face_, path_, span,
+                                                 crosses_edge ? std::optional(change.crossing.over) : std::nullopt));
   }
-  for (const Slab& slab : slabs_) {
-    const bool parts = std::ranges::any_of(partings_, [&](const Parting& p) { return p.body == slab.body; });
-    if (parts || &slab == change.met || (face_ && face_->slab == &slab)) continue;
-    clear = std::min(clear, least_distance(way_, slab, ball_.radius, span));
+  for (const FixedBox& box : boxes_) {
+    const bool parts =
+        std::ranges::any_of(leaving_contacts_, [&](const LeavingContact& p) { return p.body == box.body; });
+    if (parts || &box == change.touched_box || (face_ && face_->box == &box)) continue;
+    clearance = std::min(clearance, least_distance(path_, box, ball_.radius, span));
   }
-  const double told = Enclosed(clear, clear).in_doubles().lo;
-  (truth_.changes.empty() ? truth_.clear : truth_.changes.back().clear) = told;
+  const double bound = Enclosed(clearance, clearance).in_doubles().lo;
+  (truth_.changes.empty() ? truth_.clearance : truth_.changes.back().clearance) = bound;
 }
 
-void Course::flies() {
-  mode_ = Mode::flies;
+void Simulation::set_ballistic() {
+  mode_ = Mode::ballistic;
   face_.reset();
   law_ = {};
-  way_.a = gravity_;
-  way_.alpha = {};
+  path_.a = gravity_;
+  path_.alpha = {};
 }
 
-void Course::rests_on(const Face& face, Slip slip) {
+void Simulation::set_resting(const Face& face, SlipKnowledge slip) {
   face_ = face;
-  law_ = contact_law(ball_, face, way_, slip);
+  law_ = contact_law(ball_, face, path_, slip);
   mode_ = law_.mode;
-  way_ = law_.way;
+  path_ = law_.path;
 }
 
-void Course::begin() {
+void Simulation::begin() {
   note_speed();
   std::optional<Start> touched;
-  for (const Slab& slab : slabs_) {
-    const Start start = start_of(slab);
-    if (start.apart < 0) throw InputError(place(static_cast<std::size_t>(slab.body)), "overlaps the ball at the start");
+  for (const FixedBox& box : boxes_) {
+    const Start start = start_of(box);
+    if (start.apart < 0) throw InputError(place(static_cast<std::size_t>(box.body)), "overlaps the ball at the start");
     if (start.apart > 0) continue;
     if (touched) throw InputError("bodies", "the ball starts between two boxes");
     touched = start;
   }
-  truth_.pull = pull().in_doubles().hi;
+  truth_.acceleration = acceleration().in_doubles().hi;
   if (!touched) return;
   const Face& face = *touched->face;
   const EnclosedVec n = face.normal_W();
   if (touched->approach > 0) {
-    partings_ = {{face.slab->body}};
+    leaving_contacts_ = {{face.box->body}};
   } else if (touched->approach == 0) {
-    rests_on(face, touched->slip);
-    record(Event::Kind::contact, *face.slab, n, {}, 0, 0);
+    set_resting(face, touched->slip);
+    record(Event::Kind::contact, *face.box, n, {}, 0, 0);
   } else {
-    meet(*face.slab);
+    handle_contact(*face.box);
   }
   truth_.mode = mode_;
-  truth_.pull = pull().in_doubles().hi;
+  truth_.acceleration = acceleration().in_doubles().hi;
 }
 
-Course::Next Course::next() const {
-  Enclosed horizon = Enclosed(times_.back()) - way_.start;
-  horizon = horizon * Enclosed(1.0009765625);  // past the end, so that a change at the end is none of the question's
+Simulation::Next Simulation::next() const {
+  Enclosed horizon = Enclosed(times_.back()) - path_.start;
+  horizon = horizon * Enclosed(1.0009765625);  // past the end, so that a change at the end does not count
   std::vector<Next> all;
   if (law_.slip_stops) all.push_back({Next::What::slip_stops, *law_.slip_stops, {}, nullptr});
   if (face_) {
-    if (const auto passing = first_passing(*face_, way_, horizon)) {
-      all.push_back({Next::What::passes, passing->tau, *passing, nullptr});
+    if (const auto crossing = first_edge_crossing(*face_, path_, horizon)) {
+      all.push_back({Next::What::crosses_edge, crossing->tau, *crossing, nullptr});
     }
   }
-  for (const Slab& slab : slabs_) {
-    if (face_ && face_->slab == &slab) continue;
-    std::optional<Parting> parting;
-    for (const Parting& p : partings_) {
-      if (p.body == slab.body) parting = p;
+  for (const FixedBox& box : boxes_) {
+    if (face_ && face_->box == &box) continue;
+    std::optional<LeavingContact> leaving;
+    for (const LeavingContact& p : leaving_contacts_) {
+      if (p.body == box.body) leaving = p;
     }
-    // No farther than the first change so far: beyond, this way is not the ball's.
+    // Searches only up to the first change found so far: after it the ball leaves this path.
     Enclosed until = horizon;
     for (const Next& n : all) {
       if ((until - n.tau).is_positive()) until = n.tau * Enclosed(1.0009765625);
     }
-    if (const auto tau = first_meeting(way_, slab, ball_.radius, until, parting)) {
-      all.push_back({Next::What::meets, *tau, {}, &slab});
+    if (const auto tau = first_contact(path_, box, ball_.radius, until, leaving)) {
+      all.push_back({Next::What::touches, *tau, {}, &box});
     }
   }
   const auto first =
@@ -318,30 +322,31 @@ Course::Next Course::next() const {
   return *first;
 }
 
-void Course::look(const Enclosed& until) {
+void Simulation::sample_until(const Enclosed& until) {
   while (truth_.states.size() < times_.size()) {
     const Enclosed time(times_[truth_.states.size()]);
     if (!(until - time).is_positive()) return;
-    const Parabola then = way_.later(time - way_.start);
-    truth_.states.push_back(told(then));
+    const Parabola then = path_.later(time - path_.start);
+    truth_.states.push_back(ball_truth(then));
     const Enclosed centre = length(then.v), spin = ball_.radius * length(then.w);
     truth_.speed = std::max({truth_.speed, centre.in_doubles().hi, spin.in_doubles().hi});
   }
 }
 
-/// Over the edge: flight, if the ball falls more slowly than it would round the edge, v² > r N; else it would pivot.
-void Course::pass(const Passing& passing) {
+/// The ball crosses the edge. It becomes ballistic if it falls more slowly than it would round the edge, v² > r N;
+/// otherwise it would pivot.
+void Simulation::cross_edge(const EdgeCrossing& crossing) {
   const Face face = *face_;
   const EnclosedVec n = face.normal_W();
-  if (sign_of(square(passing.speed) - ball_.radius * face.weight(), "whether the ball flies off the edge") < 0) {
+  if (sign_of(square(crossing.speed) - ball_.radius * face.weight(), "whether the ball flies off the edge") < 0) {
     throw InputError("bodies", "the ball is so slow that it pivots about the edge");
   }
-  flies();
-  partings_ = {{face.slab->body, true, face.axis, passing.over}};
-  record(Event::Kind::release, *face.slab, n, {}, passing.speed, 0);
+  set_ballistic();
+  leaving_contacts_ = {{face.box->body, true, face.axis, crossing.over}};
+  record(Event::Kind::release, *face.box, n, {}, crossing.speed, 0);
 }
 
-/// The part of u at right angles to the unit vector n: of an axis, exactly.
+/// The part of u perpendicular to the unit vector n; exact if n is an axis.
 EnclosedVec across(const EnclosedVec& u, const EnclosedVec& n) {
   EnclosedVec rest = minus(u, scaled(inner(u, n), n));
   for (std::size_t i = 0; i < 3; ++i) {
@@ -353,7 +358,7 @@ EnclosedVec across(const EnclosedVec& u, const EnclosedVec& n) {
   return rest;
 }
 
-/// The axis of the one coordinate that is certainly not 0 while the others certainly are: over a face.
+/// The axis whose coordinate is certainly not 0 while the other two certainly are: the centre is over a face.
 std::optional<std::size_t> only_axis(const EnclosedVec& over) {
   for (std::size_t i = 0; i < 3; ++i) {
     const bool others = over[(i + 1) % 3].is_zero() && over[(i + 2) % 3].is_zero();
@@ -362,104 +367,104 @@ std::optional<std::size_t> only_axis(const EnclosedVec& over) {
   return std::nullopt;
 }
 
-/// The unit vector from the nearest point of a box to the centre.
+/// The unit vector from the nearest point of a box to the ball's centre.
 EnclosedVec normal(const EnclosedVec& over, const Enclosed& radius) {
   EnclosedVec n = scaled(1 / radius, over);
   if (const auto axis = only_axis(over)) n[*axis] = over[*axis].is_positive() ? 1 : -1;
   return n;
 }
 
-/// The impulse at a point with normal n: P_n = (1 + e) m |u_n|; friction stops the slip if κ/(1 + κ) |u_t| ≤ μ P_n/m.
-/// What is known of the slip after.
-Slip Course::strike(const Slab& slab, const EnclosedVec& n_B) {
-  const EnclosedVec n = slab.turned_out(n_B);
-  const Enclosed approach = -inner(way_.v, n);
-  const Enclosed push = (1 + slab.restitution) * approach;
-  const EnclosedVec u = slab.turned_in(minus(way_.v, scaled(ball_.radius, cross(way_.w, n))));
-  const EnclosedVec slip = slab.turned_out(across(u, n_B));
+/// Applies the impulse at a point with normal n: P_n = (1 + e) m |u_n|; friction stops the slip if κ/(1 + κ) |u_t| ≤ μ
+/// P_n/m. Returns what is known of the slip afterwards.
+SlipKnowledge Simulation::apply_impulse(const FixedBox& box, const EnclosedVec& n_B) {
+  const EnclosedVec n = box.turned_out(n_B);
+  const Enclosed approach = -inner(path_.v, n);
+  const Enclosed push = (1 + box.restitution) * approach;
+  const EnclosedVec u = box.turned_in(minus(path_.v, scaled(ball_.radius, cross(path_.w, n))));
+  const EnclosedVec slip = box.turned_out(across(u, n_B));
   const Enclosed sticking = ball_.kappa / (1 + ball_.kappa);
   const EnclosedVec needed = scaled(-sticking, slip);
-  const Enclosed most = slab.friction * push;
+  const Enclosed most = box.friction * push;
   EnclosedVec drag = needed;
-  Slip after = Slip::none;
+  SlipKnowledge after = SlipKnowledge::none;
   if (!is_zero(slip) && sign_of(square(most) - inner(needed, needed), "whether an impact stops slip") < 0) {
     drag = most.is_zero() ? EnclosedVec{} : scaled(-(most / length(slip)), slip);
-    after = Slip::any;
+    after = SlipKnowledge::any;
   }
   const EnclosedVec jump = plus(scaled(push, n), drag);
   const EnclosedVec spin = scaled(-(1 / (ball_.kappa * ball_.radius)), cross(n, drag));
-  way_.v = plus(way_.v, jump);
-  way_.w = plus(way_.w, spin);
-  record(Event::Kind::impact, slab, n, scaled(ball_.mass, jump), approach,
+  path_.v = plus(path_.v, jump);
+  path_.w = plus(path_.w, spin);
+  record(Event::Kind::impact, box, n, scaled(ball_.mass, jump), approach,
          hull(length(jump), ball_.radius * length(spin)));
   if (!only_axis(n_B)) truth_.changes.back().curvature = (1 / ball_.radius).in_doubles().hi;
   return after;
 }
 
-/// After an impact without restitution.
-void Course::land(const Slab& slab, const EnclosedVec& over, Slip slip) {
+/// The ball stays on the face after an impact without restitution.
+void Simulation::land(const FixedBox& box, const EnclosedVec& over, SlipKnowledge slip) {
   const auto axis = only_axis(over);
   if (!axis) throw InputError("bodies", "the ball comes to rest on an edge");
-  rests_on({&slab, *axis, over[*axis].is_positive() ? 1 : -1}, slip);
-  partings_.clear();
-  record(Event::Kind::contact, slab, face_->normal_W(), {}, 0, 0);
+  set_resting({&box, *axis, over[*axis].is_positive() ? 1 : -1}, slip);
+  leaving_contacts_.clear();
+  record(Event::Kind::contact, box, face_->normal_W(), {}, 0, 0);
 }
 
-void Course::meet(const Slab& slab) {
-  const EnclosedVec over = excess(slab, way_.p);
-  const EnclosedVec n_B = normal(over, ball_.radius), n = slab.turned_out(n_B);
-  if (!face_) flies();
-  const EnclosedVec before = way_.v;
-  const Slip slip = strike(slab, n_B);
+void Simulation::handle_contact(const FixedBox& box) {
+  const EnclosedVec over = excess(box, path_.p);
+  const EnclosedVec n_B = normal(over, ball_.radius), n = box.turned_out(n_B);
+  if (!face_) set_ballistic();
+  const EnclosedVec before = path_.v;
+  const SlipKnowledge slip = apply_impulse(box, n_B);
   if (!face_) {
-    if (slab.restitution.is_zero()) return land(slab, over, slip);
-    partings_ = {{slab.body}};
+    if (box.restitution.is_zero()) return land(box, over, slip);
+    leaving_contacts_ = {{box.body}};
     return;
   }
-  if (slab.restitution.is_zero()) throw InputError("bodies", "the ball stays between two boxes");
+  if (box.restitution.is_zero()) throw InputError("bodies", "the ball stays between two boxes");
   const Face face = *face_;
   const EnclosedVec up = face.normal_W();
-  const int lifts = sign_of(inner(minus(way_.v, before), up), "whether an impact lifts the ball");
-  partings_ = {{slab.body}};
+  const int lifts = sign_of(inner(minus(path_.v, before), up), "whether an impact lifts the ball");
+  leaving_contacts_ = {{box.body}};
   if (lifts > 0) {
-    flies();
-    partings_.push_back({face.slab->body});
-    return record(Event::Kind::release, *face.slab, up, {}, 0, 0);
+    set_ballistic();
+    leaving_contacts_.push_back({face.box->body});
+    return record(Event::Kind::release, *face.box, up, {}, 0, 0);
   }
-  Slip under = Slip::any;
+  SlipKnowledge under = SlipKnowledge::any;
   if (lifts < 0) {
-    under = strike(*face.slab, face.normal_B());
-    if (sign_of(inner(way_.v, n), "whether the ball leaves a box") <= 0) {
+    under = apply_impulse(*face.box, face.normal_B());
+    if (sign_of(inner(path_.v, n), "whether the ball leaves a box") <= 0) {
       throw InputError("bodies", "the ball goes to and fro between two boxes");
     }
-    if (!face.slab->restitution.is_zero()) {
-      flies();
-      partings_.push_back({face.slab->body});
-      return record(Event::Kind::release, *face.slab, up, {}, 0, 0);
+    if (!face.box->restitution.is_zero()) {
+      set_ballistic();
+      leaving_contacts_.push_back({face.box->body});
+      return record(Event::Kind::release, *face.box, up, {}, 0, 0);
     }
   }
-  rests_on(face, under);
-  record(Event::Kind::contact, *face.slab, up, {}, 0, 0);
+  set_resting(face, under);
+  record(Event::Kind::contact, *face.box, up, {}, 0, 0);
 }
 
-ConstraintTruth Course::run() {
+ConstraintTruth Simulation::run() {
   begin();
   for (;;) {
     const Next change = next();
     const Enclosed end(times_.back());
-    const bool over = change.what == Next::What::nothing || !(end - (way_.start + change.tau)).is_positive();
-    note_clear(over ? Next{} : change, over ? end - way_.start : change.tau);
-    look(over ? end + end : way_.start + change.tau);
+    const bool over = change.what == Next::What::nothing || !(end - (path_.start + change.tau)).is_positive();
+    note_clearance(over ? Next{} : change, over ? end - path_.start : change.tau);
+    sample_until(over ? end + end : path_.start + change.tau);
     if (over) return truth_;
-    way_ = way_.later(change.tau);
+    path_ = path_.later(change.tau);
     if (change.what == Next::What::slip_stops) {
       const Enclosed rate = law_.slip_rate;
-      rests_on(*face_, Slip::none);
-      record(Event::Kind::contact, *face_->slab, face_->normal_W(), {}, rate, 0);
-    } else if (change.what == Next::What::passes) {
-      pass(change.passing);
+      set_resting(*face_, SlipKnowledge::none);
+      record(Event::Kind::contact, *face_->box, face_->normal_W(), {}, rate, 0);
+    } else if (change.what == Next::What::crosses_edge) {
+      cross_edge(change.crossing);
     } else {
-      meet(*change.met);
+      handle_contact(*change.touched_box);
     }
   }
 }
@@ -467,11 +472,11 @@ ConstraintTruth Course::run() {
 }  // namespace
 
 ConstraintTruth constraint(const Scene& scene) {
-  if (!scene.flight) throw InputError("flight", "missing");
+  if (!scene.motion) throw InputError("motion", "missing");
   try {
-    return Course(scene).run();
+    return Simulation(scene).run();
   } catch (const Undecided& question) {
-    throw InputError("flight", std::string("it cannot be decided ") + question.what());
+    throw InputError("motion", std::string("it cannot be decided ") + question.what());
   }
 }
 

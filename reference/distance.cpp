@@ -6,15 +6,15 @@
 #include <utility>
 
 #include "model/input_error.h"
-#include "reference/distance_impl.h"
-#include "reference/float_mode_impl.h"
-#include "reference/rational_impl.h"
-#include "reference/square_root_impl.h"
+#include "reference/distance/routes.h"
+#include "reference/exact/float_mode.h"
+#include "reference/exact/rational.h"
+#include "reference/exact/square_root.h"
 
 namespace touchstone::reference {
 namespace {
 
-/// What one pair of parts amounts to.
+/// The result for one pair of parts.
 struct PartPair {
   PartPair(const Body& A, int a, const Body& B, int b) : part_A(a), part_B(b), posed(A, a, B, b) {}
 
@@ -22,7 +22,7 @@ struct PartPair {
   int part_B;
   PosedPair posed;
   CoreNearest nearest;
-  Rational factor;  ///< d* = factor · nearest.normal: reduced once for all that lies along it
+  Rational factor;  ///< d* = factor · nearest.normal; reduced once for all quantities along d*
   Rational squared;
   Rational radii;
   Verdict verdict = Verdict::separated;
@@ -34,7 +34,7 @@ CoreNearest nearest_by(Route route, PosedPair& pair) {
   return nearest_certified(pair);
 }
 
-/// normal·(a − b), the same for every closest pair.
+/// normal·(a − b), which is equal for all closest pairs.
 Rational along_normal(const PosedPair& pair, const CoreNearest& n) {
   if (is_zero(n.normal)) return 0.0;
   return pair.length(dot(n.normal, pair.difference(n.face_A[0], n.face_B[0])), 1);
@@ -88,8 +88,8 @@ Certificate certificate_of(const PartPair& p, const DistanceTruth& truth) {
   return c;
 }
 
-/// a* and b*, the closest points of the cores. They end as doubles, so they are never brought to lowest terms: that
-/// would cost more than finding them.
+/// a* and b*, the closest points of the cores. They are only rounded to doubles, so they are not reduced to lowest
+/// terms: that would cost more than finding them.
 struct ClosestPoints {
   IntegerVec a;
   IntegerVec b;
@@ -104,7 +104,7 @@ ClosestPoints closest_points(const CoreNearest& n) {
   return {known, known - d, den};
 }
 
-/// core + reach · d*/|d*|. The root's 300 bits are far beyond the double that the point ends as.
+/// core + reach · d*/|d*|, rounded to doubles. The root's 300 bits are far more than a double needs.
 Vec3 swollen(const PosedPair& pair, const IntegerVec& num, const Integer& den, const DistanceTruth& truth,
              double reach) {
   if (reach == 0 || truth.core_squared.sign() == 0) return pair.nearest_point(num, den);

@@ -1,7 +1,7 @@
 // With the moments V = ∫ dV, m = ∫ x dV and C = ∫ x xᵀ dV of a solid,
 //   centroid c = m/V,  inertia about the origin (tr C) 1 − C,  about the centroid the same with C − m mᵀ/V.
 // Under p ↦ R p + t: V' = V, m' = R m + V t, C' = R C Rᵀ + (R m) tᵀ + t (R m)ᵀ + V t tᵀ. All are linear in the moments,
-// so the part that is a multiple of π goes through unchanged, beside the rational part.
+// so the multiple of π transforms like the rational part, separately from it.
 #include "reference/mass.h"
 
 #include <mpfr.h>
@@ -11,8 +11,8 @@
 #include <utility>
 #include <variant>
 
-#include "reference/motion_impl.h"
-#include "reference/rational_impl.h"
+#include "reference/exact/rational.h"
+#include "reference/motion/plain_pose.h"
 
 namespace touchstone::reference {
 namespace {
@@ -75,7 +75,7 @@ SolidMoments moments(const Box& box) {
 
 using Integers = std::array<mpz_class, 3>;
 
-/// Every finite double is an integer over a power of two, so a common power makes all coordinates integers.
+/// Every finite double is an integer over a power of two, so one common power makes all coordinates integers.
 struct Lattice {
   std::vector<Integers> points;  ///< times 2^-bits
   mp_bitcnt_t bits = 0;
@@ -100,7 +100,7 @@ Lattice lattice(const std::vector<Vec3>& vertices) {
 }
 
 /// Signed tetrahedra (0, a, b, c) over the triangles of each face, with D = det(a, b, c) and s = a + b + c:
-/// V = D/6, ∫ x dV = D s/24, ∫ x xᵀ dV = D (s sᵀ + a aᵀ + b bᵀ + c cᵀ)/120. Summed in integers, divided once.
+/// V = D/6, ∫ x dV = D s/24, ∫ x xᵀ dV = D (s sᵀ + a aᵀ + b bᵀ + c cᵀ)/120. Summed in integers and divided once.
 SolidMoments moments(const Polytope& polytope) {
   const auto [vertices, bits] = lattice(polytope.vertices);
   mpz_class volume;
@@ -145,7 +145,7 @@ SolidMoments moments(const Compound& compound) {
   return sum;
 }
 
-/// A closed interval of rationals: π makes it thin, not a point.
+/// A closed interval of rationals: not a point, but thin, as π is not rational.
 struct Range {
   mpq_class lo;
   mpq_class hi;
@@ -160,14 +160,14 @@ Range operator*(const Range& a, const Range& b) {
       std::minmax({mpq_class(a.lo * b.lo), mpq_class(a.lo * b.hi), mpq_class(a.hi * b.lo), mpq_class(a.hi * b.hi)});
   return {lo, hi};
 }
-/// b > 0.
+/// Requires b > 0.
 Range operator/(const Range& a, const Range& b) { return a * Range{1 / b.hi, 1 / b.lo}; }
 
 Interval enclosure(const Range& range) {
   return {rational_of(range.lo).enclosure().lo, rational_of(range.hi).enclosure().hi};
 }
 
-/// π between two 320-bit neighbours: far thinner than any double's ulp after the few operations here.
+/// π between two neighbouring 320-bit numbers: far thinner than a double's ulp even after the few operations here.
 const Range& pi() {
   static const Range value = [] {
     mpfr_t bound;
@@ -199,7 +199,7 @@ Number inertia_entry(std::pair<std::size_t, std::size_t> ij, const Entry& C) {
   return Number(C((i + 1) % 3, (i + 1) % 3) + C((i + 2) % 3, (i + 2) % 3));
 }
 
-/// Centroid and inertia about it, of density 1, as ranges of rationals.
+/// Centroid, and inertia about it for density 1, as intervals of rationals.
 struct Solid {
   Range volume;
   std::array<Range, 3> centroid;

@@ -12,16 +12,16 @@ namespace touchstone::reference {
 
 /// Volume (m³), centroid in B (m), and the second moments of volume about the centroid in B's axes (m⁵):
 ///   inertia of unit density, (Ixx, Iyy, Izz, Ixy, Ixz, Iyz) with Ixy = −∫ x y dV.
-/// Polytopes: signed tetrahedra from the origin, exact. A sphere's (and so a compound's with spheres) is a rational times π:
-/// every value is `rational + pi_multiple·π`.
+/// Polytopes: sums over signed tetrahedra from the origin, exact. The values of a sphere, and of a compound with
+/// spheres, contain multiples of π: every value is `rational + pi_multiple·π`.
 struct SolidTruth {
   struct Value {
     Rational rational;
     Rational pi_multiple;
-    Interval enclosure;  ///< a few ulps wide at most
+    Interval enclosure;  ///< at most a few ulps wide
   };
   Value volume;
-  std::array<Value, 3> first_moments;  ///< ∫ x dV, about B's origin
+  std::array<Value, 3> first_moments;   ///< ∫ x dV, about B's origin
   std::array<Value, 6> second_moments;  ///< inertia of unit density about B's origin, in B's axes
   std::array<Interval, 3> centroid;
   std::array<Interval, 6> inertia;  ///< of unit density, about the centroid
@@ -29,7 +29,8 @@ struct SolidTruth {
 
 SolidTruth solid(const Shape& shape);
 
-/// Enclosures of mass, centre of mass and inertia about it, one a body; none for a fixed body. Given properties pass through.
+/// Enclosures of mass, centre of mass and inertia about it, for one body; none for a fixed body. Given properties are
+/// returned unchanged.
 struct MassTruth {
   Interval mass;
   std::array<Interval, 3> p_BBcm;
@@ -38,7 +39,7 @@ struct MassTruth {
 
 std::vector<std::optional<MassTruth>> mass(const Scene& scene);
 
-/// The enclosures' middles: of two neighbouring doubles, one of them.
+/// The middle of each enclosure: one of the two neighbouring doubles.
 MassProperties nearest(const MassTruth& truth);
 
 }  // namespace touchstone::reference

@@ -4,11 +4,11 @@
 #include <utility>
 
 #include "model/input_error.h"
-#include "reference/distance_impl.h"
-#include "reference/float_mode_impl.h"
-#include "reference/penetration_impl.h"
-#include "reference/rational_impl.h"
-#include "reference/square_root_impl.h"
+#include "reference/distance/routes.h"
+#include "reference/exact/float_mode.h"
+#include "reference/exact/rational.h"
+#include "reference/exact/square_root.h"
+#include "reference/penetration/routes.h"
 
 namespace touchstone::reference {
 namespace {
@@ -21,7 +21,7 @@ void point_along(const IntegerVec& v, PenetrationTruth& truth) {
   truth.nhat_BA_W = Vec3(about.x, about.y, about.z).normalized();
 }
 
-/// Cores with a common point, and with common interior or a radius.
+/// Requires cores with a common point that have common interior, or a positive radius.
 void measure_depth(PosedPair& pair, DepthRoute route, PenetrationTruth& truth) {
   truth.cores_overlap = true;
   if (pair.A.is_point() && pair.B.is_point()) {

@@ -6,22 +6,22 @@
 #include <variant>
 
 #include "model/input_error.h"
-#include "reference/balls_impl.h"
-#include "reference/common_points_impl.h"
-#include "reference/picture_impl.h"
-#include "reference/rational_impl.h"
+#include "reference/distance/balls.h"
+#include "reference/distance/common_points.h"
+#include "reference/exact/rational.h"
+#include "reference/pixel/projection.h"
 
 namespace touchstone::reference {
 namespace {
 
-/// One convex part in half pixels: a ball, or a hull and its picture.
-struct Seen {
+/// One convex part in half pixels: a ball, or a hull and its projection.
+struct PosedPart {
   std::optional<Ball> ball;
   Hull hull;
-  std::optional<Picture> picture;
+  std::optional<Projection> projection;
 };
 
-/// From W to half pixels.
+/// Maps W to half pixels.
 struct Grid {
   explicit Grid(const Raster& raster)
       : corner{mpq_class(raster.x), mpq_class(raster.y), 0}, per_metre(2 / mpq_class(raster.pixel)) {}
@@ -40,55 +40,55 @@ Triple cross(const Triple& a, const Triple& b) {
           mpq_class(a[0] * b[1] - a[1] * b[0])};
 }
 
-Seen seen(const Sphere& sphere, const Motion& X_WP, const Grid& grid) {
+PosedPart posed_part(const Sphere& sphere, const Motion& X_WP, const Grid& grid) {
   const mpq_class radius = grid.per_metre * mpq_class(sphere.radius);
-  Seen made;
+  PosedPart made;
   made.ball = Ball{grid(X_WP.translation), radius * radius};
   return made;
 }
 
-Seen seen(const Polytope& polytope, const Motion& X_WP, const Grid& grid) {
+PosedPart posed_part(const Polytope& polytope, const Motion& X_WP, const Grid& grid) {
   std::vector<Triple> vertices;
   for (const Vec3& v : polytope.vertices) vertices.push_back(grid(X_WP(triple(v))));
   const auto at = [&](int i) -> const Triple& { return vertices[static_cast<std::size_t>(i)]; };
-  Seen made;
+  PosedPart made;
   for (const std::vector<int>& face : polytope.faces) {
-    Triple normal{0, 0, 0};  // Newell's: the first three vertices may be on a line
+    Triple normal{0, 0, 0};  // Newell's formula: the first three vertices may be collinear
     for (std::size_t i = 0; i < face.size(); ++i) {
       const int tail = face[i];
       const int head = face[(i + 1) % face.size()];
       normal = plus(normal, 1, cross(minus(at(tail), at(face[0])), minus(at(head), at(face[0]))));
-      if (tail < head) made.hull.edges.push_back({at(tail), at(head)});  // the face beside has it from head to tail
+      if (tail < head) made.hull.edges.push_back({at(tail), at(head)});  // the adjacent face has it from head to tail
     }
     made.hull.sides.push_back({normal, dot(normal, at(face[0]))});
   }
-  made.picture.emplace(vertices);
+  made.projection.emplace(vertices);
   return made;
 }
 
-Seen seen(const Box& box, const Motion& X_WP, const Grid& grid) {
+PosedPart posed_part(const Box& box, const Motion& X_WP, const Grid& grid) {
   Polytope same;
   same.faces = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
   for (int i = 0; i < 8; ++i) {
     const Vec3 signs((i & 1) != 0 ? 1 : -1, (i & 2) != 0 ? 1 : -1, (i & 4) != 0 ? 1 : -1);
     same.vertices.emplace_back(signs.cwiseProduct(box.half_extents));
   }
-  return seen(same, X_WP, grid);
+  return posed_part(same, X_WP, grid);
 }
 
-std::vector<Seen> parts_of(const Body& body, const Grid& grid) {
+std::vector<PosedPart> parts_of(const Body& body, const Grid& grid) {
   const Motion X_WB = motion(body.X_WB);
   if (const auto* compound = std::get_if<Compound>(&body.shape)) {
-    std::vector<Seen> parts;
+    std::vector<PosedPart> parts;
     for (const Part& part : compound->parts) {
       const Motion X_WP = composed(X_WB, motion(part.X_BP));
-      parts.push_back(std::visit([&](const auto& solid) { return seen(solid, X_WP, grid); }, part.shape));
+      parts.push_back(std::visit([&](const auto& solid) { return posed_part(solid, X_WP, grid); }, part.shape));
     }
     return parts;
   }
-  if (const auto* sphere = std::get_if<Sphere>(&body.shape)) return {seen(*sphere, X_WB, grid)};
-  if (const auto* box = std::get_if<Box>(&body.shape)) return {seen(*box, X_WB, grid)};
-  return {seen(std::get<Polytope>(body.shape), X_WB, grid)};
+  if (const auto* sphere = std::get_if<Sphere>(&body.shape)) return {posed_part(*sphere, X_WB, grid)};
+  if (const auto* box = std::get_if<Box>(&body.shape)) return {posed_part(*box, X_WB, grid)};
+  return {posed_part(std::get<Polytope>(body.shape), X_WB, grid)};
 }
 
 mpq_class squared_distance(const mpq_class& x, long lo, long hi) {
@@ -96,33 +96,34 @@ mpq_class squared_distance(const mpq_class& x, long lo, long hi) {
   return off * off;
 }
 
-/// Of a ball's centre, in the plane.
+/// From the centre of a ball, in the plane.
 mpq_class squared_distance(const Ball& ball, const Rectangle& square) {
   return squared_distance(ball.centre[0], square.x_lo, square.x_hi) +
          squared_distance(ball.centre[1], square.y_lo, square.y_hi);
 }
 
-bool meets(const Seen& part, const Rectangle& square) {
-  return part.ball ? squared_distance(*part.ball, square) <= part.ball->squared_radius : part.picture->meets(square);
+bool intersects(const PosedPart& part, const Rectangle& square) {
+  return part.ball ? squared_distance(*part.ball, square) <= part.ball->squared_radius
+                   : part.projection->intersects(square);
 }
 
 std::vector<HalfSpace> prism_over(const Rectangle& square) {
   return {{{1, 0, 0}, square.x_hi}, {{-1, 0, 0}, -square.x_lo}, {{0, 1, 0}, square.y_hi}, {{0, -1, 0}, -square.y_lo}};
 }
 
-/// What a part of A and a part of B have in common, seen from above.
+/// The projection of the intersection of a part of A and a part of B.
 class Common {
  public:
-  Common(const Seen& A, const Seen& B) : A_(A), B_(B) {
-    if (!A.ball && !B.ball) picture_.emplace(common_points(A.hull, B.hull));
+  Common(const PosedPart& A, const PosedPart& B) : A_(A), B_(B) {
+    if (!A.ball && !B.ball) projection_.emplace(common_points(A.hull, B.hull));
   }
 
-  bool meets(const Rectangle& square) const {
-    if (picture_) return picture_->meets(square);
-    if (!reference::meets(A_, square) || !reference::meets(B_, square)) return false;
+  bool intersects(const Rectangle& square) const {
+    if (projection_) return projection_->intersects(square);
+    if (!reference::intersects(A_, square) || !reference::intersects(B_, square)) return false;
     std::vector<Ball> balls;
     std::vector<HalfSpace> sides = prism_over(square);
-    for (const Seen* part : {&A_, &B_}) {
+    for (const PosedPart* part : {&A_, &B_}) {
       if (part->ball) balls.push_back(*part->ball);
       sides.insert(sides.end(), part->hull.sides.begin(), part->hull.sides.end());
     }
@@ -130,9 +131,9 @@ class Common {
   }
 
  private:
-  const Seen& A_;
-  const Seen& B_;
-  std::optional<Picture> picture_;
+  const PosedPart& A_;
+  const PosedPart& B_;
+  std::optional<Projection> projection_;
 };
 
 Rectangle square_of(int i, int j) { return {2L * i, 2L * i + 2, 2L * j, 2L * j + 2}; }
@@ -147,14 +148,14 @@ Mask mask(const Raster& raster, const Parts& parts, Rectangle (*place)(int, int)
   for (int j = 0; j < raster.rows; ++j) {
     std::string& row = rows.emplace_back();
     for (int i = 0; i < raster.columns; ++i) {
-      const bool in = std::ranges::any_of(parts, [&](const auto& part) { return meets(part, place(i, j)); });
+      const bool in = std::ranges::any_of(parts, [&](const auto& part) { return intersects(part, place(i, j)); });
       row += in ? '1' : '0';
     }
   }
   return rows;
 }
 
-bool meets(const Common& common, const Rectangle& square) { return common.meets(square); }
+bool intersects(const Common& common, const Rectangle& square) { return common.intersects(square); }
 
 MaskOverlap overlap_of(const Mask& A, const Mask& B, const Raster& raster) {
   MaskOverlap overlap;
@@ -172,13 +173,13 @@ MaskOverlap overlap_of(const Mask& A, const Mask& B, const Raster& raster) {
   return overlap;
 }
 
-/// From lo − √spread to hi + √spread.
+/// The interval from lo − √spread to hi + √spread.
 struct Depths {
   mpq_class lo, hi, spread;
 };
 
-/// Of a part over a square that meets its picture.
-Depths depths_over(const Seen& part, const Rectangle& square) {
+/// The depths of a part over a square that intersects its projection.
+Depths depths_over(const PosedPart& part, const Rectangle& square) {
   if (part.ball) {
     const mpq_class& z = part.ball->centre[2];
     return {z, z, part.ball->squared_radius - squared_distance(*part.ball, square)};
@@ -201,7 +202,7 @@ Depths depths_over(const Seen& part, const Rectangle& square) {
   return {(*low)[2], (*high)[2], 0};
 }
 
-/// x.lo − √x.spread ≤ y.hi + √y.spread + apart.
+/// Tests x.lo − √x.spread ≤ y.hi + √y.spread + apart.
 bool starts_before_end(const Depths& x, const Depths& y, const mpq_class& apart) {
   const mpq_class gap = x.lo - y.hi - apart;
   if (gap <= 0) return true;
@@ -216,7 +217,7 @@ Pixels pixel(const Scene& scene) {
   const Raster& raster = *scene.raster;
   const Grid grid(raster);
   Pixels exact;
-  std::vector<std::vector<Seen>> bodies;
+  std::vector<std::vector<PosedPart>> bodies;
   for (const Body& body : scene.bodies) {
     bodies.push_back(parts_of(body, grid));
     exact.sampled.push_back(mask(raster, bodies.back(), centre_of));
@@ -225,8 +226,8 @@ Pixels pixel(const Scene& scene) {
   std::vector<Common> common;
   if (bodies.size() >= 2) {
     exact.overlap = overlap_of(exact.sampled[0], exact.sampled[1], raster);
-    for (const Seen& a : bodies[0]) {
-      for (const Seen& b : bodies[1]) common.emplace_back(a, b);
+    for (const PosedPart& a : bodies[0]) {
+      for (const PosedPart& b : bodies[1]) common.emplace_back(a, b);
     }
   }
   exact.meet_sampled = mask(raster, common, centre_of);
@@ -234,21 +235,21 @@ Pixels pixel(const Scene& scene) {
   return exact;
 }
 
-bool picture_comes_near(const Scene& scene, std::size_t body, int column, int row, int around) {
+bool projection_comes_near(const Scene& scene, std::size_t body, int column, int row, int around) {
   const Rectangle square = squares_around(column, row, around);
   return std::ranges::any_of(parts_of(scene.bodies.at(body), Grid(scene.raster.value())),
-                             [&](const Seen& part) { return meets(part, square); });
+                             [&](const PosedPart& part) { return intersects(part, square); });
 }
 
 bool depths_come_near(const Scene& scene, int column, int row, int around, const Rational& apart) {
   const Grid grid(scene.raster.value());
   const mpq_class allowed = grid.per_metre * value_of(apart);
   const Rectangle square = squares_around(column, row, around);
-  for (const Seen& a : parts_of(scene.bodies.at(0), grid)) {
-    if (!meets(a, square)) continue;
+  for (const PosedPart& a : parts_of(scene.bodies.at(0), grid)) {
+    if (!intersects(a, square)) continue;
     const Depths of_A = depths_over(a, square);
-    for (const Seen& b : parts_of(scene.bodies.at(1), grid)) {
-      if (!meets(b, square)) continue;
+    for (const PosedPart& b : parts_of(scene.bodies.at(1), grid)) {
+      if (!intersects(b, square)) continue;
       const Depths of_B = depths_over(b, square);
       if (starts_before_end(of_A, of_B, allowed) && starts_before_end(of_B, of_A, allowed)) return true;
     }

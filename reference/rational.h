@@ -1,4 +1,4 @@
-// An exact rational as a plain value; GMP stays behind rational.cpp.
+// An exact rational as a plain value. GMP is hidden in exact/rational.cpp.
 #pragma once
 
 #include <compare>
@@ -9,11 +9,12 @@
 
 namespace touchstone::reference {
 
-/// A rational number, always in lowest terms with a positive denominator. A moved-from value may only be assigned or destroyed.
+/// A rational number, always in lowest terms with a positive denominator.
+/// A moved-from value may only be assigned or destroyed.
 class Rational {
  public:
-  Rational();                    ///< 0
-  Rational(double exact);        ///< NOLINT: the double's own value; throws std::invalid_argument unless finite
+  Rational();              ///< 0
+  Rational(double exact);  ///< NOLINT: the exact value of the double; throws std::invalid_argument unless finite
   explicit Rational(const std::string& fraction);  ///< "-3/4" or "12"
   Rational(const Rational&);
   Rational(Rational&&) noexcept;
@@ -37,11 +38,11 @@ class Rational {
 
   int sign() const;
   double nearest() const;           ///< the nearest double (ties to even); ±inf beyond the range
-  Interval enclosure() const;       ///< the tightest pair of doubles around it (lo = hi when it is a double)
+  Interval enclosure() const;       ///< the tightest pair of doubles around it (lo = hi if it is a double)
   Interval sqrt_enclosure() const;  ///< tightest doubles around the square root; throws std::domain_error if negative
   std::string text() const;         ///< "num/den", or "num"
 
-  struct Impl;  ///< holds the GMP number; complete only inside reference/*.cpp (reference/rational_impl.h)
+  struct Impl;  ///< holds the GMP number; complete only inside reference/ (reference/exact/rational.h)
   const Impl& impl() const { return *impl_; }
   explicit Rational(std::unique_ptr<Impl> impl);
 

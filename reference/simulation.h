@@ -1,8 +1,8 @@
-// What happens next? Event after event, all pairs: the obvious loop, for scenes of a few bodies.
+// Event-driven simulation by the obvious loop: one event after the other over all pairs, for scenes of a few bodies.
 //
-// Of all pairs, the one that first comes within the envelope and approaches gets its impulse (reference/impulse.h),
-// from the bodies' states at that time as they are reported: doubles. docs/design/simulation.md has the definitions,
-// and says which freedom an event has.
+// The pair that first comes within the envelope and approaches receives its impulse (reference/impulse.h). The impulse
+// is computed from the states at that time as they are reported, in doubles. docs/design/simulation.md has the
+// definitions and says which freedom an event has.
 #pragma once
 
 #include "model/answers.h"
@@ -10,15 +10,16 @@
 
 namespace touchstone::reference {
 
-/// Where the reference stops on purpose: events that pile up need a resting contact, which is not its business.
+/// Limits at which the reference stops: accumulating events need a resting contact, which it does not model.
 struct SimulationLimits {
   int impacts = 10000;
-  int rattles = 64;  ///< impacts of a pair, one after another, between which it does not leave the envelope
+  int micro_bounces = 64;  ///< successive impacts of a pair between which it does not leave the envelope
 };
 
-/// Ends with `complete_until` where a meeting is undecided, events pile up, or a limit is reached: the time until
-/// which states and events are whole. Requires a completed scene with a flight; throws what time_of_impact throws.
-/// Cost: a time of impact for each pair at the start, and for each pair of the two bodies after each impact.
+/// Stops early and sets `complete_until` where a contact is undecided, events accumulate, or a limit is reached: states
+/// and events are complete until that time. Requires a completed scene with a motion; throws what time_of_impact
+/// throws.
+/// Cost: one time of impact for each pair at the start, and after each impact one for each pair of the two bodies.
 Trajectory simulation(const Scene& scene, const SimulationLimits& limits = {});
 
 }  // namespace touchstone::reference

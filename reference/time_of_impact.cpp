@@ -8,13 +8,13 @@
 
 #include "model/input_error.h"
 #include "reference/distance.h"
-#include "reference/encounter_impl.h"
-#include "reference/flight_impl.h"
-#include "reference/float_mode_impl.h"
-#include "reference/next_impact_impl.h"
+#include "reference/exact/float_mode.h"
+#include "reference/exact/rational.h"
+#include "reference/motion/ballistic_motion.h"
 #include "reference/penetration.h"
-#include "reference/rational_impl.h"
-#include "reference/start_impl.h"
+#include "reference/time_of_impact/encounter.h"
+#include "reference/time_of_impact/initial_contact.h"
+#include "reference/time_of_impact/next_impact.h"
 
 namespace touchstone::reference {
 namespace {
@@ -41,29 +41,30 @@ TimeOfImpactTruth truth_of(const Found<P>& found, const Parts& parts, double end
   return truth;
 }
 
-/// What is asked about a flight.
+/// The question about the motion of two bodies.
 struct Question {
   const Scene& scene;
-  const std::array<Departure, 2>& departures;
+  const std::array<BallisticStart, 2>& starts;
   double apart;
   double from, end;
-  bool poses_hold;     ///< both stand at `from` as the scene says
-  bool only_meetings;  ///< contact from which they part does not count, and overlap is no answer
+  bool poses_hold;          ///< at `from` both have exactly the scene's poses
+  bool first_contact_only;  ///< separating contact does not count, and overlap is refused
 };
 
-TimeOfImpactTruth at_start(const Parts& parts, const Question& question, Meeting meeting, const Standing& standing) {
+TimeOfImpactTruth at_start(const Parts& parts, const Question& question, Meeting meeting,
+                           const InitialContact& initial) {
   TimeOfImpactTruth truth;
   truth.meeting = meeting;
   truth.at_start = true;
   truth.time = {question.from, meeting == Meeting::hit ? question.from : question.end};
-  if (standing.kind == Standing::Kind::overlapping) return truth;
+  if (initial.kind == InitialContact::Kind::overlapping) return truth;
   const auto vec = [](const Triple& v) { return Vec3(nearest(v[0]), nearest(v[1]), nearest(v[2])); };
-  const Float scale = 1 / sqrt(float_of(dot(standing.n, standing.n)));
+  const Float scale = 1 / sqrt(float_of(dot(initial.n, initial.n)));
   for (int i = 0; i < 3; ++i) {
-    truth.nhat_BA_W[i] = static_cast<double>(Float(scale * float_of(standing.n[static_cast<std::size_t>(i)])));
+    truth.nhat_BA_W[i] = static_cast<double>(Float(scale * float_of(initial.n[static_cast<std::size_t>(i)])));
   }
-  truth.p_WCa = vec(standing.x) - core_of(parts.A, parts.a).radius * truth.nhat_BA_W;
-  truth.p_WCb = vec(standing.y) + core_of(parts.B, parts.b).radius * truth.nhat_BA_W;
+  truth.p_WCa = vec(initial.x) - core_of(parts.A, parts.a).radius * truth.nhat_BA_W;
+  truth.p_WCb = vec(initial.y) + core_of(parts.B, parts.b).radius * truth.nhat_BA_W;
   return truth;
 }
 
@@ -78,31 +79,31 @@ TimeOfImpactTruth at_start(const Parts& parts, const Question& question, Meeting
   throw InputError("bodies", what.str() + " where their flight begins; expected bodies that are apart");
 }
 
-/// One of them has been flying before: their poses are known to rounding, and so is an overlap.
+/// One of the bodies started earlier, so the poses are known only to rounding, and so is an overlap.
 void refuse_overlap_to_rounding(const Question& question) {
   Scene scene = question.scene;
   for (std::size_t i = 0; i < 2; ++i) scene.bodies[i] = moved(question.scene, i, question.from);
   if (distance(scene).verdict == Verdict::overlapping) refuse_overlap(scene);
 }
 
-/// Where doubles see nothing between the two at the start.
-TimeOfImpactTruth closely(const Parts& parts, const Question& question) {
-  const auto& [a, b] = question.departures;
-  Encounter<InWide> encounter(parts, question.departures, question.apart);
+/// For pairs that doubles do not separate at the start.
+TimeOfImpactTruth resolve_start(const Parts& parts, const Question& question) {
+  const auto& [a, b] = question.starts;
+  Encounter<InWide> encounter(parts, question.starts, question.apart);
   const auto search = [&](const Float& from) { return encounter.search(from, question.end); };
   if (!question.poses_hold) {
     const Found<Float> found = search(question.from);
-    const bool known = isfinite(found.gap);  // else a tumbling body is lost
-    if (known && found.lo == question.from && question.only_meetings) refuse_overlap_to_rounding(question);
+    const bool known = isfinite(found.gap);  // else the trajectory of a tumbling body is unknown
+    if (known && found.lo == question.from && question.first_contact_only) refuse_overlap_to_rounding(question);
     return truth_of(found, parts, question.end);
   }
-  const Standing there = standing(parts.A, parts.a, a, parts.B, parts.b, b, question.apart);
-  using Kind = Standing::Kind;
+  const InitialContact there = initial_contact(parts.A, parts.a, a, parts.B, parts.b, b, question.apart);
+  using Kind = InitialContact::Kind;
   if (there.kind == Kind::apart) return truth_of(search(question.from), parts, question.end);
-  if (!question.only_meetings) return at_start(parts, question, Meeting::hit, there);
+  if (!question.first_contact_only) return at_start(parts, question, Meeting::hit, there);
   if (there.kind == Kind::overlapping) refuse_overlap(question.scene);
   if (there.kind == Kind::approaching) return at_start(parts, question, Meeting::hit, there);
-  if (there.kind == Kind::parting) {
+  if (there.kind == Kind::separating) {
     if (const std::optional<Float> later = encounter.leave(there, question.from, question.end)) {
       return truth_of(search(*later), parts, question.end);
     }
@@ -111,16 +112,16 @@ TimeOfImpactTruth closely(const Parts& parts, const Question& question) {
 }
 
 TimeOfImpactTruth between_parts(const Parts& parts, const Question& question) {
-  const Encounter<InDoubles> in_doubles(parts, question.departures, question.apart);
+  const Encounter<InDoubles> in_doubles(parts, question.starts, question.apart);
   const Found<double> quick = in_doubles.search(question.from, question.end);
-  if (!(quick.lo > question.from)) return closely(parts, question);
+  if (!(quick.lo > question.from)) return resolve_start(parts, question);
   const bool loose = quick.meeting == Meeting::hit && in_doubles.is_loose(quick);
   if (!loose && (quick.meeting != Meeting::undecided || quick.exhausted)) return truth_of(quick, parts, question.end);
-  Encounter<InWide> encounter(parts, question.departures, question.apart);
+  Encounter<InWide> encounter(parts, question.starts, question.apart);
   return truth_of(encounter.search(quick.lo, question.end), parts, question.end);
 }
 
-/// Of both: nothing before the earlier `lo`, and a meeting by the earlier `hi`.
+/// The result for both pairs of parts: no contact before the earlier `lo`, and a contact by the earlier `hi`.
 TimeOfImpactTruth earlier(const TimeOfImpactTruth& a, const TimeOfImpactTruth& b) {
   const bool a_begins = a.time.lo <= b.time.lo;
   TimeOfImpactTruth first = a_begins ? a : b;
@@ -132,28 +133,28 @@ TimeOfImpactTruth earlier(const TimeOfImpactTruth& a, const TimeOfImpactTruth& b
   return first;
 }
 
-/// A sphere that turns about its centre moves no point of its surface out of it.
-void leave_out_turning(const Body& body, Departure& departure) {
-  const bool centred = departure.centre[0] == 0 && departure.centre[1] == 0 && departure.centre[2] == 0;
+/// Removes the rotation of a sphere about its centre, which does not change the set of its points.
+void leave_out_turning(const Body& body, BallisticStart& start) {
+  const bool centred = start.centre[0] == 0 && start.centre[1] == 0 && start.centre[2] == 0;
   if (!std::holds_alternative<Sphere>(body.shape) || !centred) return;
-  departure.w = departure.Omega = departure.sigma = Triple();
-  departure.tumble = nullptr;
+  start.w = start.Omega = start.sigma = Triple();
+  start.tumble = nullptr;
 }
 
 TimeOfImpactTruth first_within(const Scene& scene, double apart, std::optional<double> earliest) {
   if (scene.bodies.size() < 2) throw InputError("bodies", "two are needed for a time of impact");
-  if (!scene.flight) throw InputError("flight", "missing; expected one for a question about motion");
+  if (!scene.motion) throw InputError("motion", "missing; expected one for a question about motion");
   const DefaultFloatMode mode;
   const Body& A = scene.bodies[0];
   const Body& B = scene.bodies[1];
-  std::array<Departure, 2> departures = {departure(scene, 0), departure(scene, 1)};
-  leave_out_turning(A, departures[0]);
-  leave_out_turning(B, departures[1]);
-  const double end = scene.flight->times.back();
-  const double from = std::max({departures[0].since.get_d(), departures[1].since.get_d(), earliest.value_or(0)});
-  if (from > end) throw InputError("flight.times", "the flight ends before the time that is asked about");
-  const bool poses_hold = departures[0].since == from && departures[1].since == from;
-  const Question question = {scene, departures, apart, from, end, poses_hold, !earliest};
+  std::array<BallisticStart, 2> starts = {ballistic_start(scene, 0), ballistic_start(scene, 1)};
+  leave_out_turning(A, starts[0]);
+  leave_out_turning(B, starts[1]);
+  const double end = scene.motion->sample_times.back();
+  const double from = std::max({starts[0].start_time.get_d(), starts[1].start_time.get_d(), earliest.value_or(0)});
+  if (from > end) throw InputError("motion.sample_times", "the flight ends before the time that is asked about");
+  const bool poses_hold = starts[0].start_time == from && starts[1].start_time == from;
+  const Question question = {scene, starts, apart, from, end, poses_hold, !earliest};
   std::optional<TimeOfImpactTruth> first;
   for (int a = 0; a < part_count(A); ++a) {
     for (int b = 0; b < part_count(B); ++b) {

@@ -132,10 +132,11 @@ class Scrutiny {
     require_covered_once(left.size());
   }
 
-  /// Faces that pass the checks above cover the hull's boundary d ≥ 1 times over: V − E + F of the named vertices, the edges
-  /// and the faces tells how often. Let s_v be the sheets that meet at vertex v and t_f the turns of face f's outline; then
-  /// Σ s_v − E + F = 2d − Σ (t_f − 1) (Euler, face by face), so V − E + F = 2d − Σ (t_f − 1) − Σ (s_v − 1). Every extreme
-  /// vertex, and there are 4 or more, has s_v = d: the right-hand side is 2 when d = 1, and at most 4 − 2d ≤ 0 otherwise.
+  /// Faces that pass the checks above cover the hull's boundary d ≥ 1 times over: V − E + F of the named vertices, the
+  /// edges and the faces tells how often. Let s_v be the sheets that meet at vertex v and t_f the turns of face f's
+  /// outline; then Σ s_v − E + F = 2d − Σ (t_f − 1) (Euler, face by face), so V − E + F = 2d − Σ (t_f − 1) − Σ (s_v −
+  /// 1). Every extreme vertex, and there are 4 or more, has s_v = d: the right-hand side is 2 when d = 1, and at most 4
+  /// − 2d ≤ 0 otherwise.
   void require_covered_once(std::size_t directed_edges) const {
     std::set<int> named;
     for (const Face& face : polytope_.faces) named.insert(face.begin(), face.end());

@@ -57,8 +57,9 @@ Solid solid(const Polytope& polytope) {
   return {sixfold, centroid, quotient_error * centroid.lpNorm<Eigen::Infinity>() + underflow};
 }
 
-/// Σ V_k c_k / Σ V_k. A weight V_k/ΣV is off by quotient_error and π's 2u (twice: it is in the sum too), a product and
-/// the sum of n terms round by (n + 1)u: (n + 12)u of the greatest |c_k|, on top of the parts' own errors.
+/// Σ V_k c_k / Σ V_k. A weight V_k/ΣV has an error of quotient_error and π's 2u (twice: it is in the sum too); a
+/// product and the sum of n terms round by (n + 1)u: (n + 12)u of the greatest |c_k|, in addition to the parts' own
+/// errors.
 Solid solid(const Compound& compound) {
   Dyadic sixfold;
   std::vector<Solid> parts;

@@ -14,8 +14,8 @@ namespace {
 using exact::Dyadic;
 using lin_canny::Hull;
 
-/// A computed r·s, r a row of R and s a unit spoke: R is off by 36u, the spoke by 5u, three products and two sums of
-/// numbers whose magnitudes sum to at most 1 by 3.1u: 44.1u, and terms of second order.
+/// A computed r·s, with r a row of R and s a unit spoke: the error of R is 36u, that of the spoke 5u, and the three
+/// products and two sums of numbers whose magnitudes sum to at most 1 round by 3.1u: 44.1u, and terms of second order.
 constexpr double slope_error = 48 * u;
 
 struct ExactQuaternion {
@@ -27,7 +27,7 @@ ExactQuaternion product(const ExactQuaternion& a, const Quaternion& b) {
           a.w * b.y - a.x * b.z + a.y * b.w + a.z * b.x, a.w * b.z + a.x * b.y - a.y * b.x + a.z * b.w};
 }
 
-/// Row `axis` of |q|² R(q/|q|), q the product of the poses' quaternions: exact.
+/// Row `axis` of |q|² R(q/|q|), exact; q is the product of the poses' quaternions.
 exact::Vector exact_row(std::span<const Pose> poses, int axis) {
   ExactQuaternion q{1.0, 0.0, 0.0, 0.0};
   for (const Pose& X : poses) q = product(q, X.q_WB);
@@ -40,7 +40,7 @@ exact::Vector exact_row(std::span<const Pose> poses, int axis) {
 
 std::tuple<double, double, double> coordinates(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
 
-/// One axis of W and a sign: "is this neighbour higher?"
+/// Climbs along one axis of W, or against it.
 class Uphill {
  public:
   Uphill(const Hull& hull, std::span<const Pose> poses, const Mat3& R, int axis, int sign)
@@ -74,7 +74,7 @@ class Uphill {
   Vec3 direction_;
   int axis_;
   int sign_;
-  std::optional<exact::Vector> row_;  ///< once doubles could not decide
+  std::optional<exact::Vector> row_;  ///< set once doubles could not decide
 };
 
 }  // namespace

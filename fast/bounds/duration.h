@@ -1,4 +1,4 @@
-// What a frame's length may be.
+// Checks the length of a frame.
 #pragma once
 
 #include "model/input_error.h"

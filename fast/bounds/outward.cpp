@@ -7,7 +7,7 @@
 namespace touchstone::fast::outward {
 namespace {
 
-/// q scaled by a power of two until its greatest component is in [1, 2): the same rotation, and |q|² stays in range.
+/// q is scaled by a power of two until its greatest component is in [1, 2): the same rotation, and |q|² stays in range.
 Mat3 rotation(const Quaternion& q) {
   const double greatest = std::max({std::abs(q.w), std::abs(q.x), std::abs(q.y), std::abs(q.z)});
   const int shift = -std::ilogb(greatest);
@@ -40,7 +40,7 @@ void Grower::add(const Motion& X, const Vec3& p, const Vec3& reach, double lengt
   hi_ = hi_.cwiseMax(centre + outward);
 }
 
-/// One sum rounds by u(|lo_| + |lo|), the step outward by as much again.
+/// One sum rounds by u(|lo_| + |lo|), and the outward step by as much again.
 void Grower::stretch(const Vec3& lo, const Vec3& hi) {
   const Vec3 step_lo = 4 * u * (lo_.cwiseAbs() + lo.cwiseAbs());
   const Vec3 step_hi = 4 * u * (hi_.cwiseAbs() + hi.cwiseAbs());
@@ -63,7 +63,7 @@ void grow(Grower& grower, const Sphere& sphere, const Motion& X) {
   grower.add(X, Vec3::Zero(), Vec3::Constant(radius), radius);
 }
 
-/// Each half extent reaches |R_ij| h_j along axis i.
+/// Each half extent contributes |R_ij| h_j along axis i.
 void grow(Grower& grower, const Box& box, const Motion& X) {
   const Vec3 half = box.half_extents / unit;
   grower.add(X, Vec3::Zero(), X.R.cwiseAbs() * half, half.lpNorm<1>());

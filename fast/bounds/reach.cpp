@@ -9,9 +9,9 @@
 namespace touchstone::fast::outward {
 namespace {
 
-/// Of one point R p + t from the centre c, |error| ≤ √3 (place_error + u |p_i − c_i|) + the length's own: divisions,
-/// squares, two sums, a root and a product round by < 8u of it. With |p − c| ≤ ‖p‖₁ + |t|₁ + |c|₁ = m that is < 28u m +
-/// 10u m for a posed part and 10u m for a body's own points.
+/// For one point R p + t at a distance from the centre c, |error| ≤ √3 (place_error + u |p_i − c_i|) plus the rounding
+/// of the length: divisions, squares, two sums, a root and a product round by < 8u of it. With |p − c| ≤ ‖p‖₁ + |t|₁ +
+/// |c|₁ = m that is < 28u m + 10u m for a posed part and 10u m for a body's own points.
 double from(const Vec3& centre, const Motion& X, const Vec3& p, double length) {
   const Vec3 d = X.R * p + X.t - centre;
   const double distance = std::hypot(d.x(), d.y(), d.z());

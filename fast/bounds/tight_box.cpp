@@ -26,29 +26,30 @@ void list_climbs(const Compound& compound, std::vector<Climb>& climbs) {
     std::visit([&](const auto& solid) { list_climbs(solid, climbs); }, part.shape);
 }
 
-/// Posed by X; `poses` and R are the same for the climb.
-struct Stance {
+/// The pose of a shape: X for its points, and the same as `poses` and R for the climb.
+struct RigidTransform {
   Motion X;
   std::span<const Pose> poses;
   Mat3 R;
 };
 
 template <class Solid>
-void grow_next(Grower& grower, const Solid& solid, const Stance& stance, std::vector<Climb>::iterator&) {
-  grow(grower, solid, stance.X);
+void grow_next(Grower& grower, const Solid& solid, const RigidTransform& transform, std::vector<Climb>::iterator&) {
+  grow(grower, solid, transform.X);
 }
 
-void grow_next(Grower& grower, const Polytope&, const Stance& stance, std::vector<Climb>::iterator& next) {
-  for (const int v : next->climb(stance.poses, stance.R)) grow(grower, next->hull().vertex(v), stance.X);
+void grow_next(Grower& grower, const Polytope&, const RigidTransform& transform, std::vector<Climb>::iterator& next) {
+  for (const int v : next->climb(transform.poses, transform.R)) grow(grower, next->hull().vertex(v), transform.X);
   ++next;
 }
 
-void grow_next(Grower& grower, const Compound& compound, const Stance& body, std::vector<Climb>::iterator& next) {
+void grow_next(Grower& grower, const Compound& compound, const RigidTransform& body,
+               std::vector<Climb>::iterator& next) {
   for (const Part& part : compound.parts) {
     const std::array<Pose, 2> poses{body.poses.front(), part.X_BP};
-    const Stance stance{composed(body.X, outward::motion(part.X_BP)), poses,
-                        body.R * lin_canny::rotation(part.X_BP.q_WB)};
-    std::visit([&](const auto& solid) { grow_next(grower, solid, stance, next); }, part.shape);
+    const RigidTransform transform{composed(body.X, outward::motion(part.X_BP)), poses,
+                                   body.R * lin_canny::rotation(part.X_BP.q_WB)};
+    std::visit([&](const auto& solid) { grow_next(grower, solid, transform, next); }, part.shape);
   }
 }
 
@@ -59,10 +60,10 @@ TightBox::TightBox(const Shape& shape) : shape_(shape) {
 }
 
 Aabb TightBox::at(const Pose& X_WB) {
-  const Stance stance{outward::motion(X_WB), {&X_WB, 1}, lin_canny::rotation(X_WB.q_WB)};
+  const RigidTransform transform{outward::motion(X_WB), {&X_WB, 1}, lin_canny::rotation(X_WB.q_WB)};
   Grower grower;
   auto next = climbs_.begin();
-  std::visit([&](const auto& solid) { grow_next(grower, solid, stance, next); }, shape_);
+  std::visit([&](const auto& solid) { grow_next(grower, solid, transform, next); }, shape_);
   return grower.box();
 }
 

@@ -1,4 +1,4 @@
-// The tight box of a body that moves: its polytopes' extremal vertices are remembered from frame to frame.
+// The tight box of a moving body; its polytopes' extremal vertices are remembered from frame to frame.
 #pragma once
 
 #include <vector>
@@ -8,11 +8,11 @@
 
 namespace touchstone::fast {
 
-/// As fast/bounds.h at every pose, and within the same bound E; but a polytope costs only the vertices that it climbs
-/// past. Spheres and boxes have closed forms: nothing is remembered for them.
+/// As fast/bounds.h at every pose, and within the same bound E; but a polytope costs only the vertices that are climbed
+/// past. Spheres and boxes have closed forms and remember nothing.
 class TightBox {
  public:
-  /// Requires a valid shape; throws InputError where a polytope's faces are missing or not the boundary of a convex
+  /// Requires a valid shape. Throws InputError if a polytope's faces are missing or are not the boundary of a convex
   /// solid.
   explicit TightBox(const Shape& shape);
 
@@ -23,7 +23,7 @@ class TightBox {
 
  private:
   Shape shape_;
-  std::vector<Climb> climbs_;  ///< one a polytope, in the order of parts
+  std::vector<Climb> climbs_;  ///< one per polytope, in the order of parts
 };
 
 }  // namespace touchstone::fast

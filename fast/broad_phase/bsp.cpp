@@ -54,7 +54,7 @@ void Bsp::split(std::size_t first, const Aabb& region) {
   const auto descend = [&](const auto& belongs, const Aabb& part) {
     for (std::size_t i = first; i < last; ++i)
       if (belongs(list_[i])) list_.push_back(list_[i]);
-    // The part's bodies now end the list.
+    // The part's bodies are now at the end of the list.
     split(last, part);
     list_.resize(last);
   };

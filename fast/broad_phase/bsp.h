@@ -7,21 +7,21 @@
 
 namespace touchstone::fast {
 
-/// A region with more than 12 bodies is cut at the median of their centres, along the axis on which these are spread
-/// widest; a box that meets both sides goes to both. A cut that would copy more than half of the bodies is not made.
-/// A pair is reported by the one leaf in which its overlap begins: regions are half open, so no leaf or two never own
+/// A region with more than 12 bodies is split at the median of their centres, along the axis on which these are spread
+/// widest; a box that overlaps both sides goes to both. A split that would copy more than half of the bodies is not
+/// made. A pair is reported by the leaf in which its overlap begins: regions are half open, so exactly one leaf reports
 /// it.
 ///
-/// Cost of a frame: O(n log n + copies); O(n²) when boxes are large against their distances. Rebuilt each frame.
+/// Cost of a frame: O(n log n + copies); O(n²) if boxes are large compared with their distances. Rebuilt each frame.
 class Bsp final : public BroadPhase {
  private:
   void refresh() override;
 
-  /// Bodies list_[first …] to the end; leaves the list as it found it.
+  /// Splits a region with the bodies from list_[first] to the end; leaves the list as it was.
   void split(std::size_t first, const Aabb& region);
   void report(std::size_t first, const Aabb& region);
 
-  std::vector<BodyId> list_;  ///< a stack of regions' bodies
+  std::vector<BodyId> list_;  ///< a stack of the regions' bodies
   std::vector<double> centres_;
 };
 

@@ -6,7 +6,7 @@
 namespace touchstone::fast {
 namespace {
 
-/// Odd multipliers spread neighbouring cells; the last step brings the high bits down.
+/// Odd multipliers spread neighbouring cells; the last step mixes the high bits into the low ones.
 std::size_t hash(const Cell& cell) {
   std::uint64_t h = static_cast<std::uint32_t>(cell.x) * 0x9e3779b97f4a7c15U;
   h = (h ^ static_cast<std::uint32_t>(cell.y)) * 0xbf58476d1ce4e5b9U;

@@ -1,4 +1,4 @@
-// Bodies by the cells of space they lie in: a list of entries, grouped by the hash of their cell.
+// Bodies by the cells of space that they overlap: a list of entries, sorted by the hash of their cell.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace touchstone::fast {
 
-/// A cube of the tiling of `level`, counted from the origin.
+/// A cubic cell of the grid of `level`, with indices counted from the origin.
 struct Cell {
   std::int32_t level = 0;
   std::int32_t x = 0;
@@ -19,7 +19,7 @@ struct Cell {
   bool operator==(const Cell&) const = default;
 };
 
-/// floor(p / size), for |p / size| < 2^31. Floor, not a cast, which would fold the cells on both sides of 0 into one.
+/// floor(p / size), for |p / size| < 2^31. A cast would merge the cells on both sides of 0.
 Cell cell_of(const Vec3& p, int level, double size);
 
 class CellTable {
@@ -33,7 +33,7 @@ class CellTable {
   void add(const Cell& cell, BodyId body) { entries_.push_back({cell, body}); }
   std::size_t entries() const { return entries_.size(); }
 
-  /// Sorts the entries by bucket (one counting sort); entries of a cell are then in one bucket, in the order added.
+  /// Sorts the entries by bucket (one counting sort). The entries of a cell are then in one bucket, in the order added.
   void group();
   std::size_t buckets() const { return start_.size() - 1; }
   std::span<const Entry> bucket(std::size_t i) const {

@@ -7,7 +7,7 @@
 namespace touchstone::fast {
 namespace {
 
-/// The greatest extent, rounded up: a box then is exactly no longer than a cell that is said to be as long.
+/// The greatest extent, rounded up: then a box is exactly no longer than a cell of at least that computed size.
 double extent(const Aabb& box) {
   const double rounded = (box.hi - box.lo).maxCoeff();
   return rounded == 0 ? 0 : std::nextafter(rounded, std::numeric_limits<double>::infinity());
@@ -21,7 +21,7 @@ double power_of_two_from(double x) {
 
 }  // namespace
 
-/// Powers of two, so that p / size is exact and a box no longer than a cell meets no more than two of them.
+/// Powers of two, so that p / size is exact and a box no longer than a cell overlaps at most two of them.
 double HierarchicalHash::size(int level) const { return std::ldexp(finest_, level); }
 
 void HierarchicalHash::refresh() {
@@ -45,7 +45,7 @@ void HierarchicalHash::choose_levels() {
     greatest = std::max(greatest, extent(box_[id]));
     farthest = std::max({farthest, box_[id].lo.lpNorm<Eigen::Infinity>(), box_[id].hi.lpNorm<Eigen::Infinity>()});
   }
-  // A cell's number has to fit 31 bits, and cells finer than 2^-30 of the greatest body only cost levels.
+  // A cell's index has to fit 31 bits, and cells finer than 2^-30 of the greatest body only add levels.
   finest_ = power_of_two_from(std::max({least, farthest * 0x1p-30, greatest * 0x1p-30, 0x1p-1000}));
   levels_ = 1;
   while (size(levels_ - 1) < greatest) ++levels_;

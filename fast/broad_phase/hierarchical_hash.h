@@ -1,4 +1,5 @@
-// Overmars' tiling as Mirtich uses it: a hash of cells on every scale, each body on its own and all coarser ones.
+// Overmars' tiling as Mirtich uses it: a hash of cells on every scale; each body is entered on its own and all coarser
+// ones.
 #pragma once
 
 #include <cstdint>
@@ -9,15 +10,15 @@
 
 namespace touchstone::fast {
 
-/// Level l has cells of 2^l times the finest, a power of two ≥ the least extent. A body's native level is the first
-/// whose cells are at least as great as its greatest extent, so that it meets at most 2 cells an axis there and above.
-/// Two bodies are looked for on the coarser of their native levels, in the cell in which their overlap begins.
+/// Level l has cells of 2^l times the finest size, which is a power of two ≥ the least extent. A body's native level is
+/// the first whose cells are at least as large as its greatest extent, so that it overlaps at most 2 cells per axis
+/// there and above. A pair is searched on the coarser of its native levels, in the cell in which its overlap begins.
 ///
-/// Law: at most 8 (1 + ⌈log₂ R⌉) entries a body, R the ratio of the greatest extent to the least (at most 2^30 counts).
-/// Cost of a frame: O(n (1 + log R) + tests), if the density is bounded on every level. Rebuilt each frame.
+/// Law: at most 8 (1 + ⌈log₂ R⌉) entries per body, R the ratio of the greatest extent to the least (at most 2^30
+/// counts). Cost of a frame: O(n (1 + log R) + tests), if the density is bounded on every level. Rebuilt each frame.
 class HierarchicalHash final : public BroadPhase {
  public:
-  /// Entries made in the last update that searched.
+  /// Number of entries made in the last update that searched.
   std::size_t entries() const { return table_.entries(); }
 
  private:

@@ -7,10 +7,10 @@ namespace {
 
 constexpr std::size_t few = 8;
 
-// Beyond this the halves of a double's range are used up: bodies so close are kept together.
+// Beyond this depth doubles cannot halve the cubes further: bodies this close stay together.
 constexpr int greatest_depth = 48;
 
-/// 0 … 7 by bits x, y, z; −1 when the box meets a plane through the centre.
+/// 0 … 7 by bits x, y, z; −1 if the box overlaps a plane through the centre.
 int octant(const Aabb& box, const Vec3& centre) {
   int bits = 0;
   for (int axis = 0; axis < 3; ++axis) {
@@ -35,7 +35,7 @@ void Octree::refresh() {
     all.hi = all.hi.cwiseMax(box_[id].hi);
   }
   split(0, ids_.size(), (all.lo + all.hi) / 2, (all.hi - all.lo).maxCoeff() / 2, 0);
-  for (std::size_t node = 0; node < nodes_.size(); ++node) meet(node);
+  for (std::size_t node = 0; node < nodes_.size(); ++node) report_overlaps(node);
 }
 
 void Octree::split(std::size_t first, std::size_t last, const Vec3& centre, double half, int depth) {
@@ -63,7 +63,7 @@ void Octree::split(std::size_t first, std::size_t last, const Vec3& centre, doub
   nodes_[node].past = nodes_.size();
 }
 
-void Octree::meet(std::size_t node) {
+void Octree::report_overlaps(std::size_t node) {
   for (std::size_t i = nodes_[node].first; i < nodes_[node].last; ++i) {
     const BodyId a = ids_[i];
     for (std::size_t j = i + 1; j < nodes_[node].last; ++j)

@@ -2,7 +2,7 @@
 
 namespace touchstone::fast {
 
-/// Fibonacci hashing of both ids; the high bits are the well-mixed ones.
+/// Fibonacci hashing of both ids; uses the high bits, which are mixed best.
 std::size_t PairIndex::home(BodyPair pair) const {
   const std::uint64_t key = (std::uint64_t{pair.a} << 32U) | pair.b;
   return static_cast<std::size_t>((key * 0x9e3779b97f4a7c15U) >> 32U) & (position_.size() - 1);
@@ -34,7 +34,7 @@ void PairIndex::remove(std::vector<BodyPair>& pairs, BodyPair pair) {
   close_gap(pairs, slot);
 }
 
-/// Moves later members of the run back over the gap when their home does not lie behind it.
+/// Moves later entries of the run back into the gap unless their home slot is behind it.
 void PairIndex::close_gap(const std::vector<BodyPair>& pairs, std::size_t gap) {
   const std::size_t mask = position_.size() - 1;
   for (std::size_t slot = (gap + 1) & mask; position_[slot] != empty; slot = (slot + 1) & mask) {

@@ -12,14 +12,14 @@ namespace touchstone::fast {
 
 struct Strategy {
   std::string name;
-  std::string says;  ///< in one line, what it is
+  std::string says;  ///< a description in one line
   std::function<std::unique_ptr<BroadPhase>()> make;
 };
 
 /// In the order of the lecture notes; the default comes last.
 const std::vector<Strategy>& strategies();
 
-/// Throws InputError with the names there are.
+/// Throws InputError that lists the known names.
 const Strategy& find_strategy(const std::string& name);
 
 }  // namespace touchstone::fast

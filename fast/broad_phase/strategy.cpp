@@ -12,7 +12,7 @@ namespace {
 
 constexpr BodyId id_limit = BodyId{1} << 24U;
 
-// Differences of two coordinates, and their sums with an extent, stay finite.
+// So that differences of two coordinates, and their sums with an extent, stay finite.
 constexpr double greatest_coordinate = 0x1p1000;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -64,7 +64,7 @@ void BroadPhase::remove(BodyId id) {
   --count_;
 }
 
-/// By an eighth at a time: doubling could take nearly twice the memory that is used.
+/// Grows the capacity by an eighth: doubling could use nearly twice the memory needed.
 void BroadPhase::make_room(std::size_t ids) {
   if (ids > box_.capacity()) {
     const std::size_t room = std::max(ids, box_.capacity() + box_.capacity() / 8);

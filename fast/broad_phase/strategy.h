@@ -1,4 +1,5 @@
-// What every strategy of the broad phase has in common: bodies with boxes come, move and go; pairs begin and end.
+// What all broad-phase strategies have in common: bodies with boxes are inserted, moved and removed; pairs begin and
+// end.
 #pragma once
 
 #include <compare>
@@ -9,7 +10,7 @@
 
 namespace touchstone::fast {
 
-/// The caller's name of a body: a small number, since memory goes with the greatest one. Less than 2^24.
+/// The caller's id of a body. Less than 2^24, and preferably small: memory grows with the greatest id.
 using BodyId = std::uint32_t;
 
 /// a < b.
@@ -26,20 +27,19 @@ inline bool overlap(const Aabb& a, const Aabb& b) {
          a.lo.z() <= b.hi.z() && b.lo.z() <= a.hi.z();
 }
 
-/// By an eighth at a time: doubling could take nearly twice the memory that is used.
+/// Grows the capacity by an eighth: doubling could use nearly twice the memory needed.
 inline void append(std::vector<BodyPair>& pairs, BodyPair pair) {
   if (pairs.size() == pairs.capacity()) pairs.reserve(pairs.size() + pairs.size() / 8 + 16);
   pairs.push_back(pair);
 }
 
-/// Which boxes overlap, kept from frame to frame. Changes are gathered by insert, move and remove; update() ends the
-/// frame.
+/// Which boxes overlap, from frame to frame. insert, move and remove collect changes; update() ends the frame.
 ///
 /// Laws: after update(), pairs() are exactly the pairs of present boxes that overlap, each once; begun() and ended()
-/// are what pairs() gained and lost since the update before. None is sorted, but the same calls give the same order.
+/// are what pairs() gained and lost since the previous update. None is sorted, but the same calls give the same order.
 ///
-/// Errors: insert, move and remove throw InputError and change nothing when a number is NaN, infinite or beyond 2^1000,
-/// lo > hi, an id is too large, inserted twice, or not there.
+/// Errors: insert, move and remove throw InputError and change nothing if a number is NaN, infinite or beyond 2^1000,
+/// if lo > hi, or if an id is too large, inserted twice, or not present.
 class BroadPhase {
  public:
   virtual ~BroadPhase() = default;
@@ -54,31 +54,32 @@ class BroadPhase {
   const std::vector<BodyPair>& ended() const { return ended_; }
 
  protected:
-  /// Makes pairs_, begun_ and ended_ true of box_. Called only if something moved; begun_ and ended_ come empty.
+  /// Updates pairs_, begun_ and ended_ from box_. Called only if something moved; begun_ and ended_ are empty on entry.
   virtual void refresh() = 0;
 
   bool present(BodyId id) const { return id < box_.size() && box_[id].lo.x() <= box_[id].hi.x(); }
   bool moved(BodyId id) const { return has_moved_[id] != 0; }
   std::size_t count() const { return count_; }
 
-  /// The present ids, ascending.
+  /// Lists the present ids, ascending.
   void list_present(std::vector<BodyId>& ids) const;
 
-  /// For strategies that search: takes the pairs that ended out of pairs_.
+  /// For strategies that search: moves the pairs that ended from pairs_ to ended_.
   void drop_ended();
 
-  /// For strategies that search: a and b overlap now; they begin unless they overlapped before. Once a pair and frame.
+  /// For strategies that search: a and b overlap now; the pair begins unless it overlapped before. Call once per pair
+  /// and frame.
   void offer(BodyId a, BodyId b) {
     if (!overlap(was(a), was(b))) begin(a, b);
   }
   void begin(BodyId a, BodyId b);
 
-  /// The box at the last update.
+  /// The box at the previous update.
   const Aabb& was(BodyId id) const { return moved(id) ? was_[id] : box_[id]; }
 
-  /// By id. An absent body's box is empty (lo = +∞, hi = −∞) and so overlaps nothing: insertion and removal are moves.
+  /// By id. An absent body's box is empty (lo = +∞, hi = −∞) and overlaps nothing, so insertion and removal are moves.
   std::vector<Aabb> box_;
-  std::vector<BodyId> moved_;  ///< ids whose box may differ from the one at the last update, each once
+  std::vector<BodyId> moved_;  ///< ids whose box may differ from that at the previous update, each once
 
   std::vector<BodyPair> pairs_;
   std::vector<BodyPair> begun_;
@@ -88,7 +89,7 @@ class BroadPhase {
   void make_room(std::size_t ids);
   void put(BodyId id, const Aabb& box);
 
-  std::vector<Aabb> was_;  ///< of those that moved: box_ at the last update
+  std::vector<Aabb> was_;  ///< of bodies that moved: box_ at the previous update
   std::vector<std::uint8_t> has_moved_;
   std::size_t count_ = 0;
 };

@@ -19,12 +19,12 @@ void Sweep2d::refresh() {
   plant_tree();
   order_events();
   for (const Event& event : events_) {
-    if (!event.is_end) meet(event.body);
+    if (!event.is_end) report_overlaps(event.body);
     put(event.body, event.is_end ? never : box_[event.body].hi[tree_axis_]);
   }
 }
 
-/// Leaves out the axis along which the bodies reach least far.
+/// Leaves out the axis along which the bodies are spread least.
 void Sweep2d::choose_axes() {
   Aabb all = box_[ids_.front()];
   for (const BodyId id : ids_) {
@@ -66,14 +66,14 @@ void Sweep2d::put(BodyId id, double end) {
     greatest_end_[node] = std::max(greatest_end_[2 * node], greatest_end_[2 * node + 1]);
 }
 
-void Sweep2d::meet(BodyId id) {
+void Sweep2d::report_overlaps(BodyId id) {
   const double hi = box_[id].hi[tree_axis_];
   const auto last =
       std::partition_point(ids_.begin(), ids_.end(), [&](BodyId other) { return box_[other].lo[tree_axis_] <= hi; });
   descend(1, 0, leaves_, static_cast<std::size_t>(last - ids_.begin()), id);
 }
 
-/// Below `node` are the leaves first … first + width − 1; those from `last` on begin too late.
+/// The leaves below `node` are first … first + width − 1; those from `last` on begin too late.
 void Sweep2d::descend(std::size_t node, std::size_t first, std::size_t width, std::size_t last, BodyId id) {
   if (first >= last || greatest_end_[node] < box_[id].lo[tree_axis_]) return;
   if (width == 1) {

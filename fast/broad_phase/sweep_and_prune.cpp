@@ -3,7 +3,7 @@
 namespace touchstone::fast {
 namespace {
 
-/// Beyond all coordinates, one after the other, so that two bodies that go together end their pair as well.
+/// Beyond all coordinates, and different for each body, so that two bodies removed together also end their pair.
 double waiting_place(BodyId id) { return 0x1p1001 * (1 + 0x1p-24 * id); }
 
 }  // namespace

@@ -11,19 +11,19 @@
 namespace touchstone::fast {
 
 /// The lists are kept between frames and sorted by insertion, which swaps each inverted pair of end points exactly
-/// once; the set of pairs changes in swaps only:
-///   a begin passes below an end   the two intervals now meet: a pair, if the (final) boxes overlap on all axes;
+/// once. The set of pairs changes only in swaps:
+///   a begin passes below an end   the two intervals now overlap: a pair, if the (final) boxes overlap on all axes;
 ///   an end passes below a begin   the two intervals are now apart: no pair.
-/// On ties a begin stands before an end, so closed boxes that touch are a pair however they came there.
+/// On ties a begin precedes an end, so closed boxes that touch are a pair, whatever the order of events.
 ///
-/// A body that goes takes its end points to a place of its own behind all others, where they are cut off: removal is
-/// made of swaps too, and so is insertion, from behind all others.
+/// A removed body's end points move to a place of their own behind all others, where they are cut off. So removal is
+/// made of swaps too, and likewise insertion, which starts behind all others.
 ///
 /// Cost of a frame: 6n + swaps. The claimed "expected O(n)" holds while swaps ≲ n. At fixed density and speed, swaps
-/// grow as n^5/3; bodies that settle in one layer swap n²/2 times (docs/design/broad_phase.md).
+/// grow as n^5/3; bodies that come to rest in one layer swap n²/2 times (docs/design/broad_phase.md).
 class SweepAndPrune final : public BroadPhase {
  public:
-  /// Swaps in the last update that had to sort: the number of inversions of the three lists.
+  /// Number of swaps in the last update that had to sort: the number of inversions of the three lists.
   std::uint64_t swaps() const { return swaps_; }
 
  private:

@@ -54,19 +54,21 @@ double UniformGrid::choose_cell_size() const {
   }
   const double greatest = std::max(all.lo.lpNorm<Eigen::Infinity>(), all.hi.lpNorm<Eigen::Infinity>());
   const double mean = std::max(extents.mean(), 0x1p-1000);
-  // Divided before it is multiplied: a volume in cubic metres may leave the range. Flat worlds are one body thick.
+  // Divided before it is multiplied: a volume in cubic metres may leave the range. A flat world counts as one body
+  // thick.
   const Vec3 room = ((all.hi - all.lo) / mean).cwiseMax(1);
   const double density = n / room.x() / room.y() / room.z();
   double best = 1;
   for (double x = 1; x <= 64; x *= std::sqrt(2.0))
     if (modelled_cost(x, density) < modelled_cost(best, density)) best = x;
-  // A cell's number has to fit 31 bits.
+  // A cell's index has to fit 31 bits.
   double size = std::max(best * mean, greatest * 0x1p-30);
   while (entries_at(size) > entries_per_body * n) size *= 1.5;
   return size;
 }
 
-/// An upper bound of the entries: an extent of e meets at most ⌊e / size⌋ + 2 cells. Needs no cell numbers.
+/// An upper bound of the number of entries: an extent of e overlaps at most ⌊e / size⌋ + 2 cells. Needs no cell
+/// indices.
 double UniformGrid::entries_at(double size) const {
   double entries = 0;
   for (const BodyId id : ids_) {

@@ -12,7 +12,8 @@ constexpr std::size_t most_levels = 12;
 // box tests, narrower ones more rows, and a row costs more than a test.
 constexpr double cells_per_distance = 2.25;
 
-// The mean number of bodies in a body's cell. Evenly spread bodies have 1 + cells_per_distance³ ≈ 12.4; some are borne.
+// The limit of the mean number of bodies in a body's cell. Uniformly spread bodies have 1 + cells_per_distance³ ≈ 12.4;
+// some crowding is accepted.
 constexpr double crowd_allowed = 32;
 constexpr double greatest_units = 0x1p20;
 
@@ -50,7 +51,7 @@ void WrappedCells::expect(std::size_t pairs, std::size_t bodies) {
   greatest_margin_ = (std::cbrt(borne / known) - 1) / 2;
 }
 
-/// As wide as bodies are apart on average, times a constant; not much less than a mean body is long.
+/// A constant times the average distance of bodies; not much less than the mean extent of a body.
 double WrappedCells::first_cell(const std::vector<Aabb>& boxes, const std::vector<BodyId>& ids) {
   domain_ = boxes[ids.front()];
   Vec3 mean = Vec3::Zero();
@@ -62,16 +63,16 @@ double WrappedCells::first_cell(const std::vector<Aabb>& boxes, const std::vecto
   }
   const Vec3 room = domain_.hi - domain_.lo;
   const double widest = std::max(room.maxCoeff(), 0x1p-900);
-  // A flat world is as thick as a body.
+  // A flat world counts as one body thick.
   const Vec3 share = (room / widest).cwiseMax(mean / widest).cwiseMax(0x1p-20);
   least_cell_ = std::max(mean.maxCoeff(), widest / greatest_units * 2);
-  // Room for what moves about, so that g need not change every frame.
+  // Room for bodies that move about, so that g need not change every frame.
   domain_.lo -= Vec3::Constant(widest / 16);
   domain_.hi += Vec3::Constant(widest / 16);
   return std::max(cells_per_distance * widest * std::cbrt(share.prod() / n), least_cell_ / 2);
 }
 
-/// The mean number of bodies in a body's cell, when the cells are hashed onto about n places.
+/// The mean number of bodies in a body's cell, with cells hashed onto about n places.
 double WrappedCells::crowding(const std::vector<Aabb>& boxes, const std::vector<BodyId>& ids,
                               std::vector<std::uint32_t>& scratch) const {
   scratch.assign(std::bit_ceil(ids.size()), 0);
@@ -87,7 +88,7 @@ double WrappedCells::crowding(const std::vector<Aabb>& boxes, const std::vector<
   return squares / static_cast<double>(ids.size());
 }
 
-/// The places are handed out to the axes a doubling at a time, to the one with most cells left to tell apart.
+/// Gives doublings of the places, one at a time, to the axis with most cells left to distinguish.
 void WrappedCells::share_places(CellLevel& level, std::size_t bodies) const {
   int bits = static_cast<int>(std::bit_width((bodies / 2) | 1U));
   std::array<int, 3> log{};

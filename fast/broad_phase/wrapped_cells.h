@@ -1,4 +1,4 @@
-// Where a body stands in the wrapped grid: levels of cells, wrapped like a torus onto a small table.
+// The cells of the wrapped grid: levels of cells, wrapped like a torus onto a small table.
 #pragma once
 
 #include <algorithm>
@@ -15,8 +15,8 @@
 
 namespace touchstone::fast {
 
-/// A box in cells of level 0, as floats. Four lanes are compared at once, so the fourth must always overlap: 0 below,
-/// and above the id, which is less than 2^24 and so a float.
+/// A box in units of level 0's cells, as floats. Four lanes are compared at once, so the fourth must always overlap: lo
+/// holds 0, and hi holds the id, which is less than 2^24 and so exact as a float.
 struct alignas(16) CellBox {
   std::array<float, 4> lo{};
   std::array<float, 4> hi{};
@@ -26,37 +26,36 @@ struct alignas(16) CellBox {
   bool near(const CellBox& e) const;
 };
 
-/// The table's places of one level.
+/// One level's range of places in the table.
 struct CellLevel {
   float cells_per_unit = 1;  ///< 4^-level; a unit is a cell of level 0
   std::array<float, 3> reach{};
-  std::array<std::int32_t, 3> mask{};  ///< cells along each axis before it wraps, less one
-  std::array<int, 2> shift{};          ///< of y and z in a place's number
+  std::array<std::int32_t, 3> mask{};  ///< cells along each axis before it wraps, minus one
+  std::array<int, 2> shift{};          ///< of y and z in a place's index
   std::uint32_t first_place = 0;
   std::uint32_t places = 0;
 
   std::uint32_t place_of(const CellBox& e) const;
 
-  /// Makes reach no less than e's extents. The factor makes up for the rounding of the difference and its own (2 ·
-  /// 2^-24).
+  /// Makes reach at least e's extents. The factor covers the rounding of the difference and its own (2 · 2^-24).
   void widen(const CellBox& e);
 };
 
-/// Coordinates are x ↦ g(x) = (x − origin)/cell, rounded to float when they are kept. Both maps are monotone, so closed
-/// boxes that overlap still do under them, in any mixture: nothing is missed.
+/// Coordinates are x ↦ g(x) = (x − origin)/cell, rounded to float when stored. Both maps are monotone, so closed boxes
+/// that overlap still overlap when either is mapped by one or both: no pair is missed.
 class WrappedCells {
  public:
   std::vector<CellLevel> levels;
 
-  /// Chooses cell, levels and places for these bodies. `scratch` is overwritten; it is lent so that it need not be
-  /// allocated.
+  /// Chooses cell size, levels and places for these bodies. `scratch` is overwritten; the caller lends it to avoid an
+  /// allocation.
   void lay_out(const std::vector<Aabb>& boxes, const std::vector<BodyId>& ids, std::vector<std::uint32_t>& scratch);
 
-  /// Bounds the margins from here on, so that near pairs are some 0.4 a body and 0.6 a pair: in a world that is
-  /// evenly dense, boxes that are k times as long overlap k³ times as many.
+  /// Bounds the margins from here on, so that near pairs number about 0.4 per body and 0.6 per pair: at uniform
+  /// density, boxes that are k times as long overlap k³ times as many.
   void expect(std::size_t pairs, std::size_t bodies);
 
-  /// Whether g is meant for it.
+  /// Whether the box lies in the domain for which g was chosen.
   bool fits(const Aabb& box) const;
 
   /// g(box) with a margin for some frames like the one that led from `was` to `box`.
@@ -81,13 +80,13 @@ class WrappedCells {
   Aabb domain_;
   double units_per_metre_ = 0;
   double least_cell_ = 0;
-  double greatest_margin_ = 0;  ///< as a share of the body's extent
+  double greatest_margin_ = 0;  ///< as a fraction of the body's extent
 };
 
 /// The floor of x ≥ 0.
 inline std::int32_t whole(float x) { return static_cast<std::int32_t>(x); }
 
-// ---- inline: on every body's path. The two ways to compare give the same answers.
+// ---- inline: executed for every body. The two ways to compare give the same results.
 
 #ifdef __SSE2__
 inline bool CellBox::near(const CellBox& e) const {
@@ -140,7 +139,7 @@ inline CellBox WrappedCells::fat(BodyId id, const Aabb& box, const Aabb& was) co
   CellBox e = exact(id, box);
   const float by = margin(e, box, was);
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    e.lo[axis] = std::max(0.0F, e.lo[axis] - by);  // never negative: whole() rounds towards 0
+    e.lo[axis] = std::max(0.0F, e.lo[axis] - by);  // never negative, since whole() rounds towards 0
     e.hi[axis] += by;
   }
   return e;
@@ -156,9 +155,9 @@ inline bool WrappedCells::holds(const CellBox& fat, const Aabb& box) const {
   return held;
 }
 
-/// A body that keeps its pace leaves its margin after `frames` frames. Margins are bounded, since they cost pairs that
-/// are near and do not overlap, in expect() and here (an eighth of a cell is 0.28 of the distance between bodies);
-/// where the bound is left within two frames, a margin does not pay.
+/// A body that keeps its speed leaves its margin after `frames` frames. Margins are bounded, in expect() and here (an
+/// eighth of a cell is 0.28 of the distance between bodies), since they cost pairs that are near without overlapping.
+/// If the bound is left within two frames, a margin does not pay.
 inline float WrappedCells::margin(const CellBox& e, const Aabb& box, const Aabb& was) const {
   constexpr double frames = 8;
   const double extent = static_cast<double>(e.extent());

@@ -6,15 +6,15 @@
 namespace touchstone::fast {
 namespace {
 
-// A slot that there is not: of a body that is not there, or past a chain's end.
+// No slot: of a body that is absent, or past a chain's end.
 constexpr std::uint32_t none = 0xffffffff;
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
-// After so many sorts the cells are laid out anew: bodies may have gathered or grown.
+// After so many sorts the cells are laid out again: bodies may have gathered or grown.
 constexpr int sorts_per_layout = 64;
 
-// So many steps of a list before it is needed, what it points at is asked for from memory.
+// How many steps ahead in a list its targets are prefetched.
 constexpr std::size_t look_ahead = 12;
 
 void prefetch([[maybe_unused]] const void* what) {
@@ -26,7 +26,7 @@ void prefetch([[maybe_unused]] const void* what) {
 /// max(0, a − b). If a float x ≥ 0 is ≤ a − b exactly, then x ≤ the result: rounding is monotone and keeps x.
 float below(float a, float b) { return std::max(0.0F, a - b); }
 
-/// A body much longer than a level's cells would ask for more rows than there are places.
+/// Whether e overlaps fewer rows than there are places; a body much longer than a level's cells does not.
 bool few_rows(const CellBox& e, const CellLevel& level) {
   const auto cells = [&](std::size_t axis) {
     return static_cast<double>((e.hi[axis] - e.lo[axis] + level.reach[axis]) * level.cells_per_unit + 2);
@@ -41,18 +41,18 @@ void WrappedGrid::refresh() {
   escapes_.resize(box_.size(), 0);
   list_escaped();
   if (must_rebuild()) {
-    file_all();
+    rebuild();
   } else {
-    look_through_near();
-    look_through_pairs();
-    for (const BodyId id : escaped_) refile(id);
+    scan_near();
+    scan_pairs();
+    for (const BodyId id : escaped_) update_entry(id);
     for (const BodyId id : escaped_)
       if (present(id)) find_escaped(id);
   }
   for (const BodyId id : escaped_) escapes_[id] = 0;
 }
 
-/// Not to its end once it is clear that all will be filed anew.
+/// Stops early once it is clear that the grid will be rebuilt.
 void WrappedGrid::list_escaped() {
   escaped_.clear();
   for (std::size_t i = 0; i < moved_.size() && !many_escaped(); ++i) {
@@ -80,8 +80,8 @@ inline void WrappedGrid::prefetch_boxes(std::size_t i) const {
   prefetch(&box_[ahead.b]);
 }
 
-/// Pairs of a body that escaped are dropped: it will be searched for anew.
-void WrappedGrid::look_through_near() {
+/// Drops the pairs of bodies that escaped: these are searched again.
+void WrappedGrid::scan_near() {
   std::size_t kept = 0;
   for (std::size_t i = 0; i < near_.size(); ++i) {
     prefetch_boxes(i);
@@ -95,7 +95,7 @@ void WrappedGrid::look_through_near() {
   near_.resize(kept);
 }
 
-void WrappedGrid::look_through_pairs() {
+void WrappedGrid::scan_pairs() {
   drop_ended();
   for (const BodyPair pair : ended_)
     if (escapes_[pair.a] == 0 && escapes_[pair.b] == 0) append(near_, pair);
@@ -103,7 +103,7 @@ void WrappedGrid::look_through_pairs() {
 
 // ---- all bodies
 
-void WrappedGrid::file_all() {
+void WrappedGrid::rebuild() {
   cells_.expect(pairs_.size(), count());
   for (const BodyPair pair : pairs_)
     if (!overlap(box_[pair.a], box_[pair.b])) append(ended_, pair);
@@ -111,13 +111,13 @@ void WrappedGrid::file_all() {
   near_.clear();
   sort_into_cells();
   find_all();
-  tell_apart();
+  separate_overlapping();
 }
 
 void WrappedGrid::sort_into_cells() {
   list_present(ids_);
   std::fill(slot_.begin(), slot_.end(), none);
-  const std::size_t in_chains = ids_.size() / 5 + 1;  // as many as there may be until the next sort
+  const std::size_t in_chains = ids_.size() / 5 + 1;  // upper bound until the next sort
   entries_.reserve(ids_.size() + in_chains);
   entries_.resize(ids_.size());
   next_.reserve(in_chains);
@@ -160,21 +160,22 @@ void WrappedGrid::find_all() {
     const std::uint32_t last = start_[own.first_place + own.places];
     for (std::uint32_t i = start_[own.first_place]; i < last; ++i) {
       const CellBox& a = entries_[i];
-      const auto meet = [&](const CellBox& b) {
+      const auto visit = [&](const CellBox& b) {
         append(near_, {std::min(a.body(), b.body()), std::max(a.body(), b.body())});
       };
-      // On its own level a body asks only for those that begin after it along x; ties go by the order of entries.
+      // On its own level a body queries only those that begin after it along x; ties are broken by the order of
+      // entries.
       for_each_near<false>(a, a.lo[0], own, [&](const CellBox& b) {
-        if (b.lo[0] > a.lo[0] || (b.lo[0] == a.lo[0] && &b > &a)) meet(b);
+        if (b.lo[0] > a.lo[0] || (b.lo[0] == a.lo[0] && &b > &a)) visit(b);
       });
       for (std::size_t m = l + 1; m < levels.size(); ++m)
-        for_each_near<false>(a, below(a.lo[0], levels[m].reach[0]), levels[m], meet);
+        for_each_near<false>(a, below(a.lo[0], levels[m].reach[0]), levels[m], visit);
     }
   }
 }
 
-/// In a pass of its own, so that the boxes can be asked for ahead.
-void WrappedGrid::tell_apart() {
+/// In a pass of its own, so that the boxes can be prefetched.
+void WrappedGrid::separate_overlapping() {
   std::size_t kept = 0;
   for (std::size_t i = 0; i < near_.size(); ++i) {
     prefetch_boxes(i);
@@ -189,9 +190,9 @@ void WrappedGrid::tell_apart() {
   near_.resize(kept);
 }
 
-template <bool with_chains, class Meet>
+template <bool with_chains, class Visit>
 inline void WrappedGrid::for_each_near(const CellBox& e, float least_x, const CellLevel& level,
-                                       const Meet& meet) const {
+                                       const Visit& visit) const {
   const CellBox* entries = entries_.data();
   const std::uint32_t* start = start_.data();
   const float scale = level.cells_per_unit;
@@ -202,34 +203,34 @@ inline void WrappedGrid::for_each_near(const CellBox& e, float least_x, const Ce
   const std::int32_t z0 = whole(below(e.lo[2], level.reach[2]) * scale);
   const std::int32_t z1 = whole(e.hi[2] * scale);
   const std::int32_t first_x = x0 & level.mask[0];
-  const std::int32_t run = std::min(x1 - x0, level.mask[0] - first_x);  // cells before the row wraps, less one
+  const std::int32_t run = std::min(x1 - x0, level.mask[0] - first_x);  // cells before the row wraps, minus one
   const std::int32_t wrapped = x1 - x0 - run;                           // cells after that
 
   for (std::int32_t z = z0; z <= z1; ++z) {
     for (std::int32_t y = y0; y <= y1; ++y) {
       const std::uint32_t row = level.first_place + static_cast<std::uint32_t>(((y & level.mask[1]) << level.shift[0]) +
                                                                                ((z & level.mask[2]) << level.shift[1]));
-      const auto look_at = [&](const CellBox& b) {
-        // Rows that wrap onto one another share their places; only the row that b stands in counts.
-        if (b.near(e) && whole(b.lo[1] * scale) == y && whole(b.lo[2] * scale) == z) meet(b);
+      const auto test_entry = [&](const CellBox& b) {
+        // Rows that wrap onto one another share their places; only the row of b's own cell counts.
+        if (b.near(e) && whole(b.lo[1] * scale) == y && whole(b.lo[2] * scale) == z) visit(b);
       };
-      const auto look_through = [&](std::uint32_t from, std::uint32_t to) {
-        for (const CellBox* b = entries + start[from]; b != entries + start[to]; ++b) look_at(*b);
+      const auto scan_run = [&](std::uint32_t from, std::uint32_t to) {
+        for (const CellBox* b = entries + start[from]; b != entries + start[to]; ++b) test_entry(*b);
         if constexpr (with_chains) {
           for (std::uint32_t place = from; place < to; ++place)
-            for (std::uint32_t b = chain_[place]; b != none; b = next(b)) look_at(entries[b]);
+            for (std::uint32_t b = chain_[place]; b != none; b = next(b)) test_entry(entries[b]);
         }
       };
       const std::uint32_t from = row + static_cast<std::uint32_t>(first_x);
-      look_through(from, from + static_cast<std::uint32_t>(run) + 1);
-      if (wrapped > 0) look_through(row, row + static_cast<std::uint32_t>(wrapped));
+      scan_run(from, from + static_cast<std::uint32_t>(run) + 1);
+      if (wrapped > 0) scan_run(row, row + static_cast<std::uint32_t>(wrapped));
     }
   }
 }
 
 // ---- bodies that left their fat box
 
-void WrappedGrid::refile(BodyId id) {
+void WrappedGrid::update_entry(BodyId id) {
   if (!present(id)) return leave(id);
   const CellBox e = cells_.fat(id, box_[id], was(id));
   CellLevel& level = cells_.level_of(e);
@@ -258,17 +259,17 @@ void WrappedGrid::leave(BodyId id) {
   slot_[id] = none;
 }
 
-template <class Meet>
-void WrappedGrid::for_each_in(const CellLevel& level, const Meet& meet) const {
+template <class Visit>
+void WrappedGrid::for_each_in(const CellLevel& level, const Visit& visit) const {
   const std::uint32_t past = level.first_place + level.places;
-  for (std::uint32_t i = start_[level.first_place]; i < start_[past]; ++i) meet(entries_[i]);
+  for (std::uint32_t i = start_[level.first_place]; i < start_[past]; ++i) visit(entries_[i]);
   for (std::uint32_t place = level.first_place; place < past; ++place)
-    for (std::uint32_t b = chain_[place]; b != none; b = next(b)) meet(entries_[b]);
+    for (std::uint32_t b = chain_[place]; b != none; b = next(b)) visit(entries_[b]);
 }
 
 void WrappedGrid::find_escaped(BodyId a) {
   const CellBox e = entries_[slot_[a]];
-  const auto meet = [&](const CellBox& b) {
+  const auto visit = [&](const CellBox& b) {
     const BodyPair pair{std::min(a, b.body()), std::max(a, b.body())};
     const bool other_finds_it = b.body() == a || (escapes_[b.body()] != 0 && b.body() < a);
     if (other_finds_it) return;
@@ -279,10 +280,10 @@ void WrappedGrid::find_escaped(BodyId a) {
   };
   for (const CellLevel& level : cells_.levels) {
     if (few_rows(e, level))
-      for_each_near<true>(e, below(e.lo[0], level.reach[0]), level, meet);
+      for_each_near<true>(e, below(e.lo[0], level.reach[0]), level, visit);
     else
       for_each_in(level, [&](const CellBox& b) {
-        if (b.near(e)) meet(b);
+        if (b.near(e)) visit(b);
       });
   }
 }

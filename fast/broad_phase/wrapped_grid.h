@@ -1,4 +1,5 @@
-// The default: fat boxes in cells, and lists of the pairs that are near. What moves a little asks the grid nothing.
+// The default strategy: fat boxes in cells, and lists of the near pairs. A body that moves a little needs no grid
+// query.
 #pragma once
 
 #include <cstdint>
@@ -9,21 +10,21 @@
 
 namespace touchstone::fast {
 
-/// A body's box is kept in the grid with a margin: 8 times as wide as it moved in its last frame. The pairs whose fat
-/// boxes overlap are kept in two lists, those whose boxes overlap (pairs()) and those that are merely near. While every
-/// box stays in its fat box, a frame looks through the two lists, and pairs change over as they begin and end. A body
-/// that left its fat box gets a new one and its near pairs are searched; if an eighth of the bodies left, all are filed
-/// anew by one counting sort.
+/// A body's box is kept in the grid with a margin: 8 times its motion in the last frame. The pairs whose fat boxes
+/// overlap are kept in two lists: those whose boxes overlap (pairs()) and those that are merely near. While every box
+/// stays within its fat box, a frame scans the two lists, and pairs move between them as they begin and end. A body
+/// that left its fat box gets a new one and its near pairs are searched; if an eighth of the bodies left, the grid is
+/// rebuilt by one counting sort.
 ///
-/// The grid: a body stands in the cell of its fat box's lo. Whom fat box a overlaps has its lo, on each axis, in [a.lo
-/// − reach, a.hi], reach the greatest extent of any fat box on that axis: 2 to 4 rows of neighbouring cells. The cell
-/// is as wide as bodies are apart on average (not as they are long), halved while cells are crowded; bodies longer than
-/// a cell go to a coarser level, cells 4 times as long, and each body asks its own level and the coarser ones. Cells
-/// are wrapped like a torus onto a table of about n/2 places, so that empty space costs nothing; neighbours in space
-/// stay neighbours in memory, and a row of cells is one run of entries. Bodies that changed their cell since the last
-/// sort stand in chains beside it.
+/// The grid: a body is entered in the cell of its fat box's lo. A fat box that overlaps fat box a has its lo, on each
+/// axis, in [a.lo − reach, a.hi], with reach the greatest extent of any fat box on that axis: 2 to 4 rows of
+/// neighbouring cells. Cells are as wide as the average distance of bodies (not as their extent), halved while cells
+/// are crowded; bodies longer than a cell go to a coarser level, with cells 4 times as long, and each body queries its
+/// own level and the coarser ones. Cells are wrapped like a torus onto a table of about n/2 places, so that empty space
+/// costs nothing; neighbours in space stay neighbours in memory, and a row of cells is one run of entries. Bodies that
+/// changed their cell since the last sort are in chains beside it.
 ///
-/// The grid works with floats (wrapped_cells.h says why nothing is missed); the boxes in doubles decide every pair.
+/// The grid works with floats (wrapped_cells.h says why no pair is missed); the boxes in doubles decide every pair.
 ///
 /// Cost of a frame: O(moved + pairs + near pairs) while margins hold; every 8th frame or so O(n + tests). Worst case,
 /// all bodies in few cells: O(n²).
@@ -35,42 +36,42 @@ class WrappedGrid final : public BroadPhase {
   bool many_escaped() const { return 8 * escaped_.size() > count(); }
   bool must_rebuild() const;
 
-  void file_all();
+  void rebuild();
   void sort_into_cells();
   void find_all();
-  void tell_apart();
+  void separate_overlapping();
   void prefetch_boxes(std::size_t i) const;
-  void look_through_pairs();
-  void look_through_near();
-  void refile(BodyId id);
+  void scan_pairs();
+  void scan_near();
+  void update_entry(BodyId id);
   void leave(BodyId id);
   void find_escaped(BodyId id);
 
-  /// Calls meet(entry) for each entry of the level that overlaps e, once, out of those whose lo.x ≥ least_x.
-  template <bool with_chains, class Meet>
-  void for_each_near(const CellBox& e, float least_x, const CellLevel& level, const Meet& meet) const;
+  /// Calls visit(entry) once for each entry of the level that overlaps e, among those with lo.x ≥ least_x.
+  template <bool with_chains, class Visit>
+  void for_each_near(const CellBox& e, float least_x, const CellLevel& level, const Visit& visit) const;
 
   std::uint32_t& next(std::uint32_t slot) { return next_[slot - sorted_]; }
   std::uint32_t next(std::uint32_t slot) const { return next_[slot - sorted_]; }
 
-  template <class Meet>
-  void for_each_in(const CellLevel& level, const Meet& meet) const;
+  template <class Visit>
+  void for_each_in(const CellLevel& level, const Visit& visit) const;
 
   WrappedCells cells_;
   std::size_t laid_out_for_ = 0;
-  int sorts_ = 0;  ///< since cells were laid out
+  int sorts_ = 0;  ///< since the cells were laid out
 
   std::vector<BodyPair> near_;         ///< fat boxes overlap, boxes do not
-  std::vector<BodyId> escaped_;        ///< ids whose fat box must be made anew, or that left
-  std::vector<std::uint8_t> escapes_;  ///< by id: whether it is one of them
+  std::vector<BodyId> escaped_;        ///< ids whose fat box must be made again, or that were removed
+  std::vector<std::uint8_t> escapes_;  ///< by id: whether it is in escaped_
 
   std::vector<BodyId> ids_;
   std::vector<std::uint32_t> start_;  ///< by place, over all levels
   std::vector<CellBox> entries_;      ///< in the order of places; then those in chains
   std::vector<std::uint32_t> slot_;   ///< by id: its entry
-  std::vector<std::uint32_t> chain_;  ///< by place: the slot of who came last after the last sort
-  std::vector<std::uint32_t> next_;   ///< in chains, by slot past those in order
-  std::size_t sorted_ = 0;            ///< entries that are in the order of places
+  std::vector<std::uint32_t> chain_;  ///< by place: slot of the last entry chained since the last sort
+  std::vector<std::uint32_t> next_;   ///< links of chains, by slot past sorted_
+  std::size_t sorted_ = 0;            ///< number of entries in the order of places
 };
 
 }  // namespace touchstone::fast

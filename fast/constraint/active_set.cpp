@@ -9,12 +9,12 @@ namespace {
 
 constexpr double on_the_rim = 1 - 0x1p-20;
 
-/// Velocity of the body at `at` by an impulse at `by`.
+/// Velocity of the body at `at` per unit impulse at `by`.
 Mat3 response(const Mobility& body, const Vec3& at, const Vec3& by) {
   return body.inverse_mass * Mat3::Identity() - cross_matrix(at) * body.inverse_inertia * cross_matrix(by);
 }
 
-/// Velocity u at one touch by an impulse at another.
+/// Velocity u at one contact per unit impulse at another.
 Mat3 coupling(const Touch& at, const Touch& by, const std::vector<Mobility>& bodies) {
   Mat3 K = Mat3::Zero();
   if (at.a == by.a) K += response(bodies[static_cast<std::size_t>(at.a)], at.arm_A, by.arm_A);
@@ -26,7 +26,7 @@ Mat3 coupling(const Touch& at, const Touch& by, const std::vector<Mobility>& bod
 
 }  // namespace
 
-void jump(std::vector<Touch>& touches, const std::vector<Mobility>& bodies, std::vector<Twist>& twists) {
+void solve_active_set(std::vector<Touch>& touches, const std::vector<Mobility>& bodies, std::vector<Twist>& twists) {
   std::vector<std::size_t> closed;
   for (std::size_t i = 0; i < touches.size(); ++i) {
     if (!touches[i].P.isZero(0)) closed.push_back(i);
@@ -42,7 +42,7 @@ void jump(std::vector<Touch>& touches, const std::vector<Mobility>& bodies, std:
     const Vec3 P_t = touch.P - P_n * touch.n;
     const Mat3 normal = touch.n * touch.n.transpose(), across = Mat3::Identity() - normal;
     const bool slips = P_t.norm() >= touch.friction * P_n * on_the_rim;
-    // Rows in units of velocity: those of slip, which speak of impulses, times K_tt.
+    // All rows are velocities: the slip condition, an equation between impulses, is multiplied by K_tt.
     const Mat3 of_velocity = slips ? normal : Mat3::Identity();
     for (std::size_t j = 0; j < closed.size(); ++j) {
       const auto column = static_cast<Eigen::Index>(3 * j);

@@ -1,4 +1,5 @@
-// Where sweeps crawl, as under a heavy body on light ones: one linear solve with the contacts' states held.
+// One linear solve with all contact states (open, sticking, slipping) fixed, for when sweeps converge slowly, as they
+// do with a heavy body on light ones.
 #pragma once
 
 #include <vector>
@@ -7,10 +8,11 @@
 
 namespace touchstone::fast::constraint {
 
-/// Holds who is open (P_n = 0), who sticks and who slips, and in which direction, and solves for all P at once:
+/// Takes from the current impulses which contacts are open (P_n = 0), which stick, and which slip and in which
+/// direction. With these states fixed, solves for all P at once:
 ///   closed  u_n = least_u_n;   sticks  u_t = 0;   slips  P_t = −μ P_n d.
-/// Of the many solutions of an over-determined stack, the one nearest to the P that are there. `twists` follow. The
-/// caller sees by a sweep whether the states were right.
-void jump(std::vector<Touch>& touches, const std::vector<Mobility>& bodies, std::vector<Twist>& twists);
+/// An over-determined stack has many solutions; this returns the one nearest to the current P. `twists` are updated.
+/// The caller checks with a sweep whether the states were right.
+void solve_active_set(std::vector<Touch>& touches, const std::vector<Mobility>& bodies, std::vector<Twist>& twists);
 
 }  // namespace touchstone::fast::constraint

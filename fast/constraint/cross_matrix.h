@@ -1,4 +1,4 @@
-// r× as a matrix.
+// The matrix of r×.
 #pragma once
 
 #include "model/frame.h"

@@ -9,7 +9,7 @@ namespace touchstone::fast::constraint {
 namespace {
 
 constexpr double faces_meet = 0.9;         // cos 25°
-constexpr double is_normal = 1 - 0x1p-20;  // a normal of two points 2⁻³⁰ apart is off by 2⁻²² and less
+constexpr double is_normal = 1 - 0x1p-20;  // a normal from two points 2⁻³⁰ apart has an error of at most 2⁻²²
 
 struct Facing {
   int face = -1;
@@ -18,7 +18,7 @@ struct Facing {
 };
 
 /// The face whose outward normal is nearest to d.
-Facing facing(const Mover& body, const Vec3& d_W) {
+Facing facing(const StepperBody& body, const Vec3& d_W) {
   const lin_canny::Hull& hull = body.convex().core;
   const Vec3 d = body.R_WB().transpose() * d_W;
   Facing best;
@@ -32,12 +32,12 @@ Facing facing(const Mover& body, const Vec3& d_W) {
   return best;
 }
 
-Vec3 vertex(const Mover& body, int v) {
+Vec3 vertex(const StepperBody& body, int v) {
   const Pose X_WB = body.pose();
   return body.R_WB() * body.convex().core.vertex(v) + X_WB.p_WB;
 }
 
-std::vector<Vec3> corners(const Mover& body, int face) {
+std::vector<Vec3> corners(const StepperBody& body, int face) {
   const lin_canny::Hull& hull = body.convex().core;
   const lin_canny::Hull::Face& f = hull.face(face);
   std::vector<Vec3> points;
@@ -45,7 +45,7 @@ std::vector<Vec3> corners(const Mover& body, int face) {
   return points;
 }
 
-/// What of the polygon lies on the side of the plane through `on` to which `inward` points.
+/// The part of the polygon on that side of the plane through `on` to which `inward` points.
 std::vector<Vec3> cut(const std::vector<Vec3>& polygon, const Vec3& on, const Vec3& inward) {
   std::vector<Vec3> kept;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -57,13 +57,13 @@ std::vector<Vec3> cut(const std::vector<Vec3>& polygon, const Vec3& on, const Ve
   return kept;
 }
 
-/// Corners of B's face within A's, seen along n, with the gap up to the plane of A's face there.
+/// Corners of B's face within A's, projected along n, each with its gap to the plane of A's face.
 std::vector<ContactPoint> common(const std::vector<Vec3>& face_A, const Vec3& normal_A, const std::vector<Vec3>& face_B,
                                  const Vec3& n) {
   std::vector<Vec3> polygon = face_B;
   for (std::size_t i = 0; i < face_A.size(); ++i) {
     const Vec3 along = face_A[(i + 1) % face_A.size()] - face_A[i];
-    // Counter-clockwise from outside A, that is from B: n points the other way.
+    // Counter-clockwise seen from outside A, that is from B; n points the other way.
     polygon = cut(polygon, face_A[i], along.cross(n));
   }
   std::vector<ContactPoint> points;
@@ -74,30 +74,31 @@ std::vector<ContactPoint> common(const std::vector<Vec3>& face_A, const Vec3& no
   return points;
 }
 
-/// The least of n·x over the body.
-double least(const Mover& body, const Vec3& n) {
+/// The minimum of n·x over the body.
+double least(const StepperBody& body, const Vec3& n) {
   const lin_canny::Hull& hull = body.convex().core;
   double low = n.dot(vertex(body, 0));
   for (int v = 1; v < hull.vertex_count(); ++v) low = std::min(low, n.dot(vertex(body, v)));
   return low - body.convex().radius;
 }
 
-/// By how much a plane with normal n keeps the two apart.
-double apart_along(const Mover& A, const Mover& B, const Vec3& n) { return least(A, n) + least(B, -n); }
+/// The separation of the two bodies along n.
+double apart_along(const StepperBody& A, const StepperBody& B, const Vec3& n) { return least(A, n) + least(B, -n); }
 
-/// Of the planes parallel to a face, or to an edge of each, the normal of the one that keeps the two apart best. For
-/// bodies that touch where a flight begins: a separating plane is among these.
-Vec3 separating(const Mover& A, const Mover& B) {
-  const auto core = [](const Mover& body) {
-    return lin_canny::placed(body.convex(), lin_canny::Station(body.pose()), Vec3::Zero());
+/// The normal of greatest separation among planes parallel to a face of either body or to an edge of each. Needed for
+/// bodies that touch when the motion begins: a separating plane is among these.
+Vec3 separating(const StepperBody& A, const StepperBody& B) {
+  const auto core = [](const StepperBody& body) {
+    return lin_canny::posed_hull(body.convex(), lin_canny::CachedPose(body.pose()), Vec3::Zero());
   };
   return lin_canny::widest_parting_normal(core(A), core(B), [&](const Vec3& n) { return apart_along(A, B, n); });
 }
 
-bool is_ball(const Mover& body) { return body.convex().core.vertex_count() == 1; }
+bool is_ball(const StepperBody& body) { return body.convex().core.vertex_count() == 1; }
 
-Vec3 normal(const Mover& A, const Mover& B, const lin_canny::Proximity& near, const std::optional<Vec3>& before) {
-  // From a ball's centre, which is far from the other body's point.
+Vec3 normal(const StepperBody& A, const StepperBody& B, const lin_canny::Proximity& near,
+            const std::optional<Vec3>& before) {
+  // A ball is represented by its centre, which is far from the other body's point.
   const Vec3 a = is_ball(A) ? A.pose().p_WB : near.p_WCa, b = is_ball(B) ? B.pose().p_WB : near.p_WCb;
   const Vec3 apart = a - b;
   const double size = apart.norm();
@@ -108,7 +109,8 @@ Vec3 normal(const Mover& A, const Mover& B, const lin_canny::Proximity& near, co
 
 }  // namespace
 
-Manifold manifold(const Mover& A, const Mover& B, const lin_canny::Proximity& near, const std::optional<Vec3>& before) {
+Manifold manifold(const StepperBody& A, const StepperBody& B, const lin_canny::Proximity& near,
+                  const std::optional<Vec3>& before) {
   Manifold made{normal(A, B, near, before), {}};
   Vec3& n = made.nhat_BA_W;
   const Facing of_A = facing(A, -n), of_B = facing(B, n);

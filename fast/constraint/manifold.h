@@ -1,19 +1,20 @@
-// Where two convex bodies touch or may soon: several points, where a face lies over a face.
+// The contact points of two convex bodies that touch or may soon touch. There are several where faces oppose each
+// other.
 #pragma once
 
 #include <optional>
 #include <vector>
 
-#include "fast/constraint/mover.h"
+#include "fast/constraint/stepper_body.h"
 #include "fast/lin_canny/proximity.h"
 
 namespace touchstone::fast::constraint {
 
-/// Where the gap is: of one that moves over one that is fixed, its own point, which is where it will be pushed; of two
-/// that move, the middle, so that what turns one turns the other as much the other way.
+/// The contact point lies in the gap. If one body is fixed, it is the point of the moving body, where the impulse will
+/// act. If both move, it is the middle of the gap, so that equal impulses have opposite moments.
 struct ContactPoint {
   Vec3 p_WC = Vec3::Zero();
-  double gap = 0;  ///< along the normal, m; < 0 where they overlap
+  double gap = 0;  ///< m, along the normal; < 0: overlap
 };
 
 struct Manifold {
@@ -21,10 +22,11 @@ struct Manifold {
   std::vector<ContactPoint> points;
 };
 
-/// The normal is that of the closest points, or of a face that is so near to it that rounding may explain the rest; of
-/// bodies that touch or overlap, the one `before`, or that of the plane that keeps them apart best. Where both bodies
-/// have a face within 25° of it, the points are the corners of what the two faces have in common, seen along the
-/// normal; else the closest pair alone.
-Manifold manifold(const Mover& A, const Mover& B, const lin_canny::Proximity& near, const std::optional<Vec3>& before);
+/// The normal is the direction of the closest points. It is replaced by a face's normal if the two differ by no more
+/// than rounding explains. For bodies that touch or overlap it is the normal `before`, or else that of the plane of
+/// greatest separation. If both bodies have a face within 25° of the normal, the points are the corners of the two
+/// faces' intersection, projected along the normal; otherwise the pair of closest points is the only one.
+Manifold manifold(const StepperBody& A, const StepperBody& B, const lin_canny::Proximity& near,
+                  const std::optional<Vec3>& before);
 
 }  // namespace touchstone::fast::constraint

@@ -10,23 +10,21 @@
 namespace touchstone::fast::constraint {
 namespace {
 
-constexpr double settled = 0x1p-44;
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
+constexpr double convergence = 0x1p-44;
 
 Mat3 mobility(const Mobility& body, const Vec3& arm) {
   const Mat3 r = cross_matrix(arm);
   return body.inverse_mass * Mat3::Identity() - r * body.inverse_inertia * r;
 }
 
-/// One contact, the others as they are. How much a velocity at the contact changed.
+/// Solves one contact with the others fixed. Returns how much a velocity at the contact changed.
 double relax(Touch& touch, const std::vector<Mobility>& bodies, std::vector<Twist>& twists) {
   const Vec3 before = touch.P;
   const double P_n = touch.n.dot(touch.P);
   const double u_n = touch.n.dot(relative_velocity(touch, twists));
   const double pushed = std::max(0.0, P_n + (touch.least_u_n - u_n) / touch.K_nn);
-  // A guess may come from another normal: what is across the new one counts as friction, and is cut to the disc as
-  // well.
+  // The guess may belong to another normal. Its part across the new normal counts as friction, and is projected onto
+  // the disc too.
   Vec3 P_t = touch.P - P_n * touch.n;
   touch.P += (pushed - P_n) * touch.n;
   push(touch, touch.P - before, bodies, twists);
@@ -40,7 +38,7 @@ double relax(Touch& touch, const std::vector<Mobility>& bodies, std::vector<Twis
   return (touch.P - before).norm() * std::max(touch.K_nn, touch.K_tt);
 }
 
-/// Of the terms that a velocity at the end of an arm is made of: rounding is relative to these.
+/// Size of the terms that make up a velocity at the end of an arm; rounding is relative to these.
 double greatest(const Twist& twist, const Vec3& arm) { return twist.v.norm() + twist.w.norm() * arm.norm(); }
 
 double sweep(std::vector<Touch>& touches, const std::vector<Mobility>& bodies, std::vector<Twist>& twists) {
@@ -49,9 +47,9 @@ double sweep(std::vector<Touch>& touches, const std::vector<Mobility>& bodies, s
   return change;
 }
 
-/// What a sweep changes is taken for minus a gradient: the next begins further on along a direction conjugate to the
-/// last one, and cuts to the disc what goes beyond. Where changes grow it begins anew. Source: Silcowitz, Niebe &
-/// Erleben 2010.
+/// Nonlinear conjugate gradients: the change of a sweep counts as minus a gradient, and P is extrapolated along a
+/// direction conjugate to the last one before the next sweep, which projects onto the disc. Restarts where changes
+/// grow. Source: Silcowitz, Niebe & Erleben 2010.
 class Descent {
  public:
   explicit Descent(std::size_t touches) : before_(touches), direction_(touches, Vec3::Zero()) {}
@@ -78,12 +76,12 @@ class Descent {
   double steep_ = 0;
 };
 
-/// `change`: of the sweep before.
-void try_jump(std::vector<Touch>& touches, const std::vector<Mobility>& bodies, std::vector<Twist>& twists,
-              double change) {
+/// `change`: of the preceding sweep.
+void try_active_set(std::vector<Touch>& touches, const std::vector<Mobility>& bodies, std::vector<Twist>& twists,
+                    double change) {
   const std::vector<Touch> touches_before = touches;
   const std::vector<Twist> twists_before = twists;
-  jump(touches, bodies, twists);
+  solve_active_set(touches, bodies, twists);
   if (sweep(touches, bodies, twists) < change) return;
   touches = touches_before;
   twists = twists_before;
@@ -125,9 +123,9 @@ void solve(std::vector<Touch>& touches, const std::vector<Mobility>& bodies, std
   for (int i = 1; i <= effort.sweeps; ++i) {
     descent.begin(touches);
     const double change = sweep(touches, bodies, twists);
-    if (change <= std::max(settled * fastest, effort.enough)) return;
-    if (i % effort.sweeps_to_a_jump == 0 && touches.size() <= effort.most_that_jump) {
-      try_jump(touches, bodies, twists, change);
+    if (change <= std::max(convergence * fastest, effort.enough)) return;
+    if (i % effort.sweeps_per_active_set == 0 && touches.size() <= effort.most_active_set_contacts) {
+      try_active_set(touches, bodies, twists, change);
       descent = Descent(touches.size());
     } else if (i < effort.sweeps) {
       descent.go_on(touches, bodies, twists);

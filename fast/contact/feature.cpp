@@ -8,8 +8,8 @@ namespace {
 
 using Kind = Feature::Kind;
 
-/// Of two lines p + s d and q + t e: the point of the first that is nearest to the second.
-Vec3 foot_on_line(const Vec3& p, const Vec3& d, const Vec3& q, const Vec3& e) {
+/// The point of the line p + s d that is nearest to the line q + t e.
+Vec3 nearest_on_line(const Vec3& p, const Vec3& d, const Vec3& q, const Vec3& e) {
   const double mixed = d.dot(e);
   const Vec3 between = q - p;
   return p + (d.dot(between) - mixed * e.dot(between)) / (1 - mixed * mixed) * d;
@@ -22,10 +22,10 @@ Nearness point_and_plane(const Vec3& p, double radius, const Vec3& on, const Vec
 Nearness two_lines(const Vec3& p, const Vec3& d, const Vec3& q, const Vec3& e, const Vec3& about) {
   Vec3 n = d.cross(e).normalized();
   if (n.dot(about) < 0) n = -n;
-  return {n.dot(p - q), n, foot_on_line(p, d, q, e)};
+  return {n.dot(p - q), n, nearest_on_line(p, d, q, e)};
 }
 
-/// `p` and `q` are the centres of balls, or the points of lines that are nearest to them.
+/// `p` and `q`: centres of balls, or the points of lines nearest to them.
 Nearness two_points(const Vec3& p, double radius_p, const Vec3& q, double radius_q, const Vec3& about) {
   const Vec3 apart = p - q;
   const double far = apart.norm();
@@ -35,7 +35,8 @@ Nearness two_points(const Vec3& p, double radius_p, const Vec3& q, double radius
 
 }  // namespace
 
-Nearness nearness(const Feature& a, const Stance& A, const Feature& b, const Stance& B, const Vec3& about) {
+Nearness nearness(const Feature& a, const RigidTransform& A, const Feature& b, const RigidTransform& B,
+                  const Vec3& about) {
   const Vec3 p = A.out(a.at), q = B.out(b.at), d = A.R_WB * a.along, e = B.R_WB * b.along;
   if (b.kind == Kind::plane) return point_and_plane(p, a.radius, q, e);
   if (a.kind == Kind::plane) {

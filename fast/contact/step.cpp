@@ -15,78 +15,81 @@ using constraint::Touch;
 using constraint::Twist;
 
 constexpr int most_rounds = 16;
-constexpr int sweeps_to_stand = 2000;
+constexpr int sweeps_of_rest_test = 2000;
 constexpr int sweeps_of_a_round = 400;
-constexpr double of_recovery = 0x1p-12;  // changes of velocity that are no greater do not matter
-constexpr int calming_sweeps = 8;
+constexpr double of_recovery = 0x1p-12;  // of `recovery`: smaller changes of velocity count as converged
+constexpr int projection_sweeps = 8;
 constexpr double on_the_rim = 1 - 0x1p-20;
 
-bool is_round(const motion::Flyer& flyer) { return flyer.I_BBcm_B == Mat3(flyer.I_BBcm_B(0, 0) * Mat3::Identity()); }
+bool is_round(const motion::RigidBodyModel& model) {
+  return model.I_BBcm_B == Mat3(model.I_BBcm_B(0, 0) * Mat3::Identity());
+}
 
-Mat3 inverse_inertia(const motion::Flyer& flyer) { return flyer.I_BBcm_B.inverse(); }
+Mat3 inverse_inertia(const motion::RigidBodyModel& model) { return model.I_BBcm_B.inverse(); }
 
-/// What is known of a body at the beginning of a step, and of its step so far.
-struct Course {
-  explicit Course(const Member& of) : member(&of), before(of.stance()), after(before) {
+/// A body at the beginning of a step, and its pose after the step as of the last iteration.
+struct BodyStep {
+  explicit BodyStep(const StepBody& of) : step_body(&of), before(of.transform()), after(before) {
     w_B = before.R_WB.transpose() * of.state.velocity.w_WB;
-    if (!of.is_fixed()) inverse_I = inverse_inertia(*of.flyer);
+    if (!of.is_fixed()) inverse_I = inverse_inertia(*of.model);
     mean_w_B = w_B;
   }
 
-  /// The mean twist without contact forces, but for how the angular impulse of the last round turns with the body:
-  /// I (W' − W) + h W̄ × I W̄ = (1 − h W̄×/2) R⁻¹ΔL in the body's axes.
+  /// The mean twist without contact forces, corrected for the rotation of the last iteration's angular impulse with the
+  /// body: I (W' − W) + h W̄ × I W̄ = (1 − h W̄×/2) R⁻¹ΔL in the body's axes.
   Twist free(double h) const {
-    const Velocity& now = member->state.velocity;
-    if (member->is_fixed()) return {now.v_WBcm, now.w_WB};
-    const Vec3 v = now.v_WBcm + h / 2 * member->pull;
-    if (is_round(*member->flyer)) return {v, now.w_WB};
-    const Mat3& I = member->flyer->I_BBcm_B;
+    const Velocity& now = step_body->state.velocity;
+    if (step_body->is_fixed()) return {now.v_WBcm, now.w_WB};
+    const Vec3 v = now.v_WBcm + h / 2 * step_body->acceleration;
+    if (is_round(*step_body->model)) return {v, now.w_WB};
+    const Mat3& I = step_body->model->I_BBcm_B;
     const Vec3 turning = mean_w_B.cross(I * mean_w_B + gained_B / 2);
     return {v, before.R_WB * (w_B - h / 2 * (inverse_I * turning))};
   }
 
-  /// Goes on with the mean twist; how far points come to stand from where they stood after the last round.
+  /// Moves the body with the mean twist. Returns a bound on how far its points moved since the last iteration.
   double go(const Twist& mean, const Twist& free, double h) {
-    const Stance was = after;
-    if (member->is_fixed()) {
+    const RigidTransform was = after;
+    if (step_body->is_fixed()) {
       turn = motion::steady_turn(mean.w, h).q;
     } else {
       turn = {1, h / 2 * mean.w.x(), h / 2 * mean.w.y(), h / 2 * mean.w.z()};
       mean_w_B = before.R_WB.transpose() * mean.w;
-      gained_B = 2 * (member->flyer->I_BBcm_B * (before.R_WB.transpose() * (mean.w - free.w)));
+      gained_B = 2 * (step_body->model->I_BBcm_B * (before.R_WB.transpose() * (mean.w - free.w)));
     }
-    q = motion::unit(motion::product(turn, member->state.X_WB.q_WB));
+    q = motion::unit(motion::product(turn, step_body->state.X_WB.q_WB));
     after = {before.centre + h * mean.v, lin_canny::rotation(q)};
-    return (after.centre - was.centre).norm() + member->flyer->radius * (after.R_WB - was.R_WB).norm();
+    return (after.centre - was.centre).norm() + step_body->model->radius * (after.R_WB - was.R_WB).norm();
   }
 
   State state(const Twist& mean) const {
-    const Velocity& now = member->state.velocity;
-    State state{{after.centre - after.R_WB * member->flyer->p_BBcm, q}, now};
-    if (member->is_fixed()) return state;
+    const Velocity& now = step_body->state.velocity;
+    State state{{after.centre - after.R_WB * step_body->model->p_BBcm, q}, now};
+    if (step_body->is_fixed()) return state;
     state.velocity.v_WBcm = 2 * mean.v - now.v_WBcm;
     state.velocity.w_WB =
-        is_round(*member->flyer) ? Vec3(2 * mean.w - now.w_WB) : Vec3(after.R_WB * (2 * mean_w_B - w_B));
+        is_round(*step_body->model) ? Vec3(2 * mean.w - now.w_WB) : Vec3(after.R_WB * (2 * mean_w_B - w_B));
     return state;
   }
 
-  const Member* member;
-  Stance before, after;
+  const StepBody* step_body;
+  RigidTransform before, after;
   Mat3 inverse_I = Mat3::Zero();
   Vec3 w_B, mean_w_B, gained_B = Vec3::Zero();
   Quaternion turn, q;
 };
 
-/// A foot's row: normal and arms are the means of those before and after.
-Touch row(const Hold& hold, const Nearness& before, const Nearness& after, const std::vector<Course>& bodies) {
-  const Course &A = bodies[hold.a], &B = bodies[hold.b];
+/// The contact's row for the solver: normal and arms are the means of those before and after.
+Touch row(const ContactConstraint& constraint, const Nearness& before, const Nearness& after,
+          const std::vector<BodyStep>& bodies) {
+  const BodyStep &A = bodies[constraint.a], &B = bodies[constraint.b];
   Touch touch;
-  touch.a = static_cast<int>(hold.a);
-  touch.b = static_cast<int>(hold.b);
+  touch.a = static_cast<int>(constraint.a);
+  touch.b = static_cast<int>(constraint.b);
   touch.n = (before.nhat_BA_W + after.nhat_BA_W).normalized();
   touch.arm_A = ((before.p_WC - A.before.centre) + (after.p_WC - A.after.centre)) / 2;
   touch.arm_B = ((before.p_WC - B.before.centre) + (after.p_WC - B.after.centre)) / 2;
-  touch.friction = hold.friction;
+  touch.friction = constraint.friction;
   return touch;
 }
 
@@ -95,11 +98,11 @@ bool sticks(const Touch& touch) {
   return (touch.P - P_n * touch.n).norm() < touch.friction * P_n * on_the_rim;
 }
 
-/// Each foot that pressed in turn loses its velocity along n, and across if it stuck. Of the block across n only the
-/// greatest eigenvalue is known: less may be taken than is there, never more.
-void calm(const std::vector<Touch>& at_end, const std::vector<Touch>& in_step,
-          const std::vector<constraint::Mobility>& mobilities, std::vector<Twist>& twists) {
-  for (int sweep = 0; sweep < calming_sweeps; ++sweep) {
+/// For each contact that pressed, in turn: removes its normal velocity, and its tangential velocity if it stuck. Uses
+/// the largest eigenvalue of K_tt, so the tangential impulse is under-corrected and never adds energy.
+void project_velocities(const std::vector<Touch>& at_end, const std::vector<Touch>& in_step,
+                        const std::vector<constraint::Mobility>& mobilities, std::vector<Twist>& twists) {
+  for (int sweep = 0; sweep < projection_sweeps; ++sweep) {
     for (std::size_t i = 0; i < at_end.size(); ++i) {
       const Touch& touch = at_end[i];
       if (!(in_step[i].n.dot(in_step[i].P) > 0)) continue;
@@ -114,131 +117,135 @@ void calm(const std::vector<Touch>& at_end, const std::vector<Touch>& in_step,
 
 Twist twist(const State& state) { return {state.velocity.v_WBcm, state.velocity.w_WB}; }
 
-void take_on(State& state, const Twist& twist) { state.velocity = {twist.v, twist.w}; }
+void set_velocity(State& state, const Twist& twist) { state.velocity = {twist.v, twist.w}; }
 
-/// The rows as the members stand.
-std::vector<Touch> rows_at(const std::vector<Member>& members, const std::vector<Hold>& holds,
+/// The rows at the bodies' current states.
+std::vector<Touch> rows_at(const std::vector<StepBody>& step_bodies, const std::vector<ContactConstraint>& constraints,
                            const std::vector<constraint::Mobility>& mobilities) {
-  std::vector<Course> bodies;
-  for (const Member& member : members) bodies.emplace_back(member);
+  std::vector<BodyStep> bodies;
+  for (const StepBody& step_body : step_bodies) bodies.emplace_back(step_body);
   std::vector<Touch> touches;
-  for (const Hold& hold : holds) {
-    const Nearness near = nearness(hold.foot.a, bodies[hold.a].before, hold.foot.b, bodies[hold.b].before, hold.about);
-    touches.push_back(row(hold, near, near, bodies));
+  for (const ContactConstraint& constraint : constraints) {
+    const Nearness near = nearness(constraint.contact_point.a, bodies[constraint.a].before, constraint.contact_point.b,
+                                   bodies[constraint.b].before, constraint.about);
+    touches.push_back(row(constraint, near, near, bodies));
     prepare(touches.back(), mobilities);
   }
   return touches;
 }
 
-std::vector<constraint::Mobility> mobilities_of(const std::vector<Member>& members) {
+std::vector<constraint::Mobility> mobilities_of(const std::vector<StepBody>& step_bodies) {
   std::vector<constraint::Mobility> all;
-  for (const Member& member : members) all.push_back(member.mobility());
+  for (const StepBody& step_body : step_bodies) all.push_back(step_body.mobility());
   return all;
 }
 
 }  // namespace
 
-Stance Member::stance() const {
+RigidTransform StepBody::transform() const {
   const Mat3 R = lin_canny::rotation(state.X_WB.q_WB);
-  return {state.X_WB.p_WB + R * flyer->p_BBcm, R};
+  return {state.X_WB.p_WB + R * model->p_BBcm, R};
 }
 
-constraint::Mobility Member::mobility() const {
+constraint::Mobility StepBody::mobility() const {
   if (is_fixed()) return {};
-  if (is_round(*flyer)) return {1 / flyer->mass, inverse_inertia(*flyer)};
+  if (is_round(*model)) return {1 / model->mass, inverse_inertia(*model)};
   const Mat3 R = lin_canny::rotation(state.X_WB.q_WB);
-  return {1 / flyer->mass, R * inverse_inertia(*flyer) * R.transpose()};
+  return {1 / model->mass, R * inverse_inertia(*model) * R.transpose()};
 }
 
-Stepped step(const std::vector<Member>& members, std::vector<Hold>& holds, double h, double tolerance,
-             double recovery) {
-  std::vector<Course> bodies;
-  std::vector<constraint::Mobility> mobilities = mobilities_of(members);
+Stepped step(const std::vector<StepBody>& step_bodies, std::vector<ContactConstraint>& constraints, double h,
+             double tolerance, double recovery) {
+  std::vector<BodyStep> bodies;
+  std::vector<constraint::Mobility> mobilities = mobilities_of(step_bodies);
   std::vector<Twist> mean;
-  for (const Member& member : members) {
-    Course& body = bodies.emplace_back(member);
-    mean.push_back(twist(member.state));
+  for (const StepBody& step_body : step_bodies) {
+    BodyStep& body = bodies.emplace_back(step_body);
+    mean.push_back(twist(step_body.state));
     body.go(mean.back(), mean.back(), h);
   }
   std::vector<Nearness> before;
   std::vector<double> least_u_n;
-  for (const Hold& hold : holds) {
-    before.push_back(nearness(hold.foot.a, bodies[hold.a].before, hold.foot.b, bodies[hold.b].before, hold.about));
+  for (const ContactConstraint& constraint : constraints) {
+    before.push_back(nearness(constraint.contact_point.a, bodies[constraint.a].before, constraint.contact_point.b,
+                              bodies[constraint.b].before, constraint.about));
     least_u_n.push_back(std::min(-before.back().gap / h, recovery));
   }
-  std::vector<Touch> touches(holds.size());
-  std::vector<double> missed(holds.size(), 0.0);  // m; of the gap, by the curves that features describe
+  std::vector<Touch> touches(constraints.size());
+  // The rows' error in the gap (m): features move along curves.
+  std::vector<double> missed(constraints.size(), 0.0);
   double change = 0;
   for (int round = 0; round < most_rounds; ++round) {
-    for (std::size_t i = 0; i < holds.size(); ++i) {
-      const Hold& hold = holds[i];
-      const Nearness after =
-          nearness(hold.foot.a, bodies[hold.a].after, hold.foot.b, bodies[hold.b].after, before[i].nhat_BA_W);
+    for (std::size_t i = 0; i < constraints.size(); ++i) {
+      const ContactConstraint& constraint = constraints[i];
+      const Nearness after = nearness(constraint.contact_point.a, bodies[constraint.a].after,
+                                      constraint.contact_point.b, bodies[constraint.b].after, before[i].nhat_BA_W);
       const double over = after.gap - (before[i].gap + h * least_u_n[i]);
       if (round > 1 && (over < 0 || !touches[i].P.isZero(0))) missed[i] += over;
-      const Vec3 guess = round > 0 ? touches[i].P : hold.foot.P_A_W;
-      touches[i] = row(hold, before[i], after, bodies);
+      const Vec3 guess = round > 0 ? touches[i].P : constraint.contact_point.P_A_W;
+      touches[i] = row(constraint, before[i], after, bodies);
       touches[i].P = guess;
       touches[i].least_u_n = least_u_n[i] - missed[i] / h;
       prepare(touches[i], mobilities);
     }
     std::vector<Twist> free;
-    for (const Course& body : bodies) free.push_back(body.free(h));
+    for (const BodyStep& body : bodies) free.push_back(body.free(h));
     mean = free;
     solve(touches, mobilities, mean,
           {.sweeps = sweeps_of_a_round,
-           .sweeps_to_a_jump = 64,
-           .most_that_jump = 16,
+           .sweeps_per_active_set = 64,
+           .most_active_set_contacts = 16,
            .enough = std::min(tolerance / h, of_recovery * recovery)});
     const double changed = change;
     change = 0;
     for (std::size_t i = 0; i < bodies.size(); ++i) change = std::max(change, bodies[i].go(mean[i], free[i], h));
-    if (change <= tolerance || (round > 2 && change > changed / 2)) break;  // or as near as the sweeps come
+    if (change <= tolerance || (round > 2 && change > changed / 2)) break;  // or as accurate as the sweeps get
   }
-  std::vector<Member> moved = members;
+  std::vector<StepBody> moved = step_bodies;
   std::vector<Twist> twists;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     moved[i].state = bodies[i].state(mean[i]);
     twists.push_back(twist(moved[i].state));
   }
-  for (std::size_t i = 0; i < holds.size(); ++i) holds[i].foot.P_A_W = touches[i].P;
+  for (std::size_t i = 0; i < constraints.size(); ++i) constraints[i].contact_point.P_A_W = touches[i].P;
   mobilities = mobilities_of(moved);
-  calm(rows_at(moved, holds, mobilities), touches, mobilities, twists);
+  project_velocities(rows_at(moved, constraints, mobilities), touches, mobilities, twists);
   Stepped stepped;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
-    if (!moved[i].is_fixed()) take_on(moved[i].state, twists[i]);
+    if (!moved[i].is_fixed()) set_velocity(moved[i].state, twists[i]);
     stepped.after.push_back(moved[i].state);
   }
   stepped.mean = std::move(mean);
   return stepped;
 }
 
-double unbalanced(const std::vector<Member>& members, std::vector<Hold>& holds) {
-  const std::vector<constraint::Mobility> mobilities = mobilities_of(members);
-  std::vector<Touch> touches = rows_at(members, holds, mobilities);
-  std::vector<Twist> left(members.size());
+double unbalanced(const std::vector<StepBody>& step_bodies, std::vector<ContactConstraint>& constraints) {
+  const std::vector<constraint::Mobility> mobilities = mobilities_of(step_bodies);
+  std::vector<Touch> touches = rows_at(step_bodies, constraints, mobilities);
+  std::vector<Twist> left(step_bodies.size());
   double greatest = 0, most = 0;
-  for (std::size_t i = 0; i < members.size(); ++i) {
-    if (members[i].is_fixed()) continue;
-    left[i].v = members[i].pull;
-    greatest = std::max(greatest, members[i].pull.norm());
+  for (std::size_t i = 0; i < step_bodies.size(); ++i) {
+    if (step_bodies[i].is_fixed()) continue;
+    left[i].v = step_bodies[i].acceleration;
+    greatest = std::max(greatest, step_bodies[i].acceleration.norm());
   }
-  solve(touches, mobilities, left, {.sweeps = sweeps_to_stand});
-  for (std::size_t i = 0; i < members.size(); ++i) {
-    if (!members[i].is_fixed()) most = std::max(most, left[i].v.norm() + members[i].flyer->radius * left[i].w.norm());
+  solve(touches, mobilities, left, {.sweeps = sweeps_of_rest_test});
+  for (std::size_t i = 0; i < step_bodies.size(); ++i) {
+    if (!step_bodies[i].is_fixed())
+      most = std::max(most, left[i].v.norm() + step_bodies[i].model->radius * left[i].w.norm());
   }
-  for (std::size_t i = 0; i < holds.size(); ++i) holds[i].foot.P_A_W = touches[i].P;
+  for (std::size_t i = 0; i < constraints.size(); ++i) constraints[i].contact_point.P_A_W = touches[i].P;
   return most / greatest;
 }
 
-void land(std::vector<Member>& members, const std::vector<Hold>& holds) {
-  const std::vector<constraint::Mobility> mobilities = mobilities_of(members);
-  std::vector<Touch> touches = rows_at(members, holds, mobilities);
+void land(std::vector<StepBody>& step_bodies, const std::vector<ContactConstraint>& constraints) {
+  const std::vector<constraint::Mobility> mobilities = mobilities_of(step_bodies);
+  std::vector<Touch> touches = rows_at(step_bodies, constraints, mobilities);
   std::vector<Twist> twists;
-  for (const Member& member : members) twists.push_back(twist(member.state));
+  for (const StepBody& step_body : step_bodies) twists.push_back(twist(step_body.state));
   solve(touches, mobilities, twists, {});
-  for (std::size_t i = 0; i < members.size(); ++i) {
-    if (!members[i].is_fixed()) take_on(members[i].state, twists[i]);
+  for (std::size_t i = 0; i < step_bodies.size(); ++i) {
+    if (!step_bodies[i].is_fixed()) set_velocity(step_bodies[i].state, twists[i]);
   }
 }
 

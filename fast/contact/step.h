@@ -1,61 +1,64 @@
-// Bodies in contact, moved on together by one step of second order that makes no energy.
+// Advances bodies in contact by one step of second order that never adds energy.
 #pragma once
 
 #include <vector>
 
 #include "fast/constraint/solve.h"
-#include "fast/contact/footing.h"
-#include "fast/motion/flyer.h"
+#include "fast/contact/manifold.h"
+#include "fast/motion/rigid_body_model.h"
 #include "model/answers.h"
 
 namespace touchstone::fast::contact {
 
-/// A body that takes part: one that moves, or one that is fixed and carries.
-struct Member {
-  const motion::Flyer* flyer = nullptr;
+/// A body of the step: one that moves, or a fixed one that supports others.
+struct StepBody {
+  const motion::RigidBodyModel* model = nullptr;
   State state;
-  Vec3 pull = Vec3::Zero();  ///< m/s²; what accelerates it but for contacts
+  Vec3 acceleration = Vec3::Zero();  ///< m/s²; all but the contacts' (gravity, applied forces)
 
-  bool is_fixed() const { return flyer->is_fixed; }
-  Stance stance() const;
+  bool is_fixed() const { return model->is_fixed; }
+  RigidTransform transform() const;
   constraint::Mobility mobility() const;
 };
 
-/// A foot between two members.
-struct Hold {
+/// A contact point between two bodies of the step, given by their indices.
+struct ContactConstraint {
   std::size_t a, b;
-  Foot foot;
-  Vec3 about = Vec3::Zero();  ///< its normal of late
+  ContactPoint contact_point;
+  Vec3 about = Vec3::Zero();  ///< its latest normal
   double friction = 0;
 };
 
 struct Stepped {
   std::vector<State> after;
-  std::vector<constraint::Twist> mean;  ///< of the step, with which the bodies get from one stance to the other
+  std::vector<constraint::Twist> mean;  ///< over the step: takes each body from its pose before to its pose after
 };
 
-/// All members after h. With u = the mean relative velocity at a foot over the step and φ its gap,
+/// The states of all bodies after h. With u = the mean relative velocity at a contact over the step, φ its gap and a
+/// the applied acceleration,
 ///
 ///   0 ≤ P_n ⟂ φ(after) ≥ 0,     |P_t| ≤ μ P_n, and P_t = −μ P_n u_t/|u_t| where it slips,
-///   v' = v + h pull + ΣP/m,   c' = c + h (v + v')/2,
+///   v' = v + h a + ΣP/m,      c' = c + h (v + v')/2,
 ///   L' = L + Σ r × P,         R' = cay(h ω̄) R,   R⁻¹ω̄ = (R⁻¹ω + R'⁻¹ω')/2,
 ///
-/// r the mean of the foot's arms before and after. By Cayley's map R'x − Rx = h ω̄ × (R'x + Rx)/2, so what a foot's
-/// points move apart is exactly h u, and kinetic energy grows by P·u alone (Simo & Wong 1991), which is not above 0:
-/// a step makes no energy, however long. Solved by iteration until nothing moves by more than `tolerance` (m). What
-/// overlaps already is moved apart no faster than `recovery` (m/s).
+/// where r is the mean of the contact's arms before and after. By Cayley's map R'x − Rx = h ω̄ × (R'x + Rx)/2, so the
+/// relative displacement of the contact's points is exactly h u, and kinetic energy grows by P·u alone (Simo & Wong
+/// 1991), which is not above 0: a step never adds energy, however long it is. Solved by iteration until nothing moves
+/// by more than `tolerance` (m). Bodies that already overlap are moved apart no faster than `recovery` (m/s).
 ///
-/// Then what of u is left after, where feet stick and press, is taken from the velocities: projections, which take
-/// energy only, of second order in h.
+/// Afterwards the remaining relative velocity at contacts that press (its tangential part only where they stick) is
+/// removed from the velocities by projections. These only take energy, of second order in h.
 ///
-/// The feet keep their impulses as the next guess. Error: of second order in h.
-Stepped step(const std::vector<Member>& members, std::vector<Hold>& holds, double h, double tolerance, double recovery);
+/// The contact constraints keep their impulses as the next initial guess. Error: of second order in h.
+Stepped step(const std::vector<StepBody>& step_bodies, std::vector<ContactConstraint>& constraints, double h,
+             double tolerance, double recovery);
 
-/// How well forces at the feet, in their cones, balance all pulls at rest: the greatest acceleration that is left of a
-/// point, as a share of the greatest pull. The feet keep their forces (times 1 s). Requires a pull.
-double unbalanced(const std::vector<Member>& members, std::vector<Hold>& holds);
+/// How well contact forces within their friction cones balance all applied accelerations at rest: the greatest
+/// remaining acceleration of a point, relative to the greatest applied acceleration. The contact constraints keep their
+/// forces (times 1 s). Requires an applied acceleration.
+double unbalanced(const std::vector<StepBody>& step_bodies, std::vector<ContactConstraint>& constraints);
 
-/// Takes from the velocities what approaches at the feet, without restitution and with friction.
-void land(std::vector<Member>& members, const std::vector<Hold>& holds);
+/// Removes the approach velocities at the contacts, without restitution and with friction.
+void land(std::vector<StepBody>& step_bodies, const std::vector<ContactConstraint>& constraints);
 
 }  // namespace touchstone::fast::contact

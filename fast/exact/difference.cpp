@@ -31,7 +31,7 @@ struct Rotation {
   Dyadic D;
 };
 
-/// model/frame.h, without the division.
+/// As in model/frame.h, without the division.
 Rotation rotation(const Quaternion& q) {
   const Dyadic w = q.w;
   const Dyadic x = q.x;
@@ -75,10 +75,9 @@ const Vector& Difference::Posed::scaled_point(int i) {
   return known_.emplace(i, times(M_, vector(points_[static_cast<std::size_t>(i)])) + t_).first->second;
 }
 
-/// n·R v in doubles for each v, times a factor > 0 that is the same for all. n is cut to 2^-52 of its length; R is off
-/// by 12u, two of them and their product by 12 + 12 + 3·3 = 33u; Rᵀn by 5.2u more, the products with v by 3.1u|v|:
-/// together less than 45u|n||v|, and |n| ≤ √3. The bound is taken at 128u, with room for its own rounding, and for what
-/// underflows.
+/// n·R v in doubles for each v, times a common factor > 0. n is cut to 2^-52 of its length; the error of R is 12u, two
+/// of them and their product 12 + 12 + 3·3 = 33u; Rᵀn adds 5.2u, the products with v 3.1u|v|: together less than
+/// 45u|n||v|, and |n| ≤ √3. The bound is taken as 128u, with room for its own rounding and for underflow.
 std::vector<double> Difference::Posed::heights(const Vector& n, double& error) const {
   const Vec3 n_B = R_.transpose() * direction(n);
   std::vector<double> heights(points_.size());
@@ -96,7 +95,7 @@ int Difference::Posed::farthest(const Vector& n) {
   int best = -1;
   Dyadic best_height;
   for (std::size_t i = 0; i < height.size(); ++i) {
-    if (height[i] < highest - 2 * error) continue;  // never so where error is infinite
+    if (height[i] < highest - 2 * error) continue;  // never if the error is infinite
     const int candidate = static_cast<int>(i);
     const Dyadic exact = dot(n, scaled_point(candidate));
     if (best >= 0 && (exact - best_height).sign() <= 0) continue;

@@ -1,7 +1,8 @@
 // The Minkowski difference B − A of two posed point sets, vertex by vertex, exactly.
 //
 // A vertex in W is (M v + t)/D with M, t and D sums of products of doubles: R(q/|q|) = M(q)/|q|², and a part's two
-// poses multiply. All vertices of the pair are brought to the one denominator D_A D_B, so that nothing is ever divided.
+// poses multiply. All vertices of the pair are brought to the common denominator D_A D_B, so that nothing is ever
+// divided.
 #pragma once
 
 #include <array>
@@ -13,7 +14,7 @@
 
 namespace touchstone::fast::exact {
 
-/// `poses` from the outermost in: one for a body, two for a part of a compound.
+/// `poses`: the outermost first; one for a body, two for a part of a compound.
 struct PosedPoints {
   std::span<const Pose> poses;
   std::span<const Vec3> points;  ///< at least one
@@ -29,7 +30,7 @@ struct VertexPair {
 
 class Difference {
  public:
-  /// Keeps references to what the spans show.
+  /// Keeps references to the data of the spans.
   Difference(const PosedPoints& A, const PosedPoints& B);
 
   /// denominator() · (b − a).

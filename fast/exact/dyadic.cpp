@@ -10,7 +10,7 @@ namespace {
 using Limbs = std::vector<std::uint32_t>;
 constexpr int limb_bits = 32;
 
-/// Two magnitudes on one scale: limb i of either stands for 2^(32 (lowest + i)); what is not stored is 0.
+/// Two magnitudes on one scale: limb i of either has the weight 2^(32 (lowest + i)); limbs that are not stored are 0.
 struct Aligned {
   const Limbs& limbs;
   long shift;
@@ -129,7 +129,7 @@ Dyadic operator*(const Dyadic& x, const Dyadic& y) {
 
 Dyadic::Scientific Dyadic::scientific() const {
   if (sign_ == 0) return {};
-  // The three highest limbs have at least 65 bits; those beyond the first 53 are cut.
+  // The three highest limbs have at least 65 bits; those beyond the first 53 are truncated.
   const auto limb = [&](std::size_t from_top) {
     return from_top <= limbs_.size() ? std::uint64_t{limbs_[limbs_.size() - from_top]} : 0;
   };
@@ -148,7 +148,7 @@ double Dyadic::approximate() const {
   return std::ldexp(x.m, static_cast<int>(std::clamp(x.exponent, -beyond, beyond)));
 }
 
-/// Both are cut to 53 bits (2u each), and their quotient rounds.
+/// Both are truncated to 53 bits (2u each), and their quotient rounds.
 double ratio(const Dyadic& x, const Dyadic& y) {
   const Dyadic::Scientific a = x.scientific();
   const Dyadic::Scientific b = y.scientific();

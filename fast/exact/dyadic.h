@@ -1,7 +1,8 @@
-// Whole multiples of powers of two, exactly: every finite double is one, and sums and products of them are again.
+// Integer multiples of powers of two, exactly: every finite double is one, and so are sums and products of them.
 //
-// Expansions of doubles would be quicker but end where the exponents do: a determinant of vertices in poses multiplies
-// fifteen doubles, so lengths of 1e100 overflow and lengths of 1e-100 vanish. These have no range to leave.
+// Expansions of doubles would be faster but are limited by the range of exponents: a determinant of vertices in poses
+// multiplies fifteen doubles, so lengths of 1e100 overflow and lengths of 1e-100 vanish. Dyadic numbers have no such
+// limit.
 #pragma once
 
 #include <cstdint>
@@ -23,14 +24,15 @@ class Dyadic {
   friend Dyadic operator-(const Dyadic& x, const Dyadic& y) { return sum(x, y, -y.sign_); }
   friend Dyadic operator*(const Dyadic& x, const Dyadic& y);
 
-  /// m · 2^exponent with 1/2 ≤ |m| < 1, m cut towards 0: |m| 2^exponent ≤ |x| < |m| 2^exponent (1 + 2^-52). 0 gives 0.
+  /// m · 2^exponent with 1/2 ≤ |m| < 1, m truncated towards 0: |m| 2^exponent ≤ |x| < |m| 2^exponent (1 + 2^-52). 0
+  /// gives 0.
   struct Scientific {
     double m = 0;
     long exponent = 0;
   };
   Scientific scientific() const;
 
-  /// scientific() as a double; beyond the range ±infinity or 0.
+  /// scientific() as a double; ±infinity or 0 beyond the range.
   double approximate() const;
 
  private:
@@ -39,10 +41,10 @@ class Dyadic {
 
   int sign_ = 0;
   long lowest_ = 0;                   ///< |x| = Σ limbs_[i] 2^(32 (lowest_ + i))
-  std::vector<std::uint32_t> limbs_;  ///< first and last are not 0; none for 0
+  std::vector<std::uint32_t> limbs_;  ///< first and last are not 0; empty for 0
 };
 
-/// x/y in doubles, y ≠ 0: relative error < 6u; beyond the range ±infinity or 0.
+/// x/y in doubles, y ≠ 0: relative error < 6u; ±infinity or 0 beyond the range.
 double ratio(const Dyadic& x, const Dyadic& y);
 
 }  // namespace touchstone::fast::exact

@@ -13,25 +13,25 @@ using Points = std::vector<Vector>;
 
 /// The point y of aff(points) nearest to 0 by its weights, which do not yet sum to 1: y Σ weights = Σ weights · points.
 /// `toward` is a positive multiple of y, or 0.
-struct Foot {
+struct Projection {
   std::vector<Dyadic> weights;
   Vector toward;
 };
 
-Foot foot_on_line(const Vector& p, const Vector& q) {
+Projection project_on_line(const Vector& p, const Vector& q) {
   const Vector e = q - p;
   const Dyadic at_p = dot(q, e);
   const Dyadic at_q = -dot(p, e);
   return {{at_p, at_q}, at_p * p + at_q * q};
 }
 
-Foot foot_on_plane(const Vector& p, const Vector& q, const Vector& r) {
+Projection project_on_plane(const Vector& p, const Vector& q, const Vector& r) {
   const Vector n = cross(q - p, r - p);
   const int side = dot(n, p).sign();
   return {{dot(cross(q, r), n), dot(cross(r, p), n), dot(cross(p, q), n)}, side == 0 ? Vector{} : side > 0 ? n : -n};
 }
 
-Foot foot_in_space(const Points& p) {
+Projection project_in_space(const Points& p) {
   const Dyadic a = dot(p[1], cross(p[2], p[3]));
   const Dyadic b = -dot(p[0], cross(p[2], p[3]));
   const Dyadic c = dot(p[0], cross(p[1], p[3]));
@@ -40,16 +40,16 @@ Foot foot_in_space(const Points& p) {
   return {{-a, -b, -c, -d}, {}};
 }
 
-Foot foot(const Points& p) {
+Projection project(const Points& p) {
   switch (p.size()) {
     case 1:
       return {{Dyadic(1)}, p[0]};
     case 2:
-      return foot_on_line(p[0], p[1]);
+      return project_on_line(p[0], p[1]);
     case 3:
-      return foot_on_plane(p[0], p[1], p[2]);
+      return project_on_plane(p[0], p[1], p[2]);
     default:
-      return foot_in_space(p);
+      return project_in_space(p);
   }
 }
 
@@ -82,16 +82,16 @@ Held subset(const Held& all, unsigned members) {
   return some;
 }
 
-/// Leaves the least set of points whose hull holds the point of the hull that is nearest to 0. The nearest point is
-/// inside the hull of exactly one such set, and the others are not beyond the plane through it: these two signs find
-/// it.
-Foot reduce(Held& held) {
+/// Leaves the least set of points whose hull contains the point of the hull that is nearest to 0. That point is inside
+/// the hull of exactly one such set, and the other points are not beyond the plane through it: the signs of these two
+/// conditions find the set.
+Projection reduce(Held& held) {
   const unsigned all = (1U << held.pairs.size()) - 1;
   for (int size = 1;; ++size) {
     for (unsigned members = 1; members <= all; ++members) {
       if (__builtin_popcount(members) != size) continue;
       Held some = subset(held, members);
-      Foot found = foot(some.points);
+      Projection found = project(some.points);
       if (!all_positive(found.weights) || !none_beyond(found.toward, some.points.front(), held.points)) continue;
       held = std::move(some);
       return found;
@@ -99,7 +99,7 @@ Foot reduce(Held& held) {
   }
 }
 
-/// |y|² of the least set: y·p for any of its points p, as y is at right angles to all their differences.
+/// |y|² for the least set: y·p for any of its points p, as y is perpendicular to all their differences.
 void set_squared(Nearest& answer, const Points& points) {
   Dyadic sum = 0;
   for (const Dyadic& w : answer.weights) sum = sum + w;
@@ -119,13 +119,13 @@ Nearest nearest(Difference& difference, std::vector<VertexPair> start) {
   };
   for (const VertexPair& pair : start) hold(pair);
   while (true) {
-    Foot found = reduce(held);
+    Projection found = reduce(held);
     Nearest answer;
     answer.normal = found.toward;
     answer.pairs = held.pairs;
     answer.weights = found.weights;
     if (found.toward.is_zero()) {
-      settle_contact(difference, answer);
+      classify_contact(difference, answer);
       return answer;
     }
     const VertexPair beyond = difference.support(found.toward);

@@ -14,14 +14,14 @@ bool supports(const Vector& n, const Points& found) {
   return true;
 }
 
-/// Any direction at right angles to v ≠ 0.
+/// A direction perpendicular to v ≠ 0.
 Vector across(const Vector& v) {
   const Vector n = cross(v, Vector{1, 0, 0});
   return n.is_zero() ? cross(v, Vector{0, 1, 0}) : n;
 }
 
-/// A direction of the cone {n : n·w ≥ 0 for all found}, from its middle; none if it is {0}. Its edges are at right
-/// angles to two of the w, and are added up at about one length.
+/// A direction from the middle of the cone {n : n·w ≥ 0 for all found}; none if the cone is {0}. The cone's edges are
+/// perpendicular to two of the w; they are summed at roughly equal lengths.
 std::optional<Vector> middle(const Points& found) {
   std::optional<Vector> some;
   Vector sum;
@@ -47,7 +47,7 @@ std::optional<Vector> middle(const Points& found) {
 
 }  // namespace
 
-void settle_contact(Difference& difference, Nearest& answer) {
+void classify_contact(Difference& difference, Nearest& answer) {
   answer.around = answer.pairs;
   Points found;
   for (const VertexPair& pair : answer.around) found.push_back(difference(pair));

@@ -15,7 +15,7 @@ long greatest_exponent(const Vector& v) {
   return greatest;
 }
 
-/// Whole steps of a power of two that doubles hold, since k may be beyond their range.
+/// A product of powers of two that doubles can represent, since k may be beyond their range.
 Dyadic power_of_two(long k) {
   Dyadic power = 1;
   constexpr long step = 1000;

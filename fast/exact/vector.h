@@ -24,7 +24,7 @@ inline Vector cross(const Vector& a, const Vector& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-/// The direction of v ≠ 0 in doubles: v · 2^-k, greatest component in [1/2, 1), each component cut to 53 bits.
+/// The direction of v ≠ 0 in doubles: v · 2^-k, greatest component in [1/2, 1), each component truncated to 53 bits.
 Vec3 direction(const Vector& v);
 
 /// v · 2^-k for the k of `direction`, exactly.

@@ -4,25 +4,26 @@
 #include <cmath>
 #include <optional>
 
+#include "fast/impulse/phase.h"
 #include "fast/impulse/stop.h"
-#include "fast/impulse/stretch.h"
 #include "fast/impulse/turning.h"
 
 namespace touchstone::fast::impulse {
 namespace {
 
-/// Slip stops before the goal: from the series for the impulse that is left, if it says so.
-bool stops(const Impact& i, const Goal& goal, Course& at) {
-  if (i.law == Law::stronge) return false;  // the series says nothing about work
+/// Whether slip stops before the goal; if so, advances to there. From the series for the remaining impulse, if it
+/// applies.
+bool stops(const Impact& i, const Goal& goal, ImpactState& at) {
+  if (i.law == Law::stronge) return false;  // the series does not give the work
   const auto left = until_stop(i, at);
   if (!left) return false;
-  Course end = at;
+  ImpactState end = at;
   end.p += left->impulse;
   end.P1 -= (at.s * at.c + i.k1 * left->impulse) / i.l1;  // u_t = 0
   end.P2 -= (at.s * at.d + i.k2 * left->impulse) / i.l2;
   end.s = 0;
   if (goal.of == Goal::Of::impulse && end.p >= goal.value) return false;
-  // On the way u_n must not pass the goal and come back: its slope keeps its sign over the arc that is left.
+  // On the way u_n must not pass the goal and come back: its slope keeps its sign over the remaining arc.
   const double h = i.b - i.mu * (i.k1 * at.c + i.k2 * at.d), k = std::sqrt(i.k1 * i.k1 + i.k2 * i.k2);
   const bool one_way = i.b > i.mu * k || std::abs(h) > left->turn * i.mu * k;
   if (goal.of == Goal::Of::speed && (!one_way || normal_speed(i, end) >= goal.value)) return false;
@@ -32,29 +33,29 @@ bool stops(const Impact& i, const Goal& goal, Course& at) {
 
 }  // namespace
 
-bool is_straight(const Impact& i, const Course& at) {
+bool is_straight(const Impact& i, const ImpactState& at) {
   const double eta = i.k2 * at.c - i.k1 * at.d + i.mu * (i.l1 - i.l2) * at.c * at.d;
   return std::abs(eta) <= 0x1p-50 * rate(i);
 }
 
-CurveEnd go_round(const Impact& i, const Goal& goal, Course& at, double& closest_miss) {
+CurveEnd go_round(const Impact& i, const Goal& goal, ImpactState& at, double& closest_miss) {
   const double speeds = std::abs(i.u1) + std::abs(i.u2) + std::abs(i.un);
   while (at.s > 0x1p-70 * speeds) {
     if (is_straight(i, at)) return CurveEnd::straightened;
     if (stops(i, goal, at)) return CurveEnd::stop;
-    const auto by_direction = stretch_by_direction(i, at);
-    Stretch stretch = by_direction ? *by_direction : stretch_by_time(i, at);
-    const Series u = normal_speed(i, stretch, normal_speed(i, at));
+    const auto by_direction = phase_by_direction(i, at);
+    Phase phase = by_direction ? *by_direction : phase_by_time(i, at);
+    const Series u = normal_speed(i, phase, normal_speed(i, at));
     Series W;
-    if (i.law == Law::stronge) {  // its own series converges more slowly than those it is the product of
-      W = work(stretch, u);
-      stretch.length = std::min(stretch.length, length_of(W, speeds * at.s / rate(i)));
+    if (i.law == Law::stronge) {  // its own series converges more slowly than its factors
+      W = work(phase, u);
+      phase.length = std::min(phase.length, length_of(W, speeds * at.s / rate(i)));
     }
-    const Series& x = goal.of == Goal::Of::speed ? u : goal.of == Goal::Of::work ? W : stretch.p;
+    const Series& x = goal.of == Goal::Of::speed ? u : goal.of == Goal::Of::work ? W : phase.p;
     const double before = goal.of == Goal::Of::work ? at.work : goal.of == Goal::Of::impulse ? at.p : 0;
-    const auto here = first_reach(x, goal.value - before, stretch.length, closest_miss);
-    const double t = here.value_or(stretch.length);
-    advance(stretch, t, W(t), at);
+    const auto here = first_reach(x, goal.value - before, phase.length, closest_miss);
+    const double t = here.value_or(phase.length);
+    advance(phase, t, W(t), at);
     if (here && goal.of == Goal::Of::impulse) at.p = goal.value;
     if (here) return CurveEnd::goal;
   }

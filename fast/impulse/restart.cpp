@@ -13,7 +13,7 @@ Restart restart(const Impact& i) {
   }
   from.sticks = false;
   double lambda = 0;
-  for (int step = 0; step < 100; ++step) {  // quadratic: some 6 steps
+  for (int step = 0; step < 100; ++step) {  // converges quadratically: some 6 steps
     const double m1 = i.l1 + lambda, m2 = i.l2 + lambda;
     const double x = i.k1 / m1, y = i.k2 / m2, square = x * x + y * y, length = std::sqrt(square);
     const double slope = (x * x / m1 + y * y / m2) / square;  // of −log |t|
@@ -25,7 +25,7 @@ Restart restart(const Impact& i) {
   from.c = x / length;
   from.d = y / length;
   from.line = sliding(i, from.c, from.d);
-  if (from.line.g < 0) from.line.g = 0;  // at the rim's edge, where it is 0 but for rounding
+  if (from.line.g < 0) from.line.g = 0;  // at the edge of the rim, where it is 0 but for rounding
   return from;
 }
 

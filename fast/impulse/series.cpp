@@ -7,8 +7,8 @@
 namespace touchstone::fast::impulse {
 namespace {
 
-/// Newton's method inside a shrinking bracket, where x rises from below the target to it or above. It squares its
-/// error: a step of 2^-28 of the bracket is the last that matters.
+/// Newton's method inside a shrinking bracket where x rises from below the target to it or above. It squares its error:
+/// a step of 2^-28 of the bracket is the last that matters.
 double crossing(const Series& x, double target, double lo, double hi) {
   const double below = x(lo) - target, above = x(hi) - target;
   double t = lo + (hi - lo) * (below / (below - above));

@@ -1,4 +1,4 @@
-// Power series that stand for a stretch of a solution.
+// Power series that represent a phase of a solution.
 #pragma once
 
 #include <array>
@@ -35,15 +35,14 @@ struct Series {
   double slope(double t) const { return both(t).slope; }
 };
 
-/// t with |coefficient| tⁿ ≤ 2^-56, by exponents alone: no logarithm of the C library has the same bits everywhere.
+/// t with |coefficient| tⁿ ≤ 2^-56, from exponents alone: no C library's logarithm has the same bits everywhere.
 double length_for(double coefficient, std::size_t n);
 
-/// t up to which the last two terms stay below 2^-56 of the unit.
+/// The greatest t at which the last two terms stay below 2^-56 of the unit.
 double length_of(const Series& x, double unit);
 
-/// The first t in [0, length] where the series, which starts below it, reaches the target; none if it does not. A
-/// series that rises, then falls short is looked at where it is greatest: by how much it missed makes closest_miss
-/// smaller.
+/// The first t in [0, length] at which the series, which starts below the target, reaches it; nothing if it does not.
+/// If the series rises and then falls short, closest_miss is reduced to the difference at its maximum.
 std::optional<double> first_reach(const Series& x, double target, double length, double& closest_miss);
 
 }  // namespace touchstone::fast::impulse

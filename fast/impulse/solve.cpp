@@ -11,12 +11,12 @@
 namespace touchstone::fast::impulse {
 namespace {
 
-/// Rounding leaves u_n this far from 0, relative to |u|, when it should be 0.
+/// Where u_n should be 0, rounding leaves this much, relative to |u|.
 constexpr double noise = 64 * 0x1p-53;
 
-class Journey {
+class ImpactSolver {
  public:
-  explicit Journey(const Impact& impact)
+  explicit ImpactSolver(const Impact& impact)
       : i_(impact), speeds_(std::abs(impact.u1) + std::abs(impact.u2) + std::abs(impact.un)) {
     const double greater = std::max(std::abs(impact.u1), std::abs(impact.u2));
     if (greater > 0) {  // by ratios: the square of a slip of 1e-170 underflows
@@ -25,7 +25,7 @@ class Journey {
       at_.c = x / length;
       at_.d = y / length;
     }
-    if (jams()) closest_miss_ = std::abs(impact.un);  // at u_n = 0 an impulse begins, all at once
+    if (jams()) closest_miss_ = std::abs(impact.un);  // the impulse is discontinuous at u_n = 0
     if (std::isinf(impact.mu)) stick_at_once();
   }
 
@@ -61,7 +61,7 @@ class Journey {
         return go({Goal::Of::impulse, at_.p + i_.e * compression});
       case Law::stronge: {
         const double regained = -i_.e * i_.e * at_.work;
-        at_.work = 0;  // from here on: beside the whole, a small e² would be lost
+        at_.work = 0;  // counted from here on: added to the whole, a small e² would be lost
         return go({Goal::Of::work, regained});
       }
       case Law::newton:
@@ -69,7 +69,7 @@ class Journey {
     }
   }
 
-  /// Sliding can press the bodies together: u_n falls on some line.
+  /// Whether sliding can press the bodies together: u_n decreases in some direction of slip.
   bool jams() const { return std::isfinite(i_.mu) && i_.mu * std::sqrt(i_.k1 * i_.k1 + i_.k2 * i_.k2) > i_.b; }
 
   bool approaches_again() {
@@ -107,11 +107,11 @@ class Journey {
     }
   }
 
-  static constexpr int most_compressions = 16;  ///< one more was enough in all cases ever met
+  static constexpr int most_compressions = 16;  ///< one more was enough in all cases seen so far
 
   Impact i_;
   double speeds_;
-  Course at_;
+  ImpactState at_;
   Outcome outcome_;
   double closest_miss_ = 1e300;
   int compressions_ = 0;
@@ -123,7 +123,7 @@ double power_of_two(double x) {
   return std::ldexp(1.0, std::clamp(exponent, -1000, 1000));
 }
 
-/// Beyond these, squares overflow or lose bits.
+/// Outside this range squares overflow or lose bits.
 bool is_moderate(double x) { return 0x1p-200 < x && x < 0x1p200; }
 
 }  // namespace
@@ -131,13 +131,13 @@ bool is_moderate(double x) { return 0x1p-200 < x && x < 0x1p200; }
 Outcome solve(const Impact& impact) {
   const double u = std::max({std::abs(impact.u1), std::abs(impact.u2), std::abs(impact.un)});
   const double K = std::max({impact.l1, impact.l2, impact.b});
-  if (is_moderate(u) && is_moderate(K)) return Journey(impact).run();
+  if (is_moderate(u) && is_moderate(K)) return ImpactSolver(impact).run();
   if (u == 0) return {};
   const double a = power_of_two(u), b = power_of_two(K);
   Impact scaled = impact;
   for (double* x : {&scaled.u1, &scaled.u2, &scaled.un}) *x /= a;
   for (double* x : {&scaled.l1, &scaled.l2, &scaled.k1, &scaled.k2, &scaled.b}) *x /= b;
-  Outcome outcome = Journey(scaled).run();
+  Outcome outcome = ImpactSolver(scaled).run();
   for (double* x : {&outcome.P1, &outcome.P2, &outcome.p, &outcome.compression}) *x = *x / b * a;
   return outcome;
 }

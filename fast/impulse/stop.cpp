@@ -36,7 +36,7 @@ std::optional<Direction> stopping_direction(const Impact& i, Direction at) {
 
 }  // namespace
 
-std::optional<Stop> until_stop(const Impact& i, const Course& at) {
+std::optional<Stop> until_stop(const Impact& i, const ImpactState& at) {
   const auto root = stopping_direction(i, {at.c, at.d});
   if (!root) return std::nullopt;
   const auto [C, S] = *root;
@@ -48,7 +48,7 @@ std::optional<Stop> until_stop(const Impact& i, const Course& at) {
   if (!(along > 0) || std::abs(t) > farthest) return std::nullopt;
   const auto& E = x.eta;  // E[0] is 0 at a root
   const auto turns_there = [&](double from) { return E[1] + from * (E[2] + from * (E[3] + from * E[4])) < 0; };
-  if (!turns_there(t) || !turns_there(t / 2)) return std::nullopt;  // another root is nearer
+  if (!turns_there(t) || !turns_there(t / 2)) return std::nullopt;  // another root is closer
   const std::array<double, 7> q{0, E[1] / 2, E[2] / 2, (E[3] + E[1]) / 2, (E[4] + E[2]) / 2, E[3] / 2, E[4] / 2};
   constexpr std::array<double, 5> one_plus_t2_squared{1, 0, 2, 0, 1};
   std::array<double, terms> phi{};
@@ -62,7 +62,7 @@ std::optional<Stop> until_stop(const Impact& i, const Course& at) {
     const double term = phi[n] * power;
     sum += term;
     power *= t;
-    if (n == 12 && std::abs(term) > 0x1p-8 * std::abs(sum)) return std::nullopt;  // it will not be done in time
+    if (n == 12 && std::abs(term) > 0x1p-8 * std::abs(sum)) return std::nullopt;  // it will not converge in time
     small = std::abs(term) <= 0x1p-58 * std::abs(sum) ? small + 1 : 0;
     if (small == 2) return Stop{at.s * sum, 2 * std::abs(t)};
   }

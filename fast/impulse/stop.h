@@ -1,4 +1,4 @@
-// How much normal impulse is left until slip stops, near the direction in which it does.
+// The normal impulse that remains until slip stops, near the direction in which it stops.
 #pragma once
 
 #include <optional>
@@ -8,15 +8,15 @@
 namespace touchstone::fast::impulse {
 
 struct Stop {
-  double impulse = 0;  ///< what is left, normal (N s)
-  double turn = 0;     ///< at least the angle to the direction in which slip stops
+  double impulse = 0;  ///< the remaining normal impulse (N s)
+  double turn = 0;     ///< an upper bound of the angle to the direction in which slip stops
 };
 
-/// None: slip does not stop from here, or is too far from its last direction for the series (|tan(δ/2)| > 1/2).
+/// Nothing if slip does not stop from here, or is too far from its last direction for the series (|tan(δ/2)| > 1/2).
 ///
-/// With θ the direction, s dθ/dp = η(θ) and ds/dp = g(θ). What is left is s Φ(θ) with η Φ' + g Φ = −1. At a root θ* of
-/// η with η' < 0 and g < 0, Φ is a power series in t = tan((θ − θ*)/2): its recurrence divides by n η'(θ*) + g(θ*) < 0.
-/// Summed until terms are below 2^-58 of the sum. Source: docs/design/impulse.md.
-std::optional<Stop> until_stop(const Impact& impact, const Course& at);
+/// With θ the direction, s dθ/dp = η(θ) and ds/dp = g(θ). The remaining impulse is s Φ(θ) with η Φ' + g Φ = −1. At a
+/// root θ* of η with η' < 0 and g < 0, Φ is a power series in t = tan((θ − θ*)/2): its recurrence divides by n η'(θ*) +
+/// g(θ*) < 0. Summed until terms are below 2^-58 of the sum. Source: docs/design/impulse.md.
+std::optional<Stop> until_stop(const Impact& impact, const ImpactState& at);
 
 }  // namespace touchstone::fast::impulse

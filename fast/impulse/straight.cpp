@@ -9,7 +9,7 @@ namespace {
 
 constexpr double never = std::numeric_limits<double>::infinity();
 
-/// work + u x + h x²/2 = value, in the form that cancels nothing.
+/// The x ≥ 0 with u x + h x²/2 = left, in a form without cancellation.
 double left_for_work(double left, double u, double h) {
   if (left <= 0) return 0;
   const double root = u * u + 2 * h * left;
@@ -20,7 +20,7 @@ double left_for_work(double left, double u, double h) {
 
 }  // namespace
 
-double impulse_left(const Impact& impact, const Line& line, const Goal& goal, const Course& at) {
+double impulse_left(const Impact& impact, const Line& line, const Goal& goal, const ImpactState& at) {
   switch (goal.of) {
     case Goal::Of::impulse:
       return std::max(goal.value - at.p, 0.0);
@@ -35,7 +35,7 @@ double impulse_left(const Impact& impact, const Line& line, const Goal& goal, co
   return never;
 }
 
-Reached go_straight(const Impact& impact, const Line& line, const Goal& goal, Course& at) {
+Reached go_straight(const Impact& impact, const Line& line, const Goal& goal, ImpactState& at) {
   const double to_goal = impulse_left(impact, line, goal, at);
   const double to_stop = line.g < 0 ? at.s / -line.g : never;
   const bool stops = to_stop < to_goal;

@@ -1,4 +1,5 @@
-// The part of an impact in which slip keeps its direction: everything is linear in the normal impulse, or quadratic.
+// The part of an impact in which the direction of slip is constant: everything is linear or quadratic in the normal
+// impulse.
 #pragma once
 
 #include "fast/impulse/impact.h"
@@ -7,10 +8,10 @@ namespace touchstone::fast::impulse {
 
 enum class Reached { goal, stop };
 
-/// Goes along the line until the goal, or until slip stops, whichever is first.
-Reached go_straight(const Impact& impact, const Line& line, const Goal& goal, Course& at);
+/// Advances along the line until the goal, or until slip stops, whichever is first.
+Reached go_straight(const Impact& impact, const Line& line, const Goal& goal, ImpactState& at);
 
-/// The normal impulse that is left until the goal; infinity if the line never gets there.
-double impulse_left(const Impact& impact, const Line& line, const Goal& goal, const Course& at);
+/// The normal impulse that remains until the goal; infinity if the line never reaches it.
+double impulse_left(const Impact& impact, const Line& line, const Goal& goal, const ImpactState& at);
 
 }  // namespace touchstone::fast::impulse

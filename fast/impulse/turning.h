@@ -1,4 +1,4 @@
-// How slip turns and changes, seen from one direction.
+// How slip changes its direction and magnitude, relative to one direction.
 #pragma once
 
 #include <array>
@@ -9,8 +9,8 @@ namespace touchstone::fast::impulse {
 
 /// With θ the direction of slip, s dθ/dp = η(θ) and ds/dp = g(θ).
 ///
-/// Axes along and across the direction (c, d): there k is (k1, k2) and A is [alpha beta; beta gamma]. With
-/// t = tan((θ − direction)/2), η (1 + t²)² and g (1 + t²)² are polynomials of degree 4 in t.
+/// Axes along and across the direction (c, d): in these k is (k1, k2) and A is [alpha beta; beta gamma]. With t =
+/// tan((θ − direction)/2), η (1 + t²)² and g (1 + t²)² are polynomials of degree 4 in t.
 struct Turning {
   double k1, k2, alpha, beta, gamma;
   std::array<double, 5> eta, g;
@@ -30,7 +30,7 @@ inline Turning turning(const Impact& i, double c, double d) {
   return x;
 }
 
-/// Rates of s and θ in dp/s are of this size.
+/// The magnitude of the rates of s and θ in dp/s.
 inline double rate(const Impact& i) {
   return (i.k1 < 0 ? -i.k1 : i.k1) + (i.k2 < 0 ? -i.k2 : i.k2) + i.mu * (i.l1 > i.l2 ? i.l1 : i.l2);
 }

@@ -7,8 +7,8 @@
 namespace touchstone::fast::lin_canny {
 namespace {
 
-/// Do all edges at v, but for the one to `except`, surely lead down along n (in the hull's frame)?
-bool is_highest(const Placed& P, int v, int except, const Vec3& n) {
+/// Whether all edges at v, except the one to `except`, surely lead down along n (in the hull's frame).
+bool is_highest(const PosedHull& P, int v, int except, const Vec3& n) {
   double steepest = -1;
   for (const Hull::Spoke* s = P.hull->spokes_begin(v); s != P.hull->spokes_end(v); ++s) {
     if (s->other != except) steepest = std::max(steepest, n.dot(s->away));
@@ -22,8 +22,8 @@ double highest_of_all(const Hull& hull, const Vec3& n) {
   return highest;
 }
 
-/// max n·x over the hull; `own` says that n is the normal of the face that the feature is.
-double height(const Placed& P, const FeatureId& feature, const Vec3& n, bool own) {
+/// max n·x over the hull; `own`: n is the normal of the face that the feature is.
+double height(const PosedHull& P, const FeatureId& feature, const Vec3& n, bool own) {
   const Hull& hull = *P.hull;
   if (feature.kind == Kind::face && own) return hull.face(feature.index).height;
   if (feature.kind == Kind::vertex && is_highest(P, feature.index, -1, n)) return n.dot(hull.vertex(feature.index));
@@ -36,15 +36,17 @@ double height(const Placed& P, const FeatureId& feature, const Vec3& n, bool own
   return highest_of_all(hull, n);
 }
 
-/// v without its part along e.
+/// v without its component along e.
 Vec3 across(const Vec3& v, const Vec3& e) { return v - e * (v.dot(e) / e.squaredNorm()); }
 
-Vec3 edge_in_pair(const Placed& P, const FeatureId& feature) { return P.turned_out(P.hull->edge(feature.index).along); }
+Vec3 edge_in_pair(const PosedHull& P, const FeatureId& feature) {
+  return P.turned_out(P.hull->edge(feature.index).along);
+}
 
 Vec3 along_difference(const Vec3& n, const Vec3& d) { return n.dot(d) < 0 ? Vec3(-n) : n; }
 
 /// From A to B, of any length.
-Vec3 direction(const Placed& A, const Placed& B, const Closest& c) {
+Vec3 direction(const PosedHull& A, const PosedHull& B, const Closest& c) {
   const auto& [a, b] = c.features;
   const Vec3 d = c.b - c.a;
   if (a.kind == Kind::edge && b.kind == Kind::edge) {
@@ -59,7 +61,7 @@ Vec3 direction(const Placed& A, const Placed& B, const Closest& c) {
   return d;
 }
 
-double lower_end(const Placed& A, const Placed& B, const FeaturePair& features, const Vec3& n, double error) {
+double lower_end(const PosedHull& A, const PosedHull& B, const FeaturePair& features, const Vec3& n, double error) {
   const bool own_a = features.a.kind == Kind::face;
   const bool own_b = features.b.kind == Kind::face;
   const double up_to_A = height(A, features.a, own_a ? A.hull->face(features.a.index).normal : A.turned_in(n), own_a);
@@ -68,7 +70,7 @@ double lower_end(const Placed& A, const Placed& B, const FeaturePair& features, 
   return std::max(0.0, gap * (1 - 4 * u));
 }
 
-/// A point of a face near x (both in the hull's frame), as a convex combination of three corners of its fan.
+/// A point of a face near x (both in the hull's frame), as a convex combination of three corners of its triangle fan.
 Vec3 into_face(const Hull& hull, int f, const Vec3& x) {
   const Hull::Face& face = hull.face(f);
   const auto corner = [&](int i) -> const Vec3& { return hull.vertex(hull.corner(face.first_corner + i)); };
@@ -84,18 +86,18 @@ Vec3 into_face(const Hull& hull, int f, const Vec3& x) {
   return o + (at_p * (p - o) + at_q * (q - o));
 }
 
-Vec3 witness(const Placed& P, const FeatureId& feature, const Vec3& p) {
+Vec3 witness(const PosedHull& P, const FeatureId& feature, const Vec3& p) {
   return feature.kind == Kind::face ? P.out(into_face(*P.hull, feature.index, P.in(p))) : p;
 }
 
 }  // namespace
 
-double rounding(const Placed& A, const Placed& B) {
+double rounding(const PosedHull& A, const PosedHull& B) {
   const double reach = (A.turn_error + 7 * u) * A.hull->radius() + (B.turn_error + 7 * u) * B.hull->radius();
   return reach + 8 * u * (B.t - A.t).norm() + A.shift_error + B.shift_error + 0x1p-900;
 }
 
-Vec3 separating_direction(const Placed& A, const Placed& B, const Closest& c) {
+Vec3 separating_direction(const PosedHull& A, const PosedHull& B, const Closest& c) {
   if (c.features.a.kind == Kind::face) return A.turned_out(A.hull->face(c.features.a.index).normal);
   if (c.features.b.kind == Kind::face) return -B.turned_out(B.hull->face(c.features.b.index).normal);
   const Vec3 n = direction(A, B, c);
@@ -103,7 +105,7 @@ Vec3 separating_direction(const Placed& A, const Placed& B, const Closest& c) {
   return length > 0 ? Vec3(n / length) : Vec3(Vec3::Zero());
 }
 
-Bracket bracket(const Placed& A, const Placed& B, const Closest& c) {
+Bracket bracket(const PosedHull& A, const PosedHull& B, const Closest& c) {
   const double error = rounding(A, B);
   const double error_of_hi = error + 7 * u * (A.hull->radius() + B.hull->radius()) - 6 * u * (B.t - A.t).norm();
   Bracket found;

@@ -27,24 +27,24 @@ void take_nearer(Closest& best, const Closest& other) {
   if (other.squared < best.squared) best = other;
 }
 
-/// A point of an edge at tail + s·along, and the least feature that it is on. `tail` and `along` are in the pair's
-/// frame.
+/// A point of an edge at tail + s·along, and the lowest-dimensional feature that contains it. `tail` and `along` are in
+/// the pair's frame.
 struct OnEdge {
   FeatureId feature;
   Vec3 at;
 };
 
-OnEdge on_edge(const Placed& P, int e, const Vec3& tail, const Vec3& along, double s) {
+OnEdge on_edge(const PosedHull& P, int e, const Vec3& tail, const Vec3& along, double s) {
   if (!(s > 0)) return {vertex(P.hull->edge(e).tail), tail};
   if (s >= 1) return {vertex(P.hull->edge(e).head), P.vertex(P.hull->edge(e).head)};
   return {edge(e), tail + s * along};
 }
 
-Closest vertex_vertex(const Placed& A, int v, const Placed& B, int w) {
+Closest vertex_vertex(const PosedHull& A, int v, const PosedHull& B, int w) {
   return measured({vertex(v), vertex(w)}, A.vertex(v), B.vertex(w));
 }
 
-Closest point_edge(const FeatureId& feature, const Vec3& p, const Placed& B, int e) {
+Closest point_edge(const FeatureId& feature, const Vec3& p, const PosedHull& B, int e) {
   const Hull::Edge& ends = B.hull->edge(e);
   const Vec3 tail = B.vertex(ends.tail);
   const Vec3 along = B.turned_out(ends.along);
@@ -52,13 +52,13 @@ Closest point_edge(const FeatureId& feature, const Vec3& p, const Placed& B, int
   return measured({feature, on.feature}, p, on.at);
 }
 
-/// Outward of the face, in its plane: > 0 outside.
+/// Height above the side's line in the face's plane, outward of the face: > 0 outside.
 double outside(const Hull& hull, int f, int side, const Vec3& x) {
   const Hull::Edge& e = hull.edge(hull.side(side));
   return e.out[e.face[0] == f ? 0 : 1].dot(x - hull.vertex(e.tail));
 }
 
-Closest vertex_face(const Placed& A, int v, const Placed& B, int f) {
+Closest vertex_face(const PosedHull& A, int v, const PosedHull& B, int f) {
   const Vec3 p = A.vertex(v);
   const Vec3 x = B.in(p);
   const Hull& hull = *B.hull;
@@ -78,8 +78,8 @@ Closest vertex_face(const Placed& A, int v, const Placed& B, int f) {
 }
 
 /// On lines p + s d and q + r e the closest points have s|d|² − r d·e = d·w and s d·e − r|e|² = e·w with w = q − p;
-/// clamped to the edges one after the other. (Parallel edges: any s will do; r follows from it.)
-Closest edge_edge(const Placed& A, int e, const Placed& B, int f) {
+/// clamped to the edges one after the other. (For parallel edges any s will do; r follows from it.)
+Closest edge_edge(const PosedHull& A, int e, const PosedHull& B, int f) {
   const Hull::Edge& edge_A = A.hull->edge(e);
   const Hull::Edge& edge_B = B.hull->edge(f);
   const Vec3 d = A.turned_out(edge_A.along);
@@ -102,9 +102,9 @@ Closest edge_edge(const Placed& A, int e, const Placed& B, int f) {
   return measured({a.feature, b.feature}, a.at, b.at);
 }
 
-/// The nearest point of an edge is an end of it over the face, or it is off the face, or where it leaves it: then a
-/// side that it is beyond, in part at least, has the nearest point of the face.
-Closest edge_face(const Placed& A, int e, const Placed& B, int f) {
+/// The nearest point of the edge is an end of it over the face, or it is beside the face, or where the edge leaves it.
+/// In the last two cases the nearest point of the face is on a side beyond which at least part of the edge lies.
+Closest edge_face(const PosedHull& A, int e, const PosedHull& B, int f) {
   const Hull::Edge& ends = A.hull->edge(e);
   const Hull& hull = *B.hull;
   const Hull::Face& plane = hull.face(f);
@@ -137,14 +137,14 @@ Closest edge_face(const Placed& A, int e, const Placed& B, int f) {
   return best;
 }
 
-/// Only as a place to start from: a corner of one face over the other.
-Closest face_face(const Placed& A, int f, const Placed& B, int g) {
+/// Only a place to start from: a corner of one face against the other face.
+Closest face_face(const PosedHull& A, int f, const PosedHull& B, int g) {
   return vertex_face(A, A.hull->corner(A.hull->face(f).first_corner), B, g);
 }
 
 }  // namespace
 
-Closest closest(const Placed& A, const Placed& B, const FeaturePair& features) {
+Closest closest(const PosedHull& A, const PosedHull& B, const FeaturePair& features) {
   const auto& [a, b] = features;
   if (a.kind > b.kind) return swapped(closest(B, A, {b, a}));
   if (a.kind == Kind::vertex) {

@@ -21,8 +21,8 @@ double greatest_length(const std::vector<Vec3>& vertices) {
 
 Vec3 unit(const Vec3& v) { return v.stableNormalized(); }
 
-/// The sum of the fan's triangles, seen from the first corner; each corner at the scale of the polygon, so that nothing
-/// overflows or vanishes.
+/// The sum over the fan's triangles from the first corner; corners are scaled by the polygon's size, so that nothing
+/// overflows or underflows.
 Vec3 polygon_normal(const std::vector<Vec3>& corners) {
   double size = 0;
   for (const Vec3& c : corners) size = std::max(size, (c - corners[0]).lpNorm<Eigen::Infinity>());
@@ -33,7 +33,7 @@ Vec3 polygon_normal(const std::vector<Vec3>& corners) {
   return unit(sum);
 }
 
-/// Vertex i stands at (±hx, ±hy, ±hz) by the bits of i (model/shape.h).
+/// Vertex i is at (±hx, ±hy, ±hz) by the bits of i (model/shape.h).
 std::vector<Vec3> corners_of(const Box& box) {
   std::vector<Vec3> corners;
   for (int i = 0; i < 8; ++i) {
@@ -88,29 +88,29 @@ void Hull::add_faces(const std::vector<std::vector<int>>& loops) {
   raise_faces();
 }
 
-/// Each edge is met twice: first as tail → head by face[0], then as head → tail by face[1].
+/// Each edge occurs twice: once as tail → head in face[0], once as head → tail in face[1].
 void Hull::link_edges() {
-  struct Meeting {
+  struct EdgeUse {
     int low, high, face, place;
     bool forward;
   };
-  std::vector<Meeting> meetings;
+  std::vector<EdgeUse> uses;
   for (int f = 0; f < face_count(); ++f) {
     const Face& loop = face(f);
     for (int i = 0; i < loop.corner_count; ++i) {
       const int from = corner(loop.first_corner + i);
       const int to = corner(loop.first_corner + (i + 1) % loop.corner_count);
-      meetings.push_back({std::min(from, to), std::max(from, to), f, loop.first_corner + i, from < to});
+      uses.push_back({std::min(from, to), std::max(from, to), f, loop.first_corner + i, from < to});
     }
   }
-  std::ranges::sort(meetings, [](const Meeting& a, const Meeting& b) {
+  std::ranges::sort(uses, [](const EdgeUse& a, const EdgeUse& b) {
     return a.low != b.low ? a.low < b.low : a.high != b.high ? a.high < b.high : a.forward > b.forward;
   });
-  if (meetings.size() % 2 != 0) throw InputError("shape.faces", "an edge is not met twice");
+  if (uses.size() % 2 != 0) throw InputError("shape.faces", "an edge is not met twice");
   sides_.resize(corners_.size());
-  for (std::size_t m = 0; m < meetings.size(); m += 2) {
-    const Meeting& there = meetings[m];
-    const Meeting& back = meetings[m + 1];
+  for (std::size_t m = 0; m < uses.size(); m += 2) {
+    const EdgeUse& there = uses[m];
+    const EdgeUse& back = uses[m + 1];
     if (there.low != back.low || there.high != back.high || !there.forward || back.forward) {
       throw InputError("shape.faces", "an edge is not met once in each direction");
     }
@@ -147,7 +147,7 @@ void Hull::link_spokes() {
   }
 }
 
-/// As in bracket.h: where each corner's neighbours outside the face are surely lower, a corner is the highest of all
+/// As in bracket.h: if each corner's neighbours outside the face are surely lower, a corner is the highest of all
 /// vertices.
 void Hull::raise_faces() {
   for (Face& f : faces_) {

@@ -1,4 +1,4 @@
-// A convex solid ready for the walk: its vertices, edges and faces, and who is whose neighbour.
+// A convex solid prepared for the walk: its vertices, edges and faces, and their adjacency.
 #pragma once
 
 #include <vector>
@@ -7,29 +7,31 @@
 
 namespace touchstone::fast::lin_canny {
 
-/// Boundary of the hull of a polytope's vertices in the solid's own frame. Coplanar neighbouring faces are one face,
-/// and what is then no corner is no vertex (decided exactly): so every edge has a region of positive width around it.
+/// The boundary of the hull of a polytope's vertices in the solid's own frame. Coplanar neighbouring faces are merged,
+/// and vertices that are then no corners are dropped (decided exactly). So every edge has a Voronoi region of positive
+/// width.
 class Hull {
  public:
   /// An edge as seen from one of its ends.
   struct Spoke {
-    Vec3 away;  ///< unit vector from this end to the other: off by less than 5u
+    Vec3 away;  ///< unit vector from this end to the other, with an error of less than 5u
     int edge = 0;
     int other = 0;  ///< the other end
   };
-  /// From tail to head, counter-clockwise round face[0] and clockwise round face[1], both seen from outside.
+  /// From tail to head, counter-clockwise around face[0] and clockwise around face[1], both seen from outside.
   struct Edge {
     int tail = 0;
     int head = 0;
     int face[2] = {0, 0};
     Vec3 along;          ///< head − tail
     double squared = 0;  ///< along·along
-    Vec3 out[2];  ///< in the plane of face[i], at right angles to the edge, away from the face; not of unit length
+    Vec3 out[2];         ///< in the plane of face[i], perpendicular to the edge, away from the face; not of unit length
   };
-  /// A plane polygon. `corners[first_corner + i]` to the next one is edge `edges[first_corner + i]`, counter-clockwise.
+  /// A plane polygon. The edge from `corners[first_corner + i]` to the next is `edges[first_corner + i]`,
+  /// counter-clockwise.
   struct Face {
     Vec3 normal;        ///< outward, unit length within 4u
-    double height = 0;  ///< greatest computed normal·v: of the exact ones, none of any vertex v is greater by 4u·radius
+    double height = 0;  ///< greatest computed normal·v: the exact one of any vertex v is at most 4u·radius greater
     int first_corner = 0;
     int corner_count = 0;
   };
@@ -37,7 +39,7 @@ class Hull {
   /// A single point: a sphere's core.
   explicit Hull(const Vec3& point);
   explicit Hull(const Box& box);
-  /// Requires faces (reference::completed). Throws InputError where they are not the closed boundary of a convex solid.
+  /// Requires faces (reference::completed). Throws InputError if they are not the closed boundary of a convex solid.
   explicit Hull(const Polytope& polytope);
 
   int vertex_count() const { return static_cast<int>(vertices_.size()); }
@@ -53,11 +55,11 @@ class Hull {
   int side(int i) const { return sides_[static_cast<std::size_t>(i)]; }
 
   const std::vector<Vec3>& vertices() const { return vertices_; }
-  /// Index of a vertex in the polytope or box that this was made from.
+  /// Index of a vertex in the polytope or box that this hull was made from.
   int source(int v) const { return source_[static_cast<std::size_t>(v)]; }
   /// ≥ |v| for all vertices v.
   double radius() const { return radius_; }
-  /// Products of four lengths neither overflow nor lose bits to underflow: the walk and its bracket need that.
+  /// Whether products of four lengths neither overflow nor lose bits to underflow, as the walk and its bracket need.
   bool fits_doubles() const { return radius_ < 0x1p250 && shortest_edge_ > 0x1p-250; }
 
  private:
@@ -71,11 +73,11 @@ class Hull {
   std::vector<Edge> edges_;
   std::vector<Face> faces_;
   std::vector<Spoke> spokes_;
-  std::vector<int> first_spoke_;  ///< by vertex, and one more
+  std::vector<int> first_spoke_;  ///< by vertex, with one more at the end
   std::vector<int> corners_;
   std::vector<int> sides_;
   double radius_ = 0;
-  double shortest_edge_ = 1;  ///< or 1
+  double shortest_edge_ = 1;  ///< at most 1
 };
 
 }  // namespace touchstone::fast::lin_canny

@@ -24,10 +24,10 @@ struct HalfEdge {
 
 [[noreturn]] void refuse(const std::string& what) { throw InputError("shape.faces", what); }
 
-/// > 0 when d is on the outer side of the plane through a, b, c (counter-clockwise from outside); exact sign.
+/// > 0 if d is on the outer side of the plane through a, b, c (counter-clockwise from outside); exact sign.
 ///
-/// In doubles the determinant of differences is off by less than 16u times the product of the three lengths (each
-/// difference u, each of six products of three 2u more, five sums); what that cannot decide is done exactly.
+/// In doubles the determinant of differences has an error of less than 16u times the product of the three lengths (each
+/// difference u, each of six products of three 2u more, five sums); what that cannot decide is computed exactly.
 int side(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   const Vec3 ab = b - a;
   const Vec3 ac = c - a;
@@ -110,7 +110,7 @@ class Merger {
     return f;
   }
 
-  /// The two faces at a ridge fold inward, or are one plane.
+  /// Whether the two faces at an edge are coplanar. Refuses faces that fold inward.
   bool flat(const HalfEdge& edge, const HalfEdge& back) const {
     const std::array<int, 3>& corner = corners_[at(edge.face)];
     const Loop& other = loops_[at(back.face)];
@@ -123,7 +123,7 @@ class Merger {
     return fold == 0;
   }
 
-  /// Three corners of a polygon that are not on one line.
+  /// Three corners of a polygon that are not collinear.
   std::array<int, 3> three_corners(const Loop& loop) const {
     for (std::size_t k = 2; k < loop.size(); ++k) {
       if (!on_one_line(point(loop[0]), point(loop[k - 1]), point(loop[k]))) return {loop[0], loop[k - 1], loop[k]};
@@ -131,7 +131,7 @@ class Merger {
     refuse("a face without area");
   }
 
-  /// The sorted half-edges round a merged face, one after the other.
+  /// Joins the sorted half-edges around a merged face into a loop.
   static Loop chained(const std::vector<HalfEdge>& rim) {
     Loop loop{rim.front().from};
     for (int v = rim.front().to; v != loop.front();) {
@@ -155,8 +155,8 @@ class Merger {
   const std::vector<Vec3>& points_;
   const std::vector<Loop>& loops_;
   std::vector<HalfEdge> half_edges_;         ///< sorted
-  std::vector<std::array<int, 3>> corners_;  ///< of each face, three that are not on one line
-  std::vector<int> root_;                    ///< of a face: towards the one that its plane is named after
+  std::vector<std::array<int, 3>> corners_;  ///< of each face: three that are not collinear
+  std::vector<int> root_;                    ///< by face: union-find parent; a root represents its merged face
 };
 
 }  // namespace

@@ -7,9 +7,9 @@
 
 namespace touchstone::fast::lin_canny {
 
-/// Corner loops, counter-clockwise seen from outside, each corner a true one; by indices of the polytope's vertices.
-/// Coplanar and collinear are decided exactly. Throws InputError where an edge is not met once in each direction, or
-/// the faces do not bound a convex solid.
+/// Loops of corners, counter-clockwise seen from outside, without straight corners, as indices of the polytope's
+/// vertices. Coplanar and collinear are decided exactly. Throws InputError if an edge does not occur once in each
+/// direction, or if the faces do not bound a convex solid.
 std::vector<std::vector<int>> merged_faces(const Polytope& polytope);
 
 }  // namespace touchstone::fast::lin_canny

@@ -11,15 +11,15 @@ bool is_nearer(const Proximity& x, const Proximity& y) {
   return x.verdict != y.verdict ? x.verdict > y.verdict : x.distance < y.distance;
 }
 
-/// The distance between the bodies' origins less what the parts reach from there, rounded down: 8u covers the norm and
-/// the sums.
+/// The distance of the bodies' origins minus the parts' reach from there, rounded down: 8u covers the norm and the
+/// sums.
 bool is_surely_farther(double origins_apart, const Convex& A, const Convex& B, double than) {
   return origins_apart * (1 - 8 * u) - (A.reach + B.reach) * (1 + 8 * u) > than;
 }
 
 }  // namespace
 
-NearestParts nearest_parts(const Solid& A, const Station& at_A, const Solid& B, const Station& at_B,
+NearestParts nearest_parts(const Solid& A, const CachedPose& at_A, const Solid& B, const CachedPose& at_B,
                            std::span<FeaturePair> memory) {
   const double origins_apart = (at_B.X_WB.p_WB - at_A.X_WB.p_WB).stableNorm();
   constexpr double infinity = std::numeric_limits<double>::infinity();

@@ -1,17 +1,17 @@
-// Directions among which is one that keeps two convex bodies apart, if any does.
+// Directions among which there is one that separates two convex bodies, if any does (separating axis theorem).
 #pragma once
 
 #include <limits>
 
-#include "fast/lin_canny/placed.h"
+#include "fast/lin_canny/posed_hull.h"
 
 namespace touchstone::fast::lin_canny {
 
-/// Whether `found` says yes to one of the normals, from B to A, of planes along a face of B, a face of A, or an edge of
-/// each: the separating axis theorem's. It is asked in a fixed order, and no more after a yes. Edges within 2⁻²⁰ of
-/// parallel name no direction.
+/// Whether `found` returns true for one of the normals, from B to A, of planes along a face of B, a face of A, or an
+/// edge of each. Calls it in a fixed order, and stops at the first true. Edges within 2⁻²⁰ of parallel define no
+/// direction.
 template <class Found>
-bool any_parting_normal(const Placed& A, const Placed& B, Found&& found) {
+bool any_parting_normal(const PosedHull& A, const PosedHull& B, Found&& found) {
   for (int f = 0; f < A.hull->face_count(); ++f) {
     if (found(Vec3(-A.turned_out(A.hull->face(f).normal)))) return true;
   }
@@ -30,9 +30,9 @@ bool any_parting_normal(const Placed& A, const Placed& B, Found&& found) {
   return false;
 }
 
-/// Of these the one along which `width` is greatest; the first of several.
+/// Among these normals the one with the greatest `width`; the first of several.
 template <class Width>
-Vec3 widest_parting_normal(const Placed& A, const Placed& B, Width&& width) {
+Vec3 widest_parting_normal(const PosedHull& A, const PosedHull& B, Width&& width) {
   Vec3 best = Vec3::UnitZ();
   double widest = -std::numeric_limits<double>::infinity();
   any_parting_normal(A, B, [&](const Vec3& n) {

@@ -2,22 +2,23 @@
 
 #include <algorithm>
 
-#include "fast/lin_canny/settle.h"
+#include "fast/lin_canny/exact_proximity.h"
 #include "fast/lin_canny/surround.h"
 #include "fast/lin_canny/walk.h"
 
 namespace touchstone::fast::lin_canny {
 namespace {
 
-/// The bracket is a twofold rounding error wide when the walk ended where it should; a witness in a face is not quite
-/// below the vertex, and the direction not quite the best.
+/// The bracket's width is twice the rounding error if the walk ended at the closest features; but a witness in a face
+/// is not quite below the vertex, and the direction not quite the best.
 constexpr double explained_by_rounding = 3;
 
-bool fit_doubles(const Placed& A, const Placed& B) {
+bool fit_doubles(const PosedHull& A, const PosedHull& B) {
   return A.hull->fits_doubles() && B.hull->fits_doubles() && (B.t - A.t).lpNorm<Eigen::Infinity>() < 0x1p250;
 }
 
-/// What the bracket of the cores says about the swollen bodies; false if it leaves the verdict open.
+/// Derives the answer for the parts (cores with radii) from the cores' bracket; returns false if it leaves the verdict
+/// open.
 bool decide(const Bracket& cores, double radius, double error, Proximity& answer) {
   if (!(cores.hi - cores.lo <= explained_by_rounding * error)) return false;
   const double lo = cores.lo - radius - 2 * u * (cores.lo + radius);
@@ -27,7 +28,7 @@ bool decide(const Bracket& cores, double radius, double error, Proximity& answer
     answer.enclosure = {lo, hi};
     return true;
   }
-  if (hi < 0) {  // two points of the cores are nearer than the radii reach
+  if (hi < 0) {  // two points of the cores are closer than the radii reach
     answer.verdict = Verdict::overlapping;
     return true;
   }
@@ -36,12 +37,12 @@ bool decide(const Bracket& cores, double radius, double error, Proximity& answer
 
 }  // namespace
 
-Proximity proximity(const Convex& A, const Station& body_A, const Convex& B, const Station& body_B,
+Proximity proximity(const Convex& A, const CachedPose& body_A, const Convex& B, const CachedPose& body_B,
                     FeaturePair& memory) {
   const Vec3& p_WO = body_A.X_WB.p_WB;
-  const Placed placed_A = placed(A, body_A, p_WO);
-  const Placed placed_B = placed(B, body_B, p_WO);
-  if (!fit_doubles(placed_A, placed_B)) return settle(A, body_A, B, body_B, memory);
+  const PosedHull placed_A = posed_hull(A, body_A, p_WO);
+  const PosedHull placed_B = posed_hull(B, body_B, p_WO);
+  if (!fit_doubles(placed_A, placed_B)) return exact_proximity(A, body_A, B, body_B, memory);
   const Walked walked = walk(placed_A, placed_B, memory);
   memory = walked.closest.features;
   Proximity answer;
@@ -50,7 +51,7 @@ Proximity proximity(const Convex& A, const Station& body_A, const Convex& B, con
   if (!walked.inside) cores = bracket(placed_A, placed_B, walked.closest);
   if (walked.inside || !decide(cores, A.radius + B.radius, rounding(placed_A, placed_B), answer)) {
     const std::optional<Vec3> common = common_point(placed_A, placed_B);
-    if (!common) return settle(A, body_A, B, body_B, memory);
+    if (!common) return exact_proximity(A, body_A, B, body_B, memory);
     answer.verdict = Verdict::overlapping;
     answer.p_WCa = answer.p_WCb = p_WO + *common;
     return answer;

@@ -1,4 +1,4 @@
-// How far apart two convex parts are: verdict, enclosure, witnesses and features, each with its proof.
+// The proximity of two convex parts: verdict, enclosure, witnesses and features, each proved.
 #pragma once
 
 #include <optional>
@@ -16,17 +16,18 @@ struct Proximity {
   Interval enclosure;
   Vec3 p_WCa = Vec3::Zero();
   Vec3 p_WCb = Vec3::Zero();
-  FeaturePair features;               ///< where the walk ended
-  std::vector<int> exact_vertices_A;  ///< if not empty, the exact route named these vertices of the cores instead
+  FeaturePair features;  ///< where the walk ended
+  /// If not empty: the vertices of the cores that the exact route determined, in place of features.
+  std::vector<int> exact_vertices_A;
   std::vector<int> exact_vertices_B;
 };
 
-/// `memory` is where the walk starts and, afterwards, where it ended: any features of the two, to begin with.
+/// `memory`: where the walk starts and, afterwards, where it ended; initially any features of the two.
 ///
-/// In doubles: the walk and its bracket. Where that leaves the verdict open, or the enclosure wider than rounding
-/// explains (a walk that ended too early), or lengths do not fit, exact arithmetic settles it: it costs some hundred
-/// times more, and no verdict is a guess.
-Proximity proximity(const Convex& A, const Station& body_A, const Convex& B, const Station& body_B,
+/// First the walk and its bracket, in doubles. If they leave the verdict open, or the enclosure is wider than rounding
+/// explains (the walk ended too early), or lengths do not fit doubles, exact arithmetic decides. It costs some hundred
+/// times more, but no verdict is a guess.
+Proximity proximity(const Convex& A, const CachedPose& body_A, const Convex& B, const CachedPose& body_B,
                     FeaturePair& memory);
 
 }  // namespace touchstone::fast::lin_canny

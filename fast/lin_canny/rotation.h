@@ -1,4 +1,4 @@
-// R(q/|q|) in doubles, and how far from the exact rotation it is.
+// R(q/|q|) in doubles, with a bound on its distance from the exact rotation.
 #pragma once
 
 #include "fast/rounding.h"
@@ -15,8 +15,8 @@ namespace touchstone::fast::lin_canny {
 ///   (|xy| + |wz|)² ≤ (x² + w²)(y² + z²) ≤ D²/4, so uD + u|N|.
 ///   N on the diagonal, (w² + x²) − (y² + z²) and so on: squares uD together, sums uD, the difference u|N|.
 ///   Frobenius norm of six uD and three 2uD: √18 uD < 4.3uD; the u|N|: another 1.8u.
-/// Together < 11.9u; 12u covers the terms of second order. Powers of two bring q to where nothing overflows; what
-/// underflows there is less than 2^-900.
+/// Together < 11.9u; 12u covers the terms of second order. q is scaled by a power of two so that nothing overflows;
+/// underflow then costs less than 2^-900.
 constexpr double rotation_error = 12 * u;
 Mat3 rotation(const Quaternion& q);
 

@@ -16,7 +16,7 @@ Convex with_reach(Convex part) {
   return part;
 }
 
-/// R_WB R_BP: rotation errors 12u each, the product's rows of three products and two sums 3.1u · √3 · √3: < 34u;
+/// R_WB R_BP: rotation errors 12u each, and the product's rows of three products and two sums 3.1u · √3 · √3: < 34u;
 /// then 5.2u for the product with a vertex: < 40u. R_WB p_BP: turn_error |p_BP|, and two sums.
 constexpr double part_turn_error = 40 * u;
 
@@ -40,8 +40,8 @@ Solid::Solid(const Shape& shape) {
       shape);
 }
 
-Placed placed(const Convex& part, const Station& body, const Vec3& p_WO) {
-  Placed P;
+PosedHull posed_hull(const Convex& part, const CachedPose& body, const Vec3& p_WO) {
+  PosedHull P;
   P.hull = &part.core;
   P.t = body.X_WB.p_WB - p_WO;
   P.shift_error = u * P.t.norm();

@@ -8,7 +8,7 @@
 namespace touchstone::fast::lin_canny {
 namespace {
 
-constexpr int patience = 40;
+constexpr int most_vertices = 40;
 
 struct Point {
   Vec3 a;  ///< of A, in the pair's frame
@@ -35,16 +35,17 @@ int highest(const Hull& hull, const Vec3& n) {
   return best;
 }
 
-/// The difference farthest against n.
-Point lowest(const Placed& A, const Placed& B, const Vec3& n) {
+/// The difference lowest along n.
+Point lowest(const PosedHull& A, const PosedHull& B, const Vec3& n) {
   const Vec3 a = A.vertex(highest(*A.hull, A.turned_in(n)));
   return {a, B.vertex(highest(*B.hull, B.turned_in(-n))) - a};
 }
 
 double det(const Vec3& p, const Vec3& q, const Vec3& r) { return p.dot(q.cross(r)); }
 
-/// The weights of the point of the points' affine hull that is nearest to 0; returns a positive multiple of that point.
-Vec3 foot(Simplex& s) {
+/// Computes the weights of the point of the points' affine hull that is nearest to 0; returns a positive multiple of
+/// that point.
+Vec3 project_origin(Simplex& s) {
   const Vec3& p = s.w(0);
   if (s.size == 1) {
     s.weights = {1};
@@ -73,7 +74,8 @@ bool all_positive(const Simplex& s) {
   return std::all_of(s.weights.begin(), s.weights.begin() + s.size, [](double w) { return w > 0; });
 }
 
-/// Leaves the least subset that has the nearest point to 0 inside, as far as doubles see; false if they see none.
+/// Leaves the least subset that contains the nearest point to 0 in its interior, as far as doubles can tell; false if
+/// they find none.
 bool reduce(Simplex& held, Vec3& toward) {
   for (int size = 1; size <= held.size; ++size) {
     for (unsigned members = 1; members < 1U << held.size; ++members) {
@@ -84,7 +86,7 @@ bool reduce(Simplex& held, Vec3& toward) {
           some.points[static_cast<std::size_t>(some.size++)] = held.points[static_cast<std::size_t>(i)];
         }
       }
-      toward = foot(some);
+      toward = project_origin(some);
       if (!all_positive(some)) continue;
       bool none_beyond = true;
       for (int i = 0; i < held.size; ++i) {
@@ -107,11 +109,11 @@ bool is_clear(const Simplex& s, double error) {
 
 }  // namespace
 
-std::optional<Vec3> common_point(const Placed& A, const Placed& B) {
+std::optional<Vec3> common_point(const PosedHull& A, const PosedHull& B) {
   Simplex held;
   held.points[0] = lowest(A, B, B.t - A.t);
   held.size = 1;
-  for (int i = 0; i < patience; ++i) {
+  for (int i = 0; i < most_vertices; ++i) {
     Vec3 toward;
     if (!reduce(held, toward)) return std::nullopt;
     if (held.size == 4) {

@@ -1,4 +1,4 @@
-// A proof of overlap in doubles, for pairs that are clearly in each other.
+// A proof of overlap in doubles, for pairs that overlap clearly.
 #pragma once
 
 #include <optional>
@@ -7,17 +7,17 @@
 
 namespace touchstone::fast::lin_canny {
 
-/// A point that both hulls surely have in their insides, or none if doubles do not show one: the bodies may then be
-/// apart, touch, or overlap by a little.
+/// A point proved to be inside both hulls, or nothing if doubles do not prove one: the bodies may then be separated,
+/// touch, or overlap slightly.
 ///
-/// Gilbert, Johnson & Keerthi's search for four differences b − a whose tetrahedron has 0 inside. The proof is that
-/// tetrahedron: with w the computed differences, each off by at most δ (2·rounding(A, B) covers two vertices), L ≥ |w|,
-/// each of its four determinants [w_i w_j w_k] is off by at most 3δL² + 8uL³, to first order. Where all have one
-/// (alternating) sign beyond 4δL² + 16uL³, the exact ones have it too, and 0 is strictly inside the hull of four exact
-/// points of B − A.
+/// Gilbert, Johnson & Keerthi's search for four differences b − a whose tetrahedron contains 0. The proof is that
+/// tetrahedron: with w the computed differences, each with an error of at most δ (2·rounding(A, B) covers two
+/// vertices), and L ≥ |w|, each of its four determinants [w_i w_j w_k] has an error of at most 3δL² + 8uL³, to first
+/// order. If all have the same (alternating) sign beyond 4δL² + 16uL³, so have the exact ones, and 0 is strictly inside
+/// the hull of four exact points of B − A.
 ///
-/// The search gives up when it does not get on, or after `patience` vertices: that is no answer, and the exact route
-/// has one.
-std::optional<Vec3> common_point(const Placed& A, const Placed& B);
+/// The search gives up when it makes no progress, or after `most_vertices` vertices. That decides nothing; the exact
+/// route does.
+std::optional<Vec3> common_point(const PosedHull& A, const PosedHull& B);
 
 }  // namespace touchstone::fast::lin_canny

@@ -5,8 +5,8 @@
 namespace touchstone::fast::lin_canny {
 namespace {
 
-/// The edge at vertex v that rises most steeply along d (in the hull's frame); -1 if none does. How steep comes first,
-/// which one second: no processor could predict the comparisons of a loop that asks for both.
+/// The edge at vertex v that rises most steeply along d (in the hull's frame); -1 if none does. First finds the
+/// greatest slope, then its edge: in a loop that does both the comparisons could not be predicted by the processor.
 int steepest(const Hull& hull, int v, const Vec3& d) {
   double most = 0;
   for (const Hull::Spoke* s = hull.spokes_begin(v); s != hull.spokes_end(v); ++s) most = std::max(most, s->away.dot(d));
@@ -16,7 +16,7 @@ int steepest(const Hull& hull, int v, const Vec3& d) {
   return s->edge;
 }
 
-/// The face that sees x from farthest outside; -1 if x is behind all of them.
+/// The face whose plane x is farthest outside of; -1 if x is behind all of them.
 int farthest_face(const Hull& hull, const Vec3& x) {
   int best = -1;
   double highest = 0;
@@ -31,14 +31,14 @@ int farthest_face(const Hull& hull, const Vec3& x) {
 
 class Walk {
  public:
-  Walk(const Placed& A, const Placed& B, std::vector<Closest>* visited) : A_(A), B_(B), visited_(visited) {}
+  Walk(const PosedHull& A, const PosedHull& B, std::vector<Closest>* visited) : A_(A), B_(B), visited_(visited) {}
 
   Walked from(const FeaturePair& start) {
     now_ = closest(A_, B_, start);
     if (now_.below && !rise(now_)) return {now_, true, false};
     note();
     while (step()) note();
-    return {now_, inside_, has_started_anew_};
+    return {now_, inside_, has_restarted_};
   }
 
  private:
@@ -59,7 +59,7 @@ class Walk {
   }
 
   template <class PairWith>
-  bool leave(const Placed& P, const FeatureId& feature, const Vec3& d, PairWith&& pair_with) {
+  bool leave(const PosedHull& P, const FeatureId& feature, const Vec3& d, PairWith&& pair_with) {
     if (feature.kind == Kind::vertex) {
       const int edge = steepest(*P.hull, feature.index, d);
       return edge >= 0 && take(pair_with({Kind::edge, edge}));
@@ -81,17 +81,17 @@ class Walk {
       return false;
     }
     const bool nearer = next.squared < now_.squared;
-    if (!nearer && (!through || has_started_anew_)) return false;
-    has_started_anew_ = has_started_anew_ || !nearer;
+    if (!nearer && (!through || has_restarted_)) return false;
+    has_restarted_ = has_restarted_ || !nearer;
     now_ = next;
     return true;
   }
 
-  /// From below a face to the face that sees the point best; false if none does.
+  /// Goes from below a face to the face whose plane the point is farthest outside of; false if there is none.
   bool rise(Closest& below) const {
     const bool on_A = below.features.a.kind == Kind::face;
-    const Placed& faces = on_A ? A_ : B_;
-    const Placed& other = on_A ? B_ : A_;
+    const PosedHull& faces = on_A ? A_ : B_;
+    const PosedHull& other = on_A ? B_ : A_;
     const FeatureId point = on_A ? below.features.b : below.features.a;
     const int f = farthest_face(*faces.hull, faces.in(other.vertex(point.index)));
     if (f < 0) return false;
@@ -100,17 +100,17 @@ class Walk {
     return true;
   }
 
-  const Placed& A_;
-  const Placed& B_;
+  const PosedHull& A_;
+  const PosedHull& B_;
   std::vector<Closest>* visited_;
   Closest now_;
   bool inside_ = false;
-  bool has_started_anew_ = false;
+  bool has_restarted_ = false;
 };
 
 }  // namespace
 
-Walked walk(const Placed& A, const Placed& B, const FeaturePair& start, std::vector<Closest>* visited) {
+Walked walk(const PosedHull& A, const PosedHull& B, const FeaturePair& start, std::vector<Closest>* visited) {
   return Walk(A, B, visited).from(start);
 }
 

@@ -1,4 +1,4 @@
-// Lin & Canny's walk: from features to neighbouring features, always nearer.
+// Lin & Canny's walk: from features to neighbouring features that are ever closer.
 #pragma once
 
 #include <vector>
@@ -7,28 +7,30 @@
 
 namespace touchstone::fast::lin_canny {
 
-/// Closest features, as far as doubles see.
+/// The closest features, as far as doubles can tell.
 ///
-/// Two closest points of features are the closest points of the bodies if each is in the Voronoi region of the other's
-/// feature (Lin & Canny 1991; Mirtich 1998, theorem 1). The regions' planes are asked with d = b − a:
+/// The closest points of two features are the closest points of the bodies if each is in the Voronoi region of the
+/// other's feature (Lin & Canny 1991; Mirtich 1998, theorem 1). The regions' planes are tested with d = b − a:
 ///   a vertex   d points up an edge of it      → that edge, the steepest first;
 ///   an edge    d points into one of its faces → that face;
-///   a face     has no higher neighbour.
-/// The neighbour's closest points are computed, and the step is taken only if they are nearer *as computed*. So the
-/// squared distances of the pairs visited decrease strictly; there are finitely many pairs, so the walk ends, whatever
-/// the rounding. It may end too early, where rounding hides a way down: the bracket (bracket.h) tells, not the walk.
+///   a face     has no neighbour of higher dimension.
+/// The neighbour's closest points are computed, and the step is taken only if they are closer *as computed*. So the
+/// squared distances of the visited pairs decrease strictly; there are finitely many pairs, so the walk ends, whatever
+/// the rounding. It may end too early, where rounding hides a descent: the bracket (bracket.h) detects this, not the
+/// walk.
 ///
-/// What lies below a face in its region is on the far side of the body, or in it: the face that sees the point from
-/// farthest outside, of all faces, takes over; if there is none, the point is inside (`inside`). Two edges that see
-/// each other through a body are a local minimum, the one that Lin and Canny's walk has on disjoint bodies: so the far
-/// face takes over even if it is no nearer, but only once a walk. The walk is then two strict descents at most.
+/// A point below a face, in the face's region, is inside the body or on its far side: the walk goes on from the face
+/// whose plane the point is farthest outside of; if there is none, the point is inside (`inside`). Two edges that face
+/// each other through a body are a local minimum, the one that Lin and Canny's walk has on disjoint bodies. So that
+/// face is taken even if it is no closer, but only once per walk. The walk then consists of at most two strict
+/// descents.
 struct Walked {
   Closest closest;
-  bool inside = false;            ///< a vertex of one body is inside the other, as far as doubles see
-  bool has_started_anew = false;  ///< on the far side
+  bool inside = false;         ///< a vertex of one body is inside the other, as far as doubles see
+  bool has_restarted = false;  ///< continued once from a far face that was no closer
 };
 
-/// `visited`, if given, gets all closest pairs the walk stood at, the first included.
-Walked walk(const Placed& A, const Placed& B, const FeaturePair& start, std::vector<Closest>* visited = nullptr);
+/// `visited`, if given, receives all closest pairs that the walk visited, including the first.
+Walked walk(const PosedHull& A, const PosedHull& B, const FeaturePair& start, std::vector<Closest>* visited = nullptr);
 
 }  // namespace touchstone::fast::lin_canny

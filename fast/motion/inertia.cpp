@@ -27,7 +27,7 @@ Exact exactly(const Mat3& M) {
   return E;
 }
 
-/// About the centroid, of unit density; C is off by at most `error` (Frobenius).
+/// Volume, centroid, and C about the centroid at unit density; C has an error of at most `error` (Frobenius).
 struct Spread {
   double volume = 0;
   Vec3 centroid = Vec3::Zero();
@@ -86,8 +86,8 @@ Spread spread(const Polytope& polytope) {
   return found;
 }
 
-/// Steiner's theorem. A part's turn rounds by 64u‖C‖; its distance from the whole's centroid by 32u of the lengths that
-/// occur, its volume by 16u and n sums.
+/// Steiner's theorem. Rotating a part rounds by 64u‖C‖; its distance from the compound's centroid rounds by 32u of the
+/// lengths involved, its volume by 16u and n sums.
 Spread spread(const Compound& compound) {
   std::vector<Spread> parts;
   Spread whole;
@@ -115,8 +115,7 @@ Spread spread(const Compound& compound) {
   return whole;
 }
 
-/// The axes of a symmetric matrix by Jacobi's rotations; sweeps end when nothing is left off the diagonal, or no more
-/// goes away.
+/// The axes of a symmetric matrix by Jacobi's rotations, for 12 sweeps; off-diagonal entries within rounding are left.
 Quaternion axes(const Mat3& C) {
   Quaternion q;
   for (int sweep = 0; sweep < 12; ++sweep) {
@@ -125,7 +124,7 @@ Quaternion axes(const Mat3& C) {
       const Mat3 D = R.transpose() * C * R;
       const int i = (k + 1) % 3, j = (k + 2) % 3;
       if (!(std::abs(D(i, j)) > 16 * u * C.norm())) continue;
-      // tan 2φ = 2 D_ij/(D_ii − D_jj) turns axes i and j about k by φ, |φ| ≤ π/4.
+      // tan 2φ = 2 D_ij/(D_ii − D_jj) rotates axes i and j about k by φ, |φ| ≤ π/4.
       const double cotangent = (D(i, i) - D(j, j)) / (2 * D(i, j));
       const double tangent = (cotangent < 0 ? -1 : 1) / (std::abs(cotangent) + std::sqrt(1 + cotangent * cotangent));
       const double cosine = 1 / std::sqrt(1 + tangent * tangent);
@@ -156,7 +155,7 @@ Exact turned(const Exact& M, const Quaternion& q) {
   return D;
 }
 
-/// What doubles left off the diagonal, 16u of the matrix, goes by small turns, down to what q itself rounds by.
+/// Removes by small rotations what doubles left off the diagonal (16u of the matrix), down to the rounding of q itself.
 Quaternion polished(const Exact& M, Quaternion q) {
   const Exact D = turned(M, q);
   Vec3 turn = Vec3::Zero();
@@ -171,7 +170,7 @@ Quaternion polished(const Exact& M, Quaternion q) {
 
 Dyadic magnitude(const Dyadic& x) { return x.sign() < 0 ? -x : x; }
 
-/// Of M = C, or of M = I itself. `error` as M's own, in its unit.
+/// Principal axes of M = C, or of M = I itself. `error`: of M, in its unit.
 Inertia in_own_axes(const Exact& M, const Mat3& about, double error, bool is_inertia) {
   Inertia found;
   found.is_aligned = false;
@@ -195,7 +194,7 @@ Inertia in_own_axes(const Exact& M, const Mat3& about, double error, bool is_ine
 
 bool is_diagonal(const Mat3& M) { return M(0, 1) == 0 && M(0, 2) == 0 && M(1, 2) == 0; }
 
-/// `c` are right to 5u each: |ω'| errs by no more than the greatest of them.
+/// `c` have errors of at most 5u each; the error of |ω'| is at most the greatest of them.
 Inertia aligned(const Vec3& c) { return {{}, c, 5 * u * c.lpNorm<Eigen::Infinity>(), true}; }
 
 Inertia of(const Shape&, const Fixed&) { return {}; }

@@ -7,7 +7,7 @@ constexpr double half_pi_high = 0x1.921fb544p+0;       // 33 bits
 constexpr double half_pi_low = 0x1.0b4611a626331p-34;  // the next 53
 constexpr double two_over_pi = 0x1.45f306dc9c883p-1;
 
-/// To the nearest whole number: adding it shifts all fractions out.
+/// The nearest whole number: the addition shifts out all fractional bits.
 double rounded(double x) {
   constexpr double no_fractions = 0x1.8p52;
   return (x + no_fractions) - no_fractions;

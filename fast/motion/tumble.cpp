@@ -33,7 +33,7 @@ Tumble::Tumble(const Vec3& c, double c_error, const Vec3& w_P, double w_error) :
   period_ = period(c, c_error, w, w_error);
 }
 
-/// Powers of two for the length: the scaled terms are exact.
+/// The length is a power of two: the scaled terms are exact.
 Tumble::Step Tumble::step(double from, const Terms& start) {
   Step taken;
   taken.from = from;
@@ -77,9 +77,9 @@ Tumble::Step Tumble::step(double from, const Terms& start) {
   return taken;
 }
 
-/// New in a step: the sums' rounding, 4u, and what the coefficients' error does, c_error |ω|² a unit of time; half as
-/// much again for what happens to it within the step. The series of Φ to order 12 is a bound's, not a solution's: a
-/// percent is nothing.
+/// New errors in a step: the rounding of the sums, 4u, and the effect of the coefficients' error, c_error |ω|² per unit
+/// of time; half as much again for their growth within the step. The series of Φ to order 12 serves a bound, not a
+/// solution: an error of a percent does not matter.
 void Tumble::grow_errors(Step& taken) {
   constexpr std::size_t enough = 12;
   std::array<Mat3, enough + 1> A, P;
@@ -128,7 +128,7 @@ Tumble::Now Tumble::within(double time) {
   return {{x[0], x[1], x[2], x[3]}, {x[4], x[5], x[6]}, now.error, now.w_error, 0, 0};
 }
 
-/// By squares: twice the error with each, and 16u; and 16u for each that is taken.
+/// By repeated squaring: each squaring doubles the error and adds 16u, and each product adds 16u.
 Quaternion Tumble::turn_in(double periods) {
   Quaternion turn;
   for (std::size_t k = 0; periods >= 1; ++k) {
@@ -140,16 +140,16 @@ Quaternion Tumble::turn_in(double periods) {
   return turn;
 }
 
-/// τ, the whole periods in it, and what is left round by less than 4u of it: the turn by |ω| as much. Within a flight
-/// |ω|² at most doubles (flight.cpp), and |ω'| is below 2|ω|²/√3. What the period is off by is in what the body turns
-/// by in it, and in when the last one begins.
+/// τ, its whole periods, and the remainder round by less than 4u of τ; the rotation by |ω| times that. Within a motion
+/// |ω|² at most doubles (ballistic_motion.cpp), and |ω'| is below 2|ω|²/√3. The period's error affects how far the body
+/// rotates in a period, and when the last one begins.
 Tumble::Now Tumble::at(double tau) {
   const double time = tau * scale_, late = 4 * u * time;
-  constexpr double most = 0x1p53;  // so late that doubles do not tell where in a period
+  constexpr double most = 0x1p53;  // so late that doubles cannot tell the phase within a period
   const double periods = std::min(std::floor(time / period_.length), most);
   Now now = within(periods < most ? std::max(0.0, time - periods * period_.length) : 0);
   double error = now.error + 2 * late, w_error = now.w_error + 2 * late;
-  constexpr double moments = 16;  // two steps, and what a body turns by from one look to the next
+  constexpr double moments = 16;  // two steps, and the time between two evaluations
   if (time + moments > period_.length && turns_.empty()) {
     const Now whole = within(period_.length);
     turns_.push_back(unit(whole.q_P0P));
@@ -163,10 +163,10 @@ Tumble::Now Tumble::at(double tau) {
     w_error += periods * 1.25 * rate * rate * period_.error;
   }
   if (!(error < 0x1p-10)) error = w_error = nothing_known;
-  // What is new in a step of 8 units, twice, for who looks across the end of one; what time rounds by; and what another
-  // order of multiplying the turns of whole periods does.
-  const double said_error = 128 * u + 2 * late + 48 * u * periods, said_w_error = 2 * said_error + jump_;
-  return {now.q_P0P, scale_ * now.w_P, error, scale_ * w_error, said_error, scale_ * said_w_error};
+  // Twice the new errors of a step of 8 units, for two evaluations on either side of a step's end; the rounding of
+  // time; and the effect of another order of multiplying the rotations of whole periods.
+  const double computed_error = 128 * u + 2 * late + 48 * u * periods, computed_w_error = 2 * computed_error + jump_;
+  return {now.q_P0P, scale_ * now.w_P, error, scale_ * w_error, computed_error, scale_ * computed_w_error};
 }
 
 bool Tumble::follows(double tau) const { return std::isfinite(period_.error) || tau * scale_ <= period_.length; }

@@ -1,4 +1,4 @@
-// Euler's equations of a body with three different moments of inertia, step by step.
+// Euler's equations for a body with three different moments of inertia, integrated step by step.
 #pragma once
 
 #include <array>
@@ -10,23 +10,24 @@
 
 namespace touchstone::fast::motion {
 
-/// Free turning from time 0: P the principal axes, P0 where they stood at first.
+/// Torque-free rotation from time 0; P: the principal axes, P0: their orientation at time 0.
 ///
-///   ω₁' = c₁ ω₂ ω₃, and so on in turn (fast/motion/inertia.h);   q' = q ω/2, R_P0P = R(q).
+///   ω₁' = c₁ ω₂ ω₃, and cyclically (fast/motion/inertia.h);   q' = q ω/2, R_P0P = R(q).
 ///
-/// Taylor series to order 20 in steps so short that the last two terms are below u/8; steps are remembered, so that a
-/// time costs one evaluation, some 0.1 µs, and a step 3 µs. ω comes back after a period (tumble_period.h), and what the
-/// body turned by in one, it turns by in each: R(t + nT) = R(T)ⁿ R(t). So only the first period has steps, and ω never
+/// Taylor series to order 20, in steps so short that the last two terms are below u/8. Steps are remembered, so that a
+/// query costs one evaluation, some 0.1 µs, and a new step 3 µs. ω is periodic (tumble_period.h), and the body rotates
+/// by the same rotation in every period: R(t + nT) = R(T)ⁿ R(t). So only the first period is integrated, and ω never
 /// drifts.
 ///
-/// Error, to first order: what ω is off grows as the linearised equations say, δω' = A(ω) δω, and the turn is off by
-/// its integral. An ellipsoid holds δω: {δω: δωᵀ S⁻¹ δω ≤ 1}. A step's own matrix Φ (followed along by its series)
-/// makes Φ S Φᵀ of S; with a ball of radius ε, what is new in it, that is within (1 + 1/k) S + (1 + k) ε² for any k,
-/// and k = 16, 17, ... takes N equal ones for no more than some N of them. So what the flow draws together does not
-/// count as if it spread: near the middle axis that is all the difference. Half as much again, for each of the two, is
-/// claimed. n periods add n times what one has, and n times what the period is off by. Claims nothing (error 2) once it
-/// is beyond 2^-10, or where the period is not known: the first 2^14 units of time are followed then, again and again.
-/// |L| and the energy are kept in any case.
+/// Error, to first order: the error of ω grows by the linearised equations, δω' = A(ω) δω, and the error of the
+/// rotation is its integral. δω is enclosed in the ellipsoid {δω: δωᵀ S⁻¹ δω ≤ 1}. A step's own matrix Φ (integrated
+/// alongside by its series) maps S to Φ S Φᵀ; adding a ball of radius ε, the step's new error, gives an ellipsoid
+/// within (1 + 1/k) S + (1 + k) ε² for any k, and with k = 16, 17, ... a number N of equal errors adds up to no more
+/// than some N of them. So errors that the flow contracts are not counted as if they grew, which makes all the
+/// difference near the middle axis. For each of the two errors, half as much again is claimed. n periods add n times
+/// the error of one, and n times the effect of the period's error. Claims nothing (error 2) once the error exceeds
+/// 2^-10, or if the period is unknown: the first 2^14 units of time are then repeated. |L| and the energy are conserved
+/// in any case.
 class Tumble {
  public:
   struct Now {
@@ -34,25 +35,25 @@ class Tumble {
     Vec3 w_P = Vec3::Zero();  ///< rad/s
     double error = 0;         ///< rad
     double w_error = 0;       ///< rad/s
-    /// Of what is said now against what is said a moment before or after it.
-    double said_error = 0;    ///< rad
-    double said_w_error = 0;  ///< rad/s
+    /// Error of this result relative to results for times shortly before or after.
+    double computed_error = 0;    ///< rad
+    double computed_w_error = 0;  ///< rad/s
   };
 
   Tumble() = default;
-  /// `w_error`: relative, of w_P.
+  /// `w_error`: relative to w_P.
   Tumble(const Vec3& c, double c_error, const Vec3& w_P, double w_error);
 
   /// Requires tau ≥ 0 (s).
   Now at(double tau);
-  /// Whether what is said at tau (s) is the body's own turning at all: the period is known, or not over.
+  /// Whether the rotation at tau (s) follows the body's own at all: the period is known, or not over.
   bool follows(double tau) const;
 
  private:
   static constexpr int order = 20;
   using Terms = std::array<double, 7>;  ///< of q and ω
 
-  /// In units in which Ω is about 1.
+  /// In units of time in which Ω is about 1.
   struct Step {
     double from = 0;
     double length = 0;
@@ -61,7 +62,7 @@ class Tumble {
     double w_error = 0;
   };
 
-  Now within(double time);  ///< the first period
+  Now within(double time);  ///< in the first period
   Quaternion turn_in(double periods);
   Step step(double from, const Terms& start);
   void grow_errors(Step& taken);
@@ -72,12 +73,12 @@ class Tumble {
   double c_error_ = 0;
   Terms start_{};
   double scale_ = 1;            ///< 1/s: the unit of rates
-  Mat3 spread_ = Mat3::Zero();  ///< S
+  Mat3 spread_ = Mat3::Zero();  ///< S, the ellipsoid of ω's error
   double error_ = 0;
   Period period_;
-  std::vector<Quaternion> turns_;  ///< in 1, 2, 4, ... periods
-  double turn_error_ = 0;          ///< in one
-  double jump_ = 0;                ///< of ω as the next begins
+  std::vector<Quaternion> turns_;  ///< by 1, 2, 4, ... periods
+  double turn_error_ = 0;          ///< of one period's rotation
+  double jump_ = 0;                ///< of ω between the end of a period and its start
 };
 
 }  // namespace touchstone::fast::motion

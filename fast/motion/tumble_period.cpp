@@ -13,7 +13,7 @@ namespace {
 constexpr double longest = 0x1p14;
 constexpr double well_known = 0x1p-6;
 
-/// Quadratic: the difference is squared each time.
+/// Converges quadratically: each iteration squares the difference.
 double arithmetic_geometric_mean(double x, double y) {
   for (int i = 0; i < 12 && std::abs(x - y) > 0x1p-50 * x; ++i) {
     const double mean = (x + y) / 2;

@@ -6,22 +6,22 @@
 namespace touchstone::fast::pixels {
 namespace {
 
-/// Bits 64w + from … 64w + from + 63 of a row of `words` words; none beyond its ends. 0 ≤ from < 64.
+/// Bits 64w + from … 64w + from + 63 of a row of `words` words; 0 beyond its ends. 0 ≤ from < 64.
 std::uint64_t bits_at(const std::uint64_t* row, int words, std::int64_t w, int from) {
   const std::uint64_t low = w >= 0 && w < words ? row[w] >> from : 0;
   const std::uint64_t high = from != 0 && w + 1 >= 0 && w + 1 < words ? row[w + 1] << (64 - from) : 0;
   return low | high;
 }
 
-/// How many bits of a word's eight bytes are set, each byte on its own: sums that compilers do for several words at
-/// once, where a bit count of the processor is not to be had.
+/// The number of bits set in each of a word's eight bytes: compilers vectorise these sums where the processor has no
+/// instruction that counts bits.
 std::uint64_t byte_counts(std::uint64_t x) {
   x -= x >> 1 & 0x5555555555555555U;
   x = (x & 0x3333333333333333U) + (x >> 2 & 0x3333333333333333U);
   return (x + (x >> 4)) & 0x0f0f0f0f0f0f0f0fU;
 }
 
-/// The set bits of words begin to end. A byte holds 31 counts of up to 8.
+/// The number of bits set in words begin to end. A byte holds 31 counts of up to 8.
 template <class Word>
 int count(int begin, int end, Word&& word) {
   int total = 0;
@@ -58,12 +58,12 @@ MaskOverlap overlap(const BitMask& A, const BitMask& B, int shift_x, int shift_y
   MaskOverlap found;
   const std::int64_t first_row = std::max<std::int64_t>(0, shift_y);
   const std::int64_t end_row = std::min<std::int64_t>(A.rows(), std::int64_t{B.rows()} + shift_y);
-  const std::int64_t start = -std::int64_t{shift_x};  // B's column under A's column 0
+  const std::int64_t start = -std::int64_t{shift_x};  // B's column below A's column 0
   const int from = static_cast<int>(start & 63);
   const std::int64_t offset = (start - from) / 64;
   const auto first_word = static_cast<int>(std::clamp<std::int64_t>(-offset - 1, 0, A.words()));
   const auto end_word = static_cast<int>(std::clamp<std::int64_t>(B.words() - offset, 0, A.words()));
-  // Where both of B's words exist there is nothing to ask: the loop that matters is a straight line.
+  // Where both of B's words exist no test is needed: the innermost loop has no branch.
   const auto inner = static_cast<int>(std::clamp<std::int64_t>(-offset, first_word, end_word));
   const auto inner_end = static_cast<int>(std::clamp<std::int64_t>(B.words() - 1 - offset, inner, end_word));
   for (std::int64_t j = first_row; j < end_row; ++j) {

@@ -1,4 +1,4 @@
-// A picture of bits, 64 to a word, and two of them laid over each other.
+// A bitmap, 64 pixels to a word, and the overlap of two of them.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ class BitMask {
 
   int columns() const { return columns_; }
   int rows() const { return rows_; }
-  int words() const { return words_; }  ///< a row
+  int words() const { return words_; }  ///< per row
 
   bool at(int column, int row) const { return (word(column, row) >> (column % 64) & 1U) != 0; }
   void set(int column, int row) { word(column, row) |= std::uint64_t{1} << (column % 64); }
@@ -38,8 +38,8 @@ class BitMask {
   std::vector<std::uint64_t> bits_;
 };
 
-/// How many pixels (i, j) have A(i, j) and B(i − shift_x, j − shift_y), and the first by row, then column. Any shift is
-/// legal. A word a step: a row of B comes as two neighbouring words shifted together.
+/// The number of pixels (i, j) with A(i, j) and B(i − shift_x, j − shift_y), and the first by row, then column. Any
+/// shift is allowed. Processes a word at a time: a row of B is read as two neighbouring words shifted together.
 ///
 /// Cost: the common rows' words, each read once.
 MaskOverlap overlap(const BitMask& A, const BitMask& B, int shift_x, int shift_y);

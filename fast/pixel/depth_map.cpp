@@ -19,46 +19,46 @@ DepthMap empty_map(const PosedPart& part, const Grid& grid) {
   return map;
 }
 
-struct Stretch {
+struct Extent {
   double lo, hi;
 };
 
-Stretch stretch(const Loop& loop, int axis) {
-  Stretch s{loop.front()[axis], loop.front()[axis]};
+Extent extent(const Loop& loop, int axis) {
+  Extent s{loop.front()[axis], loop.front()[axis]};
   for (const Vec3& p : loop) s = {std::min(s.lo, p[axis]), std::max(s.hi, p[axis])};
   return s;
 }
 
-/// What of an axis a pixel stands for.
-using Range = Stretch (*)(const Axis&, int);
-Stretch of_square(const Axis& axis, int i) { return {axis.line(i), axis.line(i + 1)}; }
-Stretch of_centre(const Axis& axis, int i) { return {axis.centre(i), axis.centre(i)}; }
+/// The interval of an axis that a pixel represents.
+using Range = Extent (*)(const Axis&, int);
+Extent of_square(const Axis& axis, int i) { return {axis.line(i), axis.line(i + 1)}; }
+Extent of_centre(const Axis& axis, int i) { return {axis.centre(i), axis.centre(i)}; }
 
 /// Calls f(column, row, depths) wherever the face may be above the pixels' ranges.
 template <class F>
 void for_each_pixel(const Loop& face, const Grid& grid, double error, Range range, F&& f) {
-  const Stretch height = stretch(face, 1);
+  const Extent height = extent(face, 1);
   Loop scratch, in_row, in_pixel;
   for (int j = grid.y.first(height.lo, error); j < grid.y.end(height.hi, error); ++j) {
-    const Stretch y = range(grid.y, j);
+    const Extent y = range(grid.y, j);
     cut(face, 1, y.lo - error, y.hi + error, scratch, in_row);
     if (in_row.empty()) continue;
-    const Stretch width = stretch(in_row, 0);
+    const Extent width = extent(in_row, 0);
     for (int i = grid.x.first(width.lo, error); i < grid.x.end(width.hi, error); ++i) {
-      const Stretch x = range(grid.x, i);
+      const Extent x = range(grid.x, i);
       cut(in_row, 0, x.lo - error, x.hi + error, scratch, in_pixel);
       if (in_pixel.empty()) continue;
-      const Stretch z = stretch(in_pixel, 2);
-      f(i, j, Stretch{z.lo - error, z.hi + error});
+      const Extent z = extent(in_pixel, 2);
+      f(i, j, Extent{z.lo - error, z.hi + error});
     }
   }
 }
 
-// The loop's corners are within `error` of the true face's. If (x, y) and all within `error` of it (along the axes) is
-// on one side of all edges as computed, the loop winds around it, so the loop's hull holds it with that room, and the
-// true face's projection holds it. An edge's (q − p) × (c − p) is off by at most 8u|q − p|₁ times the lengths involved,
-// all below 2S, and `error` is 128 u S: doubling its share covers that. Underflow adds 2^-1070, overflow is not finite
-// and proves nothing.
+// The loop's corners are within `error` of the true face's. If (x, y) and everything within `error` of it (along the
+// axes) is on one side of all edges as computed, the loop winds around it, so the loop's hull contains it with that
+// margin, and so does the true face's projection. The error of an edge's (q − p) × (c − p) is at most 8u|q − p|₁ times
+// the lengths involved, all below 2S, and `error` is 128 u S: doubling its share covers that. Underflow adds 2^-1070;
+// overflow is not finite and proves nothing.
 bool certainly_above(const Loop& face, double x, double y, double error) {
   int left = 0;
   int right = 0;
@@ -84,12 +84,12 @@ Loop loop_of(const PosedPart& part, const std::vector<int>& face) {
   return loop;
 }
 
-void widen(Depths& known, const Stretch& z) {
+void widen(Depths& known, const Extent& z) {
   known.lo = std::min(known.lo, z.lo);
   known.hi = std::max(known.hi, z.hi);
 }
 
-double least_distance(double x, const Stretch& range, double error) {
+double least_distance(double x, const Extent& range, double error) {
   return std::max({range.lo - x - error, x - range.hi - error, 0.0});
 }
 
@@ -102,8 +102,8 @@ double length(double x, double y) {
   return more == 0 ? 0 : more * std::sqrt(1 + (less / more) * (less / more));
 }
 
-// A ball of radius r + error around the rounded centre holds the true one; one of r − error is in it. The distance d
-// and the root are off by some u(r + d), which `error` has room for.
+// A ball of radius r + error around the rounded centre contains the true one; one of r − error is contained in it. The
+// distance d and the root have errors of some u(r + d), for which `error` has room.
 template <class F>
 void for_each_ball_pixel(const PosedPart& ball, DepthMap& map, const Grid& grid, Range range, F&& finish) {
   const Vec3& c = ball.vertices.front();
@@ -136,7 +136,7 @@ DepthMap above_centres(const PosedPart& part, const std::vector<std::vector<int>
   }
   for (const std::vector<int>& face : faces) {
     const Loop loop = loop_of(part, face);
-    for_each_pixel(loop, grid, part.error, of_centre, [&](int i, int j, const Stretch& z) {
+    for_each_pixel(loop, grid, part.error, of_centre, [&](int i, int j, const Extent& z) {
       Depths& known = map.at(i, j);
       widen(known, z);
       if (!certainly_above(loop, grid.x.centre(i), grid.y.centre(j), part.error)) return;
@@ -152,7 +152,7 @@ DepthMap above_squares(const PosedPart& part, const std::vector<std::vector<int>
   if (part.is_sphere()) for_each_ball_pixel(part, map, grid, of_square, [](Depths&, int, int) {});
   for (const std::vector<int>& face : faces) {
     for_each_pixel(loop_of(part, face), grid, part.error, of_square,
-                   [&](int i, int j, const Stretch& z) { widen(map.at(i, j), z); });
+                   [&](int i, int j, const Extent& z) { widen(map.at(i, j), z); });
   }
   return map;
 }

@@ -1,4 +1,4 @@
-// What an image-space test keeps of a convex part: one interval of depths a pixel.
+// The image-space data of a convex part: one interval of depths per pixel.
 #pragma once
 
 #include <limits>
@@ -8,20 +8,20 @@
 
 namespace touchstone::fast::pixels {
 
-/// What is known about the depths [z0, z1] of a part above a square or a centre; none where lo > hi.
+/// Bounds on the depths [z0, z1] of a part above a square or a centre; empty if lo > hi.
 struct Depths {
   static constexpr double none = std::numeric_limits<double>::infinity();
 
-  double lo = none;  ///< lo ≤ z0 and z1 ≤ hi, if the part is there at all
+  double lo = none;  ///< if the part is above the pixel at all: lo ≤ z0 and z1 ≤ hi
   double hi = -none;
-  double inner_lo = none;  ///< z0 ≤ inner_lo and inner_hi ≤ z1, if the part is there for certain; else ∓none
+  double inner_lo = none;  ///< if it certainly is: z0 ≤ inner_lo and inner_hi ≤ z1; else ∓none
   double inner_hi = -none;
 
   bool maybe() const { return lo <= hi; }
   bool certain() const { return inner_lo < none; }
 };
 
-/// The pixels of a raster's rectangle. Outside nothing is there.
+/// The pixels of a rectangle of the raster. Outside it there is nothing.
 struct DepthMap {
   int first_column = 0, end_column = 0;
   int first_row = 0, end_row = 0;
@@ -37,12 +37,12 @@ struct DepthMap {
   }
 };
 
-/// Above the centres. Where the part is there, or not, for certain, doubles have proved it; the rest is for exact
-/// arithmetic.
+/// Depths above the pixels' centres. `maybe` and `certain` are proved by doubles; where they differ, exact arithmetic
+/// has to decide.
 DepthMap above_centres(const PosedPart& part, const std::vector<std::vector<int>>& faces, const Grid& grid);
 
-/// Above the closed squares: lo and hi hold all depths, and each depth in them is within 2·part.error of a point of the
-/// part within as much of the square. `inner` is not filled in.
+/// Depths above the closed squares: lo and hi contain all depths, and each depth between them is within 2·part.error of
+/// a point of the part that is within as much of the square. `inner_lo` and `inner_hi` are not set.
 DepthMap above_squares(const PosedPart& part, const std::vector<std::vector<int>>& faces, const Grid& grid);
 
 }  // namespace touchstone::fast::pixels

@@ -39,7 +39,7 @@ Vector place(const Vec3& p, const std::vector<Pose>& poses) {
   return P;
 }
 
-/// x.lo − √x.spread ≤ y.hi + √y.spread, by squaring twice.
+/// x.lo − √x.spread ≤ y.hi + √y.spread, decided by squaring twice.
 bool starts_before_end(const Column& x, const Column& y) {
   const Fraction gap = x.lo - y.hi;
   if (gap.num.sign() <= 0) return true;

@@ -1,4 +1,4 @@
-// The depths of a convex part above the centre of a pixel, exactly: for the few pixels on which doubles cannot decide.
+// The exact depths of a convex part above the centre of a pixel, for the few pixels on which doubles cannot decide.
 #pragma once
 
 #include <optional>
@@ -9,28 +9,28 @@
 
 namespace touchstone::fast::pixels {
 
-/// den > 0.
+/// num/den, den > 0.
 struct Fraction {
   exact::Dyadic num;
   exact::Dyadic den;
 };
 
-/// From lo − √spread to hi + √spread, closed; spread is 0 of a polytope.
+/// The closed interval from lo − √spread to hi + √spread; spread is 0 for a polytope.
 struct Column {
   Fraction lo;
   Fraction hi;
   Fraction spread;
 };
 
-/// Have the two a common depth?
+/// Whether the two have a common depth.
 bool meet(const Column& a, const Column& b);
 
-/// A part in W: points are (M p + t)/D, whose parts are sums of products of doubles.
+/// A part in W: points are (M p + t)/D, where M, t and D are sums of products of doubles.
 class ExactPart {
  public:
   explicit ExactPart(const Part& part);
 
-  /// None if the part is not above the centre.
+  /// Nothing if the part is not above the centre.
   std::optional<Column> above(const exact::Dyadic& x, const exact::Dyadic& y) const;
 
  private:
@@ -41,7 +41,7 @@ class ExactPart {
 
   exact::Dyadic D_;
   std::vector<Side> sides_;
-  exact::Vector centre_;  ///< D times a sphere's
+  exact::Vector centre_;  ///< D times a sphere's centre
   double radius_ = 0;     ///< 0 for a polytope
 };
 

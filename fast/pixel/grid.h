@@ -8,7 +8,7 @@
 
 namespace touchstone::fast::pixels {
 
-/// One axis. A computed line or centre is within 2^-51 of the greatest size on the raster: three roundings.
+/// One axis. A computed line or centre is within 2^-51 of the greatest coordinate on the raster: three roundings.
 struct Axis {
   double start = 0;
   double pixel = 1;
@@ -18,7 +18,7 @@ struct Axis {
   double centre(int i) const { return start + (i + 0.5) * pixel; }
   double greatest() const { return std::max(std::abs(start), std::abs(line(count))); }
 
-  /// Pixels that [lo, hi] may meet: from the first to one beyond the last. One more on each side makes up for rounding,
+  /// The pixels that [lo, hi] may overlap: from the first to one past the last. One more on each side covers rounding,
   /// which moves the quotient by less than a pixel unless pixels are below the rounding of x, and `slack` covers that.
   int first(double lo, double slack) const { return index((lo - slack - start) / pixel - 1); }
   int end(double hi, double slack) const { return index((hi + slack - start) / pixel + 2); }

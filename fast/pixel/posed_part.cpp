@@ -36,12 +36,13 @@ std::vector<Part> parts_of(const Body& body) {
   return std::visit([&](const auto& shape) { return parts(shape, body.X_WB); }, body.shape);
 }
 
-// With u = 2^-53 and S = max ‖p‖₁ + the poses' offsets + the greatest size on the raster, no coordinate here exceeds S:
+// With u = 2^-53 and S = max ‖p‖₁ + the poses' offsets + the greatest coordinate on the raster, no coordinate exceeds
+// S:
 //   a posed vertex                        place_error ≤ 2·16 u S
 //   a line or a centre of the grid        3 u S
 //   a cut edge from p to q, at t = (line − p)/(q − p) and p + t (q − p), |q − p| ≤ 2S
 //                                         t to 3u, so 2·3 u S; the product 2 u S, the sums 3 u S: 11 u S, four times
-// together < 80 u S; 128 leaves room for this bound's own rounding and for a sphere's radius and square roots.
+// Together < 80 u S; 128 leaves room for this bound's own rounding and for a sphere's radius and square roots.
 PosedPart posed(const Part& part, const Grid& grid) {
   outward::Motion X = outward::motion(part.poses.front());
   if (part.poses.size() == 2) X = outward::composed(X, outward::motion(part.poses.back()));

@@ -9,46 +9,47 @@
 namespace touchstone::fast::world {
 namespace {
 
-Vec3 at_centre(const Mover& m, const State& state) {
+Vec3 at_centre(const BodyMotion& m, const State& state) {
   return m.kind() == Kind::other && !m.fixed()
-             ? Vec3(state.X_WB.p_WB + lin_canny::rotation(state.X_WB.q_WB) * m.flyer().p_BBcm)
+             ? Vec3(state.X_WB.p_WB + lin_canny::rotation(state.X_WB.q_WB) * m.model().p_BBcm)
              : state.X_WB.p_WB;
 }
 
-Vec3 velocity_at(const Mover& m, const State& state, const Vec3& p_WC) {
+Vec3 velocity_at(const BodyMotion& m, const State& state, const Vec3& p_WC) {
   return state.velocity.v_WBcm + state.velocity.w_WB.cross(p_WC - at_centre(m, state));
 }
 
-double tangent_mobility(const Mover& m) {
+double tangent_mobility(const BodyMotion& m) {
   return m.fixed() ? 0 : m.inverse_mass() + m.radius() * m.radius() * m.inverse_moment();
 }
 
-/// K = 1/m n̂n̂ᵀ + (1/m + r²/I)(1 − n̂n̂ᵀ), summed over the two; a fixed body adds nothing. `back`: slip is turned round,
-/// where friction suffices.
-Vec3 impulse_of_balls(const Mover& a, const Mover& b, const Vec3& n, const Vec3& u, const Coefficients& c, bool back) {
+/// K = 1/m n̂n̂ᵀ + (1/m + r²/I)(1 − n̂n̂ᵀ), summed over both bodies; a fixed body adds nothing. With `reverses_slip`
+/// the slip is reversed if friction suffices.
+Vec3 impulse_of_balls(const BodyMotion& a, const BodyMotion& b, const Vec3& n, const Vec3& u, const Coefficients& c,
+                      bool reverses_slip) {
   const double u_n = n.dot(u);
   const double p = (1 + c.restitution) * -u_n / (a.inverse_mass() + b.inverse_mass());
   const Vec3 slip = u - u_n * n;
   const double s = std::sqrt(slip.dot(slip));
   if (s == 0 || c.friction == 0) return p * n;
   const double stops = s / (tangent_mobility(a) + tangent_mobility(b));
-  const bool turns = back && 2 * stops <= c.friction * p;
+  const bool turns = reverses_slip && 2 * stops <= c.friction * p;
   return p * n - (turns ? 2 * stops : std::min(c.friction * p, stops)) / s * slip;
 }
 
-Velocity pushed(const Mover& m, const State& state, const Vec3& lever, const Vec3& P) {
+Velocity velocity_after(const BodyMotion& m, const State& state, const Vec3& lever, const Vec3& P) {
   return {state.velocity.v_WBcm + m.inverse_mass() * P, state.velocity.w_WB + m.inverse_moment() * lever.cross(P)};
 }
 
-/// What fast/impulse.h needs to know of a body: where it is and what it weighs, not its shape.
-Body weighed(const Mover& m, const State& state) {
+/// The body for fast/impulse.h, which needs its state and mass but not its shape.
+Body without_shape(const BodyMotion& m, const State& state) {
   Body body{{}, Sphere{1}, state.X_WB, state.velocity, {}, Fixed{}};
-  if (!m.fixed()) body.mass = MassProperties{m.flyer().mass, m.flyer().p_BBcm, m.flyer().I_BBcm_B};
+  if (!m.fixed()) body.mass = MassProperties{m.model().mass, m.model().p_BBcm, m.model().I_BBcm_B};
   return body;
 }
 
-/// R I⁻¹ Rᵀ and −[r]× of it [r]× + 1/m.
-Mat3 mobility(const Mover& m, const State& state, const Vec3& p_WC) {
+/// 1/m − [r]× R I⁻¹ Rᵀ [r]×, the velocity of the point at C per impulse there.
+Mat3 mobility(const BodyMotion& m, const State& state, const Vec3& p_WC) {
   if (m.fixed()) return Mat3::Zero();
   const Mat3 R = lin_canny::rotation(state.X_WB.q_WB);
   const Vec3 r = p_WC - at_centre(m, state);
@@ -57,38 +58,40 @@ Mat3 mobility(const Mover& m, const State& state, const Vec3& p_WC) {
   return m.inverse_mass() * Mat3::Identity() - S * (R * m.inertia().inverse() * R.transpose()) * S;
 }
 
-bool is_ball_or_fixed(const Mover& m) { return m.kind() == Kind::ball || m.fixed(); }
+bool is_ball_or_fixed(const BodyMotion& m) { return m.kind() == Kind::ball || m.fixed(); }
 
 }  // namespace
 
-Coefficients coefficients(const Mover& a, const Mover& b, Law law) {
+Coefficients coefficients(const BodyMotion& a, const BodyMotion& b, Law law) {
   return {std::min(a.material().restitution, b.material().restitution),
           std::min(a.material().friction, b.material().friction), law};
 }
 
-double approach(const Mover& a, const State& at_a, const Mover& b, const State& at_b, const Touch& touch) {
+double normal_velocity(const BodyMotion& a, const State& at_a, const BodyMotion& b, const State& at_b,
+                       const Touch& touch) {
   return touch.nhat_BA_W.dot(velocity_at(a, at_a, touch.p_WC) - velocity_at(b, at_b, touch.p_WC));
 }
 
 namespace {
 
-Hit balls_hit(const Mover& a, const State& at_a, const Mover& b, const State& at_b, const Vec3& n, const Vec3& P) {
-  return {0, P, pushed(a, at_a, -a.radius() * n, P), pushed(b, at_b, b.radius() * n, -P), 0};
+ImpactResult balls_after(const BodyMotion& a, const State& at_a, const BodyMotion& b, const State& at_b, const Vec3& n,
+                         const Vec3& P) {
+  return {0, P, velocity_after(a, at_a, -a.radius() * n, P), velocity_after(b, at_b, b.radius() * n, -P), 0};
 }
 
-Hit others_hit(const Mover& a, const State& at_a, const Mover& b, const State& at_b, const Touch& touch,
-               const Coefficients& c) {
+ImpactResult others_impact(const BodyMotion& a, const State& at_a, const BodyMotion& b, const State& at_b,
+                           const Touch& touch, const Coefficients& c) {
   Scene scene;
-  scene.bodies = {weighed(a, at_a), weighed(b, at_b)};
+  scene.bodies = {without_shape(a, at_a), without_shape(b, at_b)};
   scene.contact = Contact{touch.p_WC, touch.nhat_BA_W, c.law, c.restitution, c.friction};
   const Impacted done = fast::impact(scene);
   return {0, done.P_A_W, done.after[0], done.after[1], 0};
 }
 
-/// P on A, from a given impulse.
-Hit others_pushed(const Mover& a, const State& at_a, const Mover& b, const State& at_b, const Touch& touch,
-                  const Vec3& P) {
-  const auto after = [&](const Mover& m, const State& state, const Vec3& push) -> Velocity {
+/// The result of a given impulse P on A.
+ImpactResult others_after(const BodyMotion& a, const State& at_a, const BodyMotion& b, const State& at_b,
+                          const Touch& touch, const Vec3& P) {
+  const auto after = [&](const BodyMotion& m, const State& state, const Vec3& push) -> Velocity {
     if (m.fixed()) return state.velocity;
     const Mat3 R = lin_canny::rotation(state.X_WB.q_WB);
     const Vec3 turn = R * (m.inertia().inverse() * (R.transpose() * (touch.p_WC - at_centre(m, state)).cross(push)));
@@ -97,36 +100,36 @@ Hit others_pushed(const Mover& a, const State& at_a, const Mover& b, const State
   return {0, P, after(a, at_a, P), after(b, at_b, -P), 0};
 }
 
-/// What it was, and what is gone: −(u + u')·P/2.
-Hit booked(Hit hit, const Mover& a, const State& at_a, const Mover& b, const State& at_b, const Touch& touch,
-           const Vec3& u) {
+/// Adds u_n before the impact and the loss −(u + u')·P/2.
+ImpactResult with_loss(ImpactResult result, const BodyMotion& a, const State& at_a, const BodyMotion& b,
+                       const State& at_b, const Touch& touch, const Vec3& u) {
   const Vec3 u_after =
-      velocity_at(a, {at_a.X_WB, hit.after_a}, touch.p_WC) - velocity_at(b, {at_b.X_WB, hit.after_b}, touch.p_WC);
-  hit.u_n = touch.nhat_BA_W.dot(u);
-  hit.loss = -(u + u_after).dot(hit.P_A_W) / 2;
-  return hit;
+      velocity_at(a, {at_a.X_WB, result.after_a}, touch.p_WC) - velocity_at(b, {at_b.X_WB, result.after_b}, touch.p_WC);
+  result.u_n = touch.nhat_BA_W.dot(u);
+  result.loss = -(u + u_after).dot(result.P_A_W) / 2;
+  return result;
 }
 
 }  // namespace
 
-Hit impact(const Mover& a, const State& at_a, const Mover& b, const State& at_b, const Touch& touch,
-           const Coefficients& c) {
+ImpactResult impact(const BodyMotion& a, const State& at_a, const BodyMotion& b, const State& at_b, const Touch& touch,
+                    const Coefficients& c) {
   const Vec3 n = touch.nhat_BA_W, u = velocity_at(a, at_a, touch.p_WC) - velocity_at(b, at_b, touch.p_WC);
   const bool balls = is_ball_or_fixed(a) && is_ball_or_fixed(b);
-  const Hit hit = balls ? balls_hit(a, at_a, b, at_b, n, impulse_of_balls(a, b, n, u, c, false))
-                        : others_hit(a, at_a, b, at_b, touch, c);
-  return booked(hit, a, at_a, b, at_b, touch, u);
+  const ImpactResult result = balls ? balls_after(a, at_a, b, at_b, n, impulse_of_balls(a, b, n, u, c, false))
+                                    : others_impact(a, at_a, b, at_b, touch, c);
+  return with_loss(result, a, at_a, b, at_b, touch, u);
 }
 
-Hit micro_collision(const Mover& a, const State& at_a, const Mover& b, const State& at_b, const Touch& touch,
-                    Coefficients c, double speed) {
+ImpactResult micro_collision(const BodyMotion& a, const State& at_a, const BodyMotion& b, const State& at_b,
+                             const Touch& touch, Coefficients c, double speed) {
   const Vec3 n = touch.nhat_BA_W, u = velocity_at(a, at_a, touch.p_WC) - velocity_at(b, at_b, touch.p_WC);
   const Vec3 shift = -(n.dot(u) + speed) / 2 * n;  // to u_n'
   c.restitution = 1;
   c.law = Law::poisson;
   if (is_ball_or_fixed(a) && is_ball_or_fixed(b)) {
     const Vec3 P = impulse_of_balls(a, b, n, u + shift, c, true);
-    return booked(balls_hit(a, at_a, b, at_b, n, P), a, at_a, b, at_b, touch, u);
+    return with_loss(balls_after(a, at_a, b, at_b, n, P), a, at_a, b, at_b, touch, u);
   }
   const Mat3 K = mobility(a, at_a, touch.p_WC) + mobility(b, at_b, touch.p_WC);
   Vec3 P = -2 * (K.inverse() * (u + shift));
@@ -134,9 +137,9 @@ Hit micro_collision(const Mover& a, const State& at_a, const Mover& b, const Sta
   if (!(p > 0 && (P - p * n).norm() <= c.friction * p)) {
     State shifted = at_a;
     shifted.velocity.v_WBcm += shift;
-    P = others_hit(a, shifted, b, at_b, touch, c).P_A_W;
+    P = others_impact(a, shifted, b, at_b, touch, c).P_A_W;
   }
-  return booked(others_pushed(a, at_a, b, at_b, touch, P), a, at_a, b, at_b, touch, u);
+  return with_loss(others_after(a, at_a, b, at_b, touch, P), a, at_a, b, at_b, touch, u);
 }
 
 }  // namespace touchstone::fast::world

@@ -1,40 +1,42 @@
-// What an impact does to two bodies on their paths.
+// The impulse and the velocities after an impact of two bodies on their trajectories.
 #pragma once
 
-#include "fast/simulation/meeting.h"
+#include "fast/simulation/pair_time_of_impact.h"
 
 namespace touchstone::fast::world {
 
-/// Coefficients of a pair: the least of the two bodies' (docs/design/simulation.md).
+/// Coefficients of a pair: the lesser of the two bodies' values (docs/design/simulation.md).
 struct Coefficients {
   double restitution = 0, friction = 0;
   Law law = Law::poisson;
 };
 
-Coefficients coefficients(const Mover& a, const Mover& b, Law law);
+Coefficients coefficients(const BodyMotion& a, const BodyMotion& b, Law law);
 
-/// What was met, and what came of it.
-struct Hit {
-  double u_n = 0;  ///< m/s; normal velocity of A's point against B's, before: < 0 approaches
+/// An impact: the approach before it, its impulse, and the velocities after it.
+struct ImpactResult {
+  double u_n = 0;  ///< m/s; velocity of A's point relative to B's along n̂, before the impact; < 0: they approach
   Vec3 P_A_W = Vec3::Zero();
   Velocity after_a, after_b;
-  double loss = 0;  ///< J; kinetic energy that is gone
+  double loss = 0;  ///< J; loss of kinetic energy
 };
 
-/// Normal velocity of A's point at C against B's.
-double approach(const Mover& a, const State& at_a, const Mover& b, const State& at_b, const Touch& touch);
+/// The velocity of A's point at C relative to B's, along n̂ (m/s).
+double normal_velocity(const BodyMotion& a, const State& at_a, const BodyMotion& b, const State& at_b,
+                       const Touch& touch);
 
-/// The impulse at the touch, of bodies in the given states. Balls and what is fixed: a closed form, since K's normal
-/// does not mix with its tangents (all laws agree): p = (1 + e) |u_n| / K_nn, P_t = min(mu p, s / K_tt) against the
-/// slip s. Else fast/impulse.h.
-Hit impact(const Mover& a, const State& at_a, const Mover& b, const State& at_b, const Touch& touch,
-           const Coefficients& coefficients);
+/// The impact at the touch of two bodies in the given states. Two balls, or a ball and a fixed body, have a closed
+/// form, since K does not couple the normal with the tangents (all laws agree): p = (1 + e) |u_n| / K_nn and, against
+/// the slip s, P_t = min(mu p, s / K_tt). Other bodies: fast/impulse.h.
+ImpactResult impact(const BodyMotion& a, const State& at_a, const BodyMotion& b, const State& at_b, const Touch& touch,
+                    const Coefficients& coefficients);
 
-/// One of many hops that stand for a resting contact: parts with u_n = `speed`. As fast/impulse/micro_collision.h, with
-/// u_n' = (u_n − speed)/2 in place of u_n: if P = −2 K⁻¹u' is in the friction cone, it: slip turns round, so that it is
-/// 0 in the mean; else what an elastic impact against u' does. Of second order in `speed`; the first of a row, with u_n
-/// = 0, is the half kick that makes it so (docs/design/simulation.md).
-Hit micro_collision(const Mover& a, const State& at_a, const Mover& b, const State& at_b, const Touch& touch,
-                    Coefficients coefficients, double speed);
+/// One of the many micro-bounces that replace a resting contact: the bodies separate with u_n = `speed`. As in
+/// fast/impulse/micro_collision.h, with u_n' = (u_n − speed)/2 in place of u_n: if P = −2 K⁻¹u' is in the friction
+/// cone, the impulse is P, which reverses the slip, so that its mean is 0; otherwise it is that of an elastic impact
+/// against u'. The error is of second order in `speed`; the first of a series, with u_n = 0, is the half kick that
+/// makes it so (docs/design/simulation.md).
+ImpactResult micro_collision(const BodyMotion& a, const State& at_a, const BodyMotion& b, const State& at_b,
+                             const Touch& touch, Coefficients coefficients, double speed);
 
 }  // namespace touchstone::fast::world

@@ -1,4 +1,4 @@
-// A vector's length, by one sequence of operations on every machine.
+// The length of a vector, by the same sequence of operations on every machine.
 #pragma once
 
 #include <cmath>

@@ -13,40 +13,41 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-// When a run is given up: nothing derives these, they end what would not end, and a run that meets them says so.
-constexpr double sliver = 0x1p-10;        // of a frame, or of the flight if that is shorter
-constexpr std::int64_t patience = 4'000;  // turns in a sliver
-constexpr int looks_of_a_turn = 64;       // where a pair takes more, each so many count as a turn: it costs about one
-constexpr std::int64_t lost_patience = 512;  // turns that one counts for in which contact changes faster than time can
+// Limits at which a run stops and reports why. They are not derived; they end runs that would not end.
+constexpr double stall_window = 0x1p-10;        // of a frame, or of the motion if that is shorter
+constexpr std::int64_t max_iterations = 4'000;  // iterations in a stall window
+constexpr int queries_per_iteration = 64;       // so many separation queries cost about one iteration, and count as one
+// An iteration whose contact changes faster than time can advance counts as so many.
+constexpr std::int64_t iterations_without_progress = 512;
 
-// Impacts of one pair in one place: by then corners that strike in turn are slower than they were by 2^32, or part.
-constexpr int most_at_once = 32;
+// Impacts of one pair in one place. After that many, corners that collide in turn are slower by 2^32, or separate.
+constexpr int most_impacts_in_place = 32;
 
-// Hops: what is held and parts no faster stays so, until it is apart. Half of what lets go (loop_group.cpp), so that
-// nobody is let go by one rule and held by the other.
-constexpr double parts_slowly = 32;
+// Rebound speeds: a pair in contact that separates no faster stays in contact until it is apart. Half of releases_above
+// (loop_islands.cpp), so that no body is released by one rule and kept by the other.
+constexpr double stays_below = 32;
 
 Vec3 on_grid(const Vec3& P, double grid) {
   return grid * (P / grid).unaryExpr([](double x) { return std::floor(x + 0.5); });
 }
 
-const Flight& flight_of(const Scene& scene) {
-  if (!scene.flight) throw InputError("flight", "is missing: a simulation needs one");
-  return *scene.flight;
+const Motion& motion_of(const Scene& scene) {
+  if (!scene.motion) throw InputError("motion", "is missing: a simulation needs one");
+  return *scene.motion;
 }
 
-std::vector<Mover> movers(const Scene& scene) {
-  const Flight& flight = flight_of(scene);
-  std::vector<Mover> bodies;
+std::vector<BodyMotion> body_motions(const Scene& scene) {
+  const Motion& motion = motion_of(scene);
+  std::vector<BodyMotion> bodies;
   bodies.reserve(scene.bodies.size());
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
-    bodies.emplace_back(scene.bodies[i], flight.since.empty() ? 0 : flight.since[i], scene.gravity);
+    bodies.emplace_back(scene.bodies[i], motion.start_times.empty() ? 0 : motion.start_times[i], scene.gravity);
   }
   refuse_beyond_doubles(scene, bodies);
   return bodies;
 }
 
-/// Of the bodies that move.
+/// The least size of the bodies that move; 0 if there are none.
 double least_size(const Scene& scene) {
   double least = infinite;
   for (const Body& body : scene.bodies) {
@@ -55,11 +56,11 @@ double least_size(const Scene& scene) {
   return least < infinite ? least : 0;
 }
 
-/// As long as most boxes of a frame: nine of ten that move are no longer, if they go twice as far. Impacts spread
-/// speeds out, and what is longer than all others costs each question one more look.
-double usual_extent(const std::vector<Mover>& bodies, double frame) {
+/// An extent that nine of ten boxes of moving bodies do not exceed in a frame, even at twice the speed, since impacts
+/// spread the speeds. Longer boxes cost each query one more level of the grid.
+double usual_extent(const std::vector<BodyMotion>& bodies, double frame) {
   std::vector<double> extents;
-  for (const Mover& body : bodies) {
+  for (const BodyMotion& body : bodies) {
     if (body.fixed()) continue;
     const Path& path = body.path();
     extents.push_back(2 * body.radius() +
@@ -71,9 +72,9 @@ double usual_extent(const std::vector<Mover>& bodies, double frame) {
   return *most;
 }
 
-/// Frames are as long as asked, but never more than 2^13 of them.
+/// The requested frame length, or a longer one so that there are at most 2^13 frames.
 double frame_length(const Scene& scene, const SimulationOptions& options) {
-  return std::max(options.frame, flight_of(scene).times.back() * 0x1p-13);
+  return std::max(options.frame, motion_of(scene).sample_times.back() * 0x1p-13);
 }
 
 std::string name(BodyId id) { return "bodies[" + std::to_string(id) + "]"; }
@@ -85,346 +86,361 @@ Loop::Loop(const Scene& scene, const SimulationOptions& options)
       options_(options),
       envelope_(touchstone::envelope(scene)),
       reach_(std::max(envelope_, 0x1p-8 * least_size(scene))),
-      end_(flight_of(scene).times.back()),
-      bodies_(movers(scene)),
-      heap_(bodies_.size()),
+      end_(motion_of(scene).sample_times.back()),
+      bodies_(body_motions(scene)),
+      queue_(bodies_.size()),
       rest_(bodies_.size()),
-      group_of_(bodies_.size()),
-      struck_(bodies_.size(), -never),
-      strikes_(bodies_.size(), 0),
-      pull_(bodies_.size(), scene.gravity),
-      tiling_(usual_extent(bodies_, frame_length(scene, options)), bodies_.size()) {
+      island_of_(bodies_.size()),
+      last_impact_(bodies_.size(), -never),
+      impacts_(bodies_.size(), 0),
+      acceleration_(bodies_.size(), scene.gravity),
+      grid_of_boxes_(usual_extent(bodies_, frame_length(scene, options)), bodies_.size()) {
   options_.frame = frame_length(scene, options);
   if (options_.keep_events) done_.trajectory.events.emplace();
-  if (options_.exact_momentum) keep_momentum();
+  if (options_.exact_momentum) set_up_exact_momentum();
 }
 
 Simulated Loop::run() {
   while (now_ < end_ && !done_.stopped) {
     begin_frame();
-    while (!done_.stopped && turn()) continue;
+    while (!done_.stopped && process_next_event()) continue;
     if (done_.stopped) break;
-    look_until(frame_end_, true);
+    sample_until(frame_end_, true);
     now_ = frame_end_;
   }
   if (done_.stopped) {
-    look_until(now_, true);
+    sample_until(now_, true);
     done_.trajectory.complete_until = now_;
   }
   done_.momentum = std::move(momentum_);
   return std::move(done_);
 }
 
-/// Whose turn it is next within the frame: a push's, a group's or a pair's; false: nobody's. Groups take their next
-/// step once all that happens now has happened.
-bool Loop::turn() {
-  const std::vector<Push>& pushes = scene_->flight->pushes;
-  const double pushed = pushed_ < pushes.size() ? pushes[pushed_].time : never;
-  const double due = heap_.empty() ? never : heap_.top().time;
-  const std::optional<BodyId> stepping = first_to_arrive();
-  const double arrives = stepping ? groups_.at(*stepping).until : never;
-  const double next = std::min({pushed, due, arrives});
-  if (const std::optional<BodyId> group = waiting(); group && next > now_) {
-    begin(*group);
+/// Processes the earliest event: an applied force, the end of an island's step or a predicted contact. Islands begin
+/// their next step after all events of the current time. Returns false at the frame's end.
+bool Loop::process_next_event() {
+  const std::vector<AppliedForce>& forces = scene_->motion->forces;
+  const double next_force = applied_forces_ < forces.size() ? forces[applied_forces_].time : never;
+  const double next_contact = queue_.empty() ? never : queue_.top().time;
+  const std::optional<BodyId> first_island = first_to_finish();
+  const double next_step_end = first_island ? islands_.at(*first_island).until : never;
+  const double next = std::min({next_force, next_contact, next_step_end});
+  if (const std::optional<BodyId> island = next_waiting(); island && next > now_) {
+    begin_step(*island);
     return true;
   }
   if (next > frame_end_) return false;
-  if (arrives <= next) {
-    arrive(*stepping);
-  } else if (pushed <= due) {
-    push(pushes[pushed_++]);
+  if (next_step_end <= next) {
+    finish_step(*first_island);
+  } else if (next_force <= next_contact) {
+    apply_force(forces[applied_forces_++]);
   } else {
-    const Due top = heap_.top();
-    heap_.pop();
-    attend(top);
+    const PairEvent top = queue_.top();
+    queue_.pop();
+    process_pair_event(top);
   }
   return true;
 }
 
-/// From now on the force acts. As after an impact, the body's path and box are made anew, and so is whom it may meet: a
-/// force that nobody foresaw misses no impact.
-void Loop::push(const Push& push) {
-  look_until(push.time, false);
-  now_ = std::max(now_, push.time);
-  const auto id = static_cast<BodyId>(push.body);
-  cut(id);
+/// The force acts from now on. As after an impact, the body's trajectory, box and predicted contacts are renewed, so
+/// that no impact is missed.
+void Loop::apply_force(const AppliedForce& force) {
+  sample_until(force.time, false);
+  now_ = std::max(now_, force.time);
+  const auto id = static_cast<BodyId>(force.body);
+  cut_step(id);
   const double from = std::max(now_, bodies_[id].path().since);
-  const State state = group_of_[id] ? group_of(id)->state(id) : bodies_[id].state(from);
+  const State state = island_of_[id] ? island_of(id)->state(id) : bodies_[id].state(from);
   if (rest_[id]) release(id, state);
-  pull_[id] = scene_->gravity + bodies_[id].inverse_mass() * push.force_W;
-  if (push.time > start(id)) {
-    record({Event::Kind::push, now_, push.body, -1, Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), state, {}});
+  acceleration_[id] = scene_->gravity + bodies_[id].inverse_mass() * force.force_W;
+  if (force.time > start_time(id)) {
+    record({Event::Kind::push, now_, force.body, -1, Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), state, {}});
   }
-  if (Group* group = group_of(id)) return group->set_pull(id, pull_[id]);
-  bodies_[id].fly(from, state, pull_[id]);
-  if (bodies_[id].tires(frame_end_)) begin_anew(id);
-  heap_.drop(id);
-  file(id);
-  watch_all(id, id);
+  if (Island* island = island_of(id)) return island->set_acceleration(id, acceleration_[id]);
+  bodies_[id].restart(from, state, acceleration_[id]);
+  if (bodies_[id].needs_restart(frame_end_)) restart(id);
+  queue_.drop(id);
+  update_proxy(id);
+  schedule_all(id, id);
 }
 
-/// Boxes that enclose the paths over the frame; the pairs whose boxes intersect; for each, when it may first meet.
+/// Computes the boxes that enclose the trajectories over the frame, the pairs whose boxes intersect, and for each pair
+/// the lower bound of its time of impact.
 void Loop::begin_frame() {
-  ++done_.books.frames;
-  frame_end_ = std::min(end_, static_cast<double>(done_.books.frames) * options_.frame);
+  ++done_.statistics.frames;
+  frame_end_ = std::min(end_, static_cast<double>(done_.statistics.frames) * options_.frame);
   for (BodyId id = 0; id < bodies_.size(); ++id) {
-    if (bodies_[id].tires(frame_end_)) begin_anew(id);
-    if (moves(id) || done_.books.frames == 1) file(id);
+    if (bodies_[id].needs_restart(frame_end_)) restart(id);
+    if (moves(id) || done_.statistics.frames == 1) update_proxy(id);
   }
   for (BodyId a = 0; a < bodies_.size(); ++a) {
     if (!moves(a)) continue;
-    for (const BodyId b : near(a)) {
-      if (!moves(b) || a < b) watch(std::min(a, b), std::max(a, b), 0);
+    for (const BodyId b : neighbours(a)) {
+      if (!moves(b) || a < b) schedule(std::min(a, b), std::max(a, b), 0);
     }
   }
 }
 
-/// Time goes on to the pair that may meet first. If it does: the impact, new boxes for the two, and the heap made true
-/// of them; if it was a bound only, a new bound.
-void Loop::attend(const Due& due) {
-  look_until(due.time, false);
-  now_ = std::max(now_, due.time);
-  if (!goes_on(due)) return;
-  if (rests_on(due.a, due.b)) return change(due.a);
-  if (rests_on(due.b, due.a)) return change(due.b);
-  if (group_of_[due.a] || group_of_[due.b]) return attend_held(due);
-  const Mover &a = bodies_[due.a], &b = bodies_[due.b];
-  if (!places_tell(a, b, now_)) return stop(due, "rounding moves the two by more than a thousandth of the smaller one");
-  Touch touch = world::touch(a, b, now_, memory(due.a, due.b));
-  if (touch.gap > std::max(envelope_, 2 * clearance(a, b, now_, infinite))) return not_yet(due);
-  if (!has_closed_form(a, b)) touch = foremost(due).value_or(touch);
-  meet(due, touch);
-  stop_if_endless(due);
+/// Advances the time to that of the pair. If the two are in contact: the response, with new boxes and predictions for
+/// both. If the time was only a lower bound: a new bound.
+void Loop::process_pair_event(const PairEvent& pair_event) {
+  sample_until(pair_event.time, false);
+  now_ = std::max(now_, pair_event.time);
+  if (!makes_progress(pair_event)) return;
+  if (rests_on(pair_event.a, pair_event.b)) return end_rest_phase(pair_event.a);
+  if (rests_on(pair_event.b, pair_event.a)) return end_rest_phase(pair_event.b);
+  if (island_of_[pair_event.a] || island_of_[pair_event.b]) return process_island_event(pair_event);
+  const BodyMotion &a = bodies_[pair_event.a], &b = bodies_[pair_event.b];
+  if (!positions_resolved(a, b, now_))
+    return stop(pair_event, "rounding moves the two by more than a thousandth of the smaller one");
+  Touch touch = world::touch(a, b, now_, memory(pair_event.a, pair_event.b));
+  if (touch.gap > std::max(envelope_, 2 * clearance(a, b, now_, infinite))) return recheck(pair_event);
+  if (!has_closed_form(a, b)) touch = fastest_approach(pair_event).value_or(touch);
+  respond(pair_event, touch);
+  stop_if_endless(pair_event);
 }
 
-/// Counts a turn. False: so many have come within a sliver of a frame that its end is not in sight.
-bool Loop::goes_on(const Due& due) {
-  if (now_ > sliver_end_) {
-    sliver_end_ = now_ + sliver * std::min(options_.frame, end_);
-    turns_ = 0;
+/// Counts an iteration. Returns false, and stops the run, if the stall window has had too many.
+bool Loop::makes_progress(const PairEvent& pair_event) {
+  if (now_ > stall_window_end_) {
+    stall_window_end_ = now_ + stall_window * std::min(options_.frame, end_);
+    iterations_ = 0;
   }
-  if (++turns_ <= patience + 16 * static_cast<std::int64_t>(bodies_.size())) return true;
-  stop(due, "time hardly goes on");
+  if (++iterations_ <= max_iterations + 16 * static_cast<std::int64_t>(bodies_.size())) return true;
+  stop(pair_event, "time hardly goes on");
   return false;
 }
 
-void Loop::stop_if_endless(const Due& due) {
-  if (events_ > options_.most_events) stop(due, "more events than allowed");
-  if (done_.books.of(Event::Kind::micro_collision) > options_.most_hops) {
-    stop(due, "a contact that rests on hops alone takes more of them than allowed");
+void Loop::stop_if_endless(const PairEvent& pair_event) {
+  if (events_ > options_.most_events) stop(pair_event, "more events than allowed");
+  if (done_.statistics.of(Event::Kind::micro_collision) > options_.most_micro_bounces) {
+    stop(pair_event, "a contact that rests on hops alone takes more of them than allowed");
   }
 }
 
-/// Of all points at which the two touch, the one that approaches fastest; the first of several.
-std::optional<Touch> Loop::foremost(const Due& due) {
-  Group pair(envelope_, envelope_);
-  pair.add(rider(due.a));
-  pair.add(rider(due.b));
-  if (!pair.link(due.a, due.b)) return std::nullopt;
-  const std::optional<Strike> found = pair.foremost();
+/// The contact point of the pair that approaches fastest; the first one of several.
+std::optional<Touch> Loop::fastest_approach(const PairEvent& pair_event) {
+  Island pair(envelope_, envelope_);
+  pair.add(island_body(pair_event.a));
+  pair.add(island_body(pair_event.b));
+  if (!pair.link(pair_event.a, pair_event.b)) return std::nullopt;
+  const std::optional<ImpactCandidate> found = pair.fastest_approach();
   return found ? std::optional(found->touch) : std::nullopt;
 }
 
-/// Later, by a time in which the two hardly approach: they part, though no faster than rounding can tell.
-void Loop::watch_later(const Due& due) {
-  if (group_of_[due.a] || group_of_[due.b]) return part_held(due);
-  const Mover &a = bodies_[due.a], &b = bodies_[due.b];
+/// Schedules the pair again after a time in which the two cannot approach noticeably. They separate, but perhaps no
+/// faster than rounding can resolve.
+void Loop::schedule_later(const PairEvent& pair_event) {
+  if (island_of_[pair_event.a] || island_of_[pair_event.b]) return defer_separating_pair(pair_event);
+  const BodyMotion &a = bodies_[pair_event.a], &b = bodies_[pair_event.b];
   double speed = (b.path().velocity(now_) - a.path().velocity(now_)).lpNorm<1>();
-  double pull = (b.path().a - a.path().a).lpNorm<1>();
-  for (const Mover* body : {&a, &b}) {
+  double acceleration = (b.path().a - a.path().a).lpNorm<1>();
+  for (const BodyMotion* body : {&a, &b}) {
     if (body->fixed() || body->kind() != Kind::other) continue;
-    speed += body->flight().rate() * body->radius();
-    pull += body->flight().curl() * body->radius();
+    speed += body->ballistic().rate() * body->radius();
+    acceleration += body->ballistic().acceleration_per_radius() * body->radius();
   }
   const double near = envelope_ / 16, grain = now_ * 0x1p-51;
-  const double step = 2 * near / (speed + std::sqrt(speed * speed + 2 * pull * near));
-  if (step < grain) turns_ += lost_patience;
-  watch(due.a, due.b, now_ + std::max(step, grain));
+  const double step = 2 * near / (speed + std::sqrt(speed * speed + 2 * acceleration * near));
+  if (step < grain) iterations_ += iterations_without_progress;
+  schedule(pair_event.a, pair_event.b, now_ + std::max(step, grain));
 }
 
-/// A meeting is an impact, unless it is so slow that the hop after it would stay within the envelope: then the body
-/// rests, or where there is no closed form for that, hops that high in its stead (it comes down about as fast as it
-/// went up: twice as fast still counts). The hops after an impact that would all be so low are completed at once: they
-/// end 2v/(press (1 − e)) later.
-void Loop::meet(const Due& due, const Touch& touch) {
-  const Mover &a = bodies_[due.a], &b = bodies_[due.b];
-  const State at_a = state(due.a), at_b = state(due.b);
-  const Coefficients c = coefficients(a, b, scene_->flight->law);
-  const double u_n = approach(a, at_a, b, at_b, touch), presses = press(a, b, touch);
-  const bool held = is_held(due.a) || is_held(due.b) || struck_[due.a] == now_ || struck_[due.b] == now_;
-  const double turns = presses <= 0 && c.restitution < 1 ? swing(due.a, due.b) : 0;
-  const double hop = held ? hop_of(due.a, due.b) : least_speed(std::max(presses, turns), envelope_);
+/// Decides what a contact does. It is an impact, unless it is so slow that a micro-bounce would stay within the
+/// envelope: then the body rests in closed form, or the pair joins an island, or with `micro_collisions` it
+/// micro-bounces instead. (A body comes down about as fast as it went up; up to twice the micro-bounce speed still
+/// counts.) Micro-bounces after an impact that would all be so low are completed at once: they end 2v/(press (1 − e))
+/// later.
+void Loop::respond(const PairEvent& pair_event, const Touch& touch) {
+  const BodyMotion &a = bodies_[pair_event.a], &b = bodies_[pair_event.b];
+  const State at_a = state(pair_event.a), at_b = state(pair_event.b);
+  const Coefficients c = coefficients(a, b, scene_->motion->law);
+  const double u_n = normal_velocity(a, at_a, b, at_b, touch), presses = pressing_acceleration(a, b, touch);
+  const bool in_contact = is_in_contact(pair_event.a) || is_in_contact(pair_event.b) ||
+                          last_impact_[pair_event.a] == now_ || last_impact_[pair_event.b] == now_;
+  const double turns = presses <= 0 && c.restitution < 1 ? centripetal_bound(pair_event.a, pair_event.b) : 0;
+  const double bounce_speed =
+      in_contact ? rebound_speed(pair_event.a, pair_event.b) : micro_bounce_speed(std::max(presses, turns), envelope_);
   const double rebound = c.restitution * -u_n;
-  if (u_n > (held ? parts_slowly * hop : hop / 16)) return watch_later(due);
-  if (!held && hop > 0 && -u_n <= hop && hold(due, touch, {}, now_)) return;
-  if (hop > 0 && -u_n <= 2 * hop && (held || !can_rest(due, touch))) {
-    if (!options_.micro_collisions) return join(due) ? void() : watch_later(due);
-    return strike(Event::Kind::micro_collision, due, touch, world::micro_collision(a, at_a, b, at_b, touch, c, hop));
+  if (u_n > (in_contact ? stays_below * bounce_speed : bounce_speed / 16)) return schedule_later(pair_event);
+  if (!in_contact && bounce_speed > 0 && -u_n <= bounce_speed && try_rest(pair_event, touch, {}, now_)) return;
+  if (bounce_speed > 0 && -u_n <= 2 * bounce_speed && (in_contact || !can_rest(pair_event, touch))) {
+    if (!options_.micro_collisions) return merge_islands(pair_event) ? void() : schedule_later(pair_event);
+    return apply_impulse(Event::Kind::micro_collision, pair_event, touch,
+                         world::micro_collision(a, at_a, b, at_b, touch, c, bounce_speed));
   }
-  if (!(u_n < 0)) return watch_later(due);
-  if (c.restitution < 1 && strikes_endlessly(due, u_n) && join(due)) return;
-  strike(Event::Kind::impact, due, touch, impact(a, at_a, b, at_b, touch, c));
-  if (!held && rebound <= hop && c.restitution < 1) {
-    hold(due, touch, {rebound, (1 + c.restitution) / 2}, now_ + 2 * rebound / (presses * (1 - c.restitution)));
+  if (!(u_n < 0)) return schedule_later(pair_event);
+  if (c.restitution < 1 && collides_endlessly(pair_event, u_n) && merge_islands(pair_event)) return;
+  apply_impulse(Event::Kind::impact, pair_event, touch, impact(a, at_a, b, at_b, touch, c));
+  if (!in_contact && rebound <= bounce_speed && c.restitution < 1) {
+    try_rest(pair_event, touch, {rebound, (1 + c.restitution) / 2},
+             now_ + 2 * rebound / (presses * (1 - c.restitution)));
   }
 }
 
-/// Where two touch in a face or an edge and lose energy, an impact at one corner makes the others approach, each time
-/// more slowly: without an end, where nothing pulls the two together. So after some impacts between which the two moved
-/// no farther than the envelope they hold each other, and what is left is taken from all feet at once (settle).
-bool Loop::strikes_endlessly(const Due& due, double u_n) {
-  if (has_closed_form(bodies_[due.a], bodies_[due.b])) return false;
-  Memory& memory = memory_[key(due.a, due.b)];
-  const bool again = (now_ - memory.struck) * -u_n <= envelope_;
-  memory.at_once = again ? memory.at_once + 1 : 1;
-  memory.struck = now_;
-  return memory.at_once > most_at_once;
+/// If two bodies touch in a face or an edge and lose energy, an impact at one corner makes the others approach, each
+/// time more slowly, and without applied accelerations this never ends. So the two join an island after many impacts
+/// between which they moved no farther than the envelope, and the remaining approach is removed at all contact points
+/// at once (Island::remove_approach).
+bool Loop::collides_endlessly(const PairEvent& pair_event, double u_n) {
+  if (has_closed_form(bodies_[pair_event.a], bodies_[pair_event.b])) return false;
+  PairMemory& memory = memory_[key(pair_event.a, pair_event.b)];
+  const bool again = (now_ - memory.last_impact) * -u_n <= envelope_;
+  memory.impacts_in_place = again ? memory.impacts_in_place + 1 : 1;
+  memory.last_impact = now_;
+  return memory.impacts_in_place > most_impacts_in_place;
 }
 
-/// What an impulse does, and the two bodies on their new ways.
-void Loop::strike(Event::Kind kind, const Due& due, const Touch& touch, Hit hit) {
-  if (grid_ > 0) move_exactly(due, hit);
-  const State a{state(due.a).X_WB, hit.after_a}, b{state(due.b).X_WB, hit.after_b};
-  done_.books.loss += hit.loss;
-  if (bodies_[due.a].fixed()) done_.books.to_fixed += hit.P_A_W;
-  if (bodies_[due.b].fixed()) done_.books.to_fixed -= hit.P_A_W;
-  record({kind, now_, static_cast<int>(due.a), static_cast<int>(due.b), touch.p_WC, touch.nhat_BA_W, hit.P_A_W, a, b});
-  for (const BodyId id : {due.a, due.b}) {
-    if (rest_[id]) release(id, id == due.a ? a : b);
+/// Applies an impulse, and sets the new trajectories of the two bodies.
+void Loop::apply_impulse(Event::Kind kind, const PairEvent& pair_event, const Touch& touch, ImpactResult result) {
+  if (grid_ > 0) apply_exact_momentum(pair_event, result);
+  const State a{state(pair_event.a).X_WB, result.after_a}, b{state(pair_event.b).X_WB, result.after_b};
+  done_.statistics.loss += result.loss;
+  if (bodies_[pair_event.a].fixed()) done_.statistics.to_fixed += result.P_A_W;
+  if (bodies_[pair_event.b].fixed()) done_.statistics.to_fixed -= result.P_A_W;
+  record({kind, now_, static_cast<int>(pair_event.a), static_cast<int>(pair_event.b), touch.p_WC, touch.nhat_BA_W,
+          result.P_A_W, a, b});
+  for (const BodyId id : {pair_event.a, pair_event.b}) {
+    if (rest_[id]) release(id, id == pair_event.a ? a : b);
     if (bodies_[id].fixed()) continue;
-    struck_[id] = now_;
-    ++strikes_[id];
+    last_impact_[id] = now_;
+    ++impacts_[id];
   }
-  set_out(due.a, a);
-  set_out(due.b, b);
-  if (!bodies_[due.a].fixed()) watch_all(due.a, due.a);
-  if (!bodies_[due.b].fixed()) watch_all(due.b, bodies_[due.a].fixed() ? due.b : due.a);
+  set_trajectory(pair_event.a, a);
+  set_trajectory(pair_event.b, b);
+  if (!bodies_[pair_event.a].fixed()) schedule_all(pair_event.a, pair_event.a);
+  if (!bodies_[pair_event.b].fixed())
+    schedule_all(pair_event.b, bodies_[pair_event.a].fixed() ? pair_event.b : pair_event.a);
 }
 
-/// The states at the scene's times up to this one; at the time itself only once its events are over.
-void Loop::look_until(double time, bool over) {
-  const std::vector<double>& times = scene_->flight->times;
-  for (; looked_ < times.size() && (over ? times[looked_] <= time : times[looked_] < time); ++looked_) {
+/// Emits the states at the scene's sample times before `time`, and if `over` also at `time`, after its events.
+void Loop::sample_until(double time, bool over) {
+  const std::vector<double>& times = scene_->motion->sample_times;
+  for (; sampled_ < times.size() && (over ? times[sampled_] <= time : times[sampled_] < time); ++sampled_) {
     std::vector<State>& states = done_.trajectory.states.emplace_back();
-    for (const Mover& body : bodies_) states.push_back(body.state(times[looked_]));
-    for (const auto& [key, group] : groups_) {
-      const std::vector<State> held = group.states_at(times[looked_]);
-      for (std::size_t i = 0; i < held.size(); ++i) {
-        if (!group.riders()[i].fixed()) states[group.riders()[i].id] = held[i];
+    for (const BodyMotion& body : bodies_) states.push_back(body.state(times[sampled_]));
+    for (const auto& [key, island] : islands_) {
+      const std::vector<State> island_states = island.states_at(times[sampled_]);
+      for (std::size_t i = 0; i < island_states.size(); ++i) {
+        if (!island.bodies()[i].fixed()) states[island.bodies()[i].id] = island_states[i];
       }
     }
   }
 }
 
-double Loop::start(BodyId id) const {
-  const std::vector<double>& since = scene_->flight->since;
+double Loop::start_time(BodyId id) const {
+  const std::vector<double>& since = scene_->motion->start_times;
   return since.empty() ? 0 : since[id];
 }
 
-/// Before doubles lose how a body is turned it sets out anew from where it is said to be. For one that tumbles a frame
-/// may be too long even so.
-void Loop::begin_anew(BodyId id) {
+/// Restarts a body's trajectory from its reported state before doubles lose its orientation. For a tumbling body a
+/// frame may be too long even so; then the run stops.
+void Loop::restart(BodyId id) {
   const double from = std::max(now_, bodies_[id].path().since);
-  bodies_[id].fly(from, bodies_[id].state(from), bodies_[id].path().a);
+  bodies_[id].restart(from, bodies_[id].state(from), bodies_[id].path().a);
   if (!bodies_[id].follows(frame_end_)) {
     done_.stopped = {now_, static_cast<int>(id), -1, "tumbles too fast to be followed for a frame"};
   }
 }
 
-void Loop::file(BodyId id) {
+void Loop::update_proxy(BodyId id) {
   const double from = std::max(now_, bodies_[id].path().since);
-  const Group* group = group_of(id);
-  const double until = group ? std::min(group->until, frame_end_) : frame_end_;
-  tiling_.file(id, bodies_[id].box(from, std::max(from, until), envelope_ + (group ? group->margin + reach_ / 4 : 0)));
+  const Island* island = island_of(id);
+  const double until = island ? std::min(island->until, frame_end_) : frame_end_;
+  grid_of_boxes_.update_proxy(
+      id, bodies_[id].box(from, std::max(from, until), envelope_ + (island ? island->margin + reach_ / 4 : 0)));
 }
 
-/// Whom the body's box intersects; their paths are asked for at once, so that none is waited for alone.
-std::span<const BodyId> Loop::near(BodyId id) {
-  const std::span<const BodyId> found = tiling_.near(id);
+/// Returns the bodies whose boxes intersect that of the body, and prefetches their trajectories.
+std::span<const BodyId> Loop::neighbours(BodyId id) {
+  const std::span<const BodyId> found = grid_of_boxes_.neighbours(id);
   for (const BodyId other : found) __builtin_prefetch(&bodies_[other]);
   return found;
 }
 
-void Loop::watch_all(BodyId id, BodyId but) {
-  for (const BodyId other : near(id)) {
-    if (other != but) watch(std::min(id, other), std::max(id, other), now_);
+void Loop::schedule_all(BodyId id, BodyId but) {
+  for (const BodyId other : neighbours(id)) {
+    if (other != but) schedule(std::min(id, other), std::max(id, other), now_);
   }
 }
 
-/// Enters the pair into the heap, if it may meet within the frame.
-void Loop::watch(BodyId id_a, BodyId id_b, double from) {
-  const Mover &a = bodies_[id_a], &b = bodies_[id_b];
+/// Predicts the first contact of a pair and enqueues it, if it may be within the frame.
+void Loop::schedule(BodyId id_a, BodyId id_b, double from) {
+  const BodyMotion &a = bodies_[id_a], &b = bodies_[id_b];
   if (a.fixed() && b.fixed()) return;
   const bool is_point = has_closed_form(a, b);
   if (!is_point) from = std::max(from, now_);
   from = std::max({from, a.path().since, b.path().since});
   double until = frame_end_;
-  Swelling swelling{from};
-  const Memory* remembered = group_of_[id_a] || group_of_[id_b] ? &memory_[key(id_a, id_b)] : nullptr;
-  const bool seen_to_part = remembered && remembered->strikes == strikes_[id_a] + strikes_[id_b];
+  Inflation inflation{from};
+  const PairMemory* remembered = island_of_[id_a] || island_of_[id_b] ? &memory_[key(id_a, id_b)] : nullptr;
+  const bool seen_separating = remembered && remembered->impacts == impacts_[id_a] + impacts_[id_b];
   for (const BodyId id : {id_a, id_b}) {
-    const Group* group = group_of(id);
-    if (!group) continue;
-    if (group->waits || group->holds(id_a, id_b) || (seen_to_part && remembered->unasked == now_)) return;
-    until = std::min(until, group->until);
+    const Island* island = island_of(id);
+    if (!island) continue;
+    if (island->waits || island->connects(id_a, id_b) || (seen_separating && remembered->not_queried_at == now_))
+      return;
+    until = std::min(until, island->until);
     if (is_point) {
-      swelling.at_first += group->margin;
+      inflation.at_first += island->margin;
     } else {
-      swelling.at_first += group->drift() * (from - group->since);
-      swelling.rate += group->drift();
+      inflation.at_first += island->drift() * (from - island->since);
+      inflation.rate += island->drift();
     }
   }
-  // Balls well within reach of each other are followed together.
-  if (is_point && swelling.at_first > 0 && follows_steps(id_a) && follows_steps(id_b)) swelling.at_first += reach_ / 4;
+  // Balls of islands well within reach of each other take their steps together.
+  if (is_point && inflation.at_first > 0 && follows_steps(id_a) && follows_steps(id_b))
+    inflation.at_first += reach_ / 4;
   if (from > until) return;
-  ++done_.books.pairs;
-  Memory& walks = memory(id_a, id_b);
-  if (from == std::max(start(id_a), start(id_b))) refuse_overlap(id_a, id_b, world::touch(a, b, from, walks));
-  const Rest* rest = rests_on(id_a, id_b) ? &*rest_[id_a] : rests_on(id_b, id_a) ? &*rest_[id_b] : nullptr;
-  const double envelope = seen_to_part && remembered->parted == now_ ? 0 : envelope_;
-  const double time = rest ? rest->until : meeting(a, b, from, until, envelope, swelling, walks);
-  turns_ += walks.looks / looks_of_a_turn;
-  if (time <= frame_end_) heap_.put({std::max(time, now_), id_a, id_b});
+  ++done_.statistics.pairs;
+  PairMemory& pair_memory = memory(id_a, id_b);
+  if (from == std::max(start_time(id_a), start_time(id_b)))
+    refuse_overlap(id_a, id_b, world::touch(a, b, from, pair_memory));
+  const RestingContact* rest = rests_on(id_a, id_b) ? &*rest_[id_a] : rests_on(id_b, id_a) ? &*rest_[id_b] : nullptr;
+  const double envelope = seen_separating && remembered->separating_at == now_ ? 0 : envelope_;
+  const double time = rest ? rest->until : first_contact(a, b, from, until, envelope, inflation, pair_memory);
+  iterations_ += pair_memory.queries / queries_per_iteration;
+  if (time <= frame_end_) queue_.put({std::max(time, now_), id_a, id_b});
 }
 
-Memory& Loop::memory(BodyId a, BodyId b) {
+PairMemory& Loop::memory(BodyId a, BodyId b) {
   return has_closed_form(bodies_[a], bodies_[b]) ? no_memory_ : memory_[key(a, b)];
 }
 
 void Loop::refuse_overlap(BodyId a, BodyId b, const Touch& touch) const {
-  if (touch.gap >= -clearance(bodies_[a], bodies_[b], start(a), infinite)) return;
+  if (touch.gap >= -clearance(bodies_[a], bodies_[b], start_time(a), infinite)) return;
   throw InputError(name(a),
                    "overlaps " + name(b) + " at the start" +
                        (has_closed_form(bodies_[a], bodies_[b]) ? " by " + std::to_string(-touch.gap) + " m" : ""));
 }
 
-void Loop::set_out(BodyId id, const State& state) {
+void Loop::set_trajectory(BodyId id, const State& state) {
   if (bodies_[id].fixed()) return;
-  if (Group* group = group_of(id)) return group->strike(id, state.velocity);
-  bodies_[id].fly(now_, state, pull_[id]);
-  if (bodies_[id].tires(frame_end_)) begin_anew(id);
-  heap_.drop(id);
-  file(id);
+  if (Island* island = island_of(id)) return island->set_velocity(id, state.velocity);
+  bodies_[id].restart(now_, state, acceleration_[id]);
+  if (bodies_[id].needs_restart(frame_end_)) restart(id);
+  queue_.drop(id);
+  update_proxy(id);
 }
 
 void Loop::record(const Event& event) {
-  ++done_.books.count[static_cast<std::size_t>(event.kind)];
+  ++done_.statistics.count[static_cast<std::size_t>(event.kind)];
   ++events_;
   if (done_.trajectory.events) done_.trajectory.events->push_back(event);
 }
 
-void Loop::stop(const Due& due, const std::string& why) {
-  done_.stopped = {now_, static_cast<int>(due.a), static_cast<int>(due.b), why};
+void Loop::stop(const PairEvent& pair_event, const std::string& why) {
+  done_.stopped = {now_, static_cast<int>(pair_event.a), static_cast<int>(pair_event.b), why};
 }
 
-/// The grid: below 2^-52 of the greatest momentum that a body can have while energy does not rise, so that momenta and
-/// all their sums are exact.
-void Loop::keep_momentum() {
-  if (!scene_->gravity.isZero(0) || !scene_->flight->pushes.empty()) {
+/// Momenta and impulses are rounded to multiples of grid_, so that their sums are exact. It is a power of two, from
+/// 2^-50 to 2^-49 of the greatest momentum that a body can have while energy does not rise.
+void Loop::set_up_exact_momentum() {
+  if (!scene_->gravity.isZero(0) || !scene_->motion->forces.empty()) {
     throw InputError("gravity", "changes momentum; it can be kept exact only without gravity and pushes");
   }
   double energy = 0, heaviest = 0;
-  for (const Mover& body : bodies_) {
+  for (const BodyMotion& body : bodies_) {
     if (body.fixed()) continue;
     const Vec3 w = body.path().w;
     energy += body.path().v.squaredNorm() / body.inverse_mass() / 2 + w.squaredNorm() * body.inertia().trace() / 2;
@@ -433,18 +449,20 @@ void Loop::keep_momentum() {
   int exponent = 0;
   std::frexp(std::sqrt(2 * heaviest * energy), &exponent);
   grid_ = std::ldexp(1, exponent - 50);
-  for (const Mover& body : bodies_) {
+  for (const BodyMotion& body : bodies_) {
     momentum_.push_back(body.fixed() ? Vec3(Vec3::Zero()) : on_grid(body.path().v / body.inverse_mass(), grid_));
   }
   done_.momentum_before = momentum_;
 }
 
-void Loop::move_exactly(const Due& due, Hit& hit) {
-  hit.P_A_W = on_grid(hit.P_A_W, grid_);
-  momentum_[due.a] += hit.P_A_W;
-  momentum_[due.b] -= hit.P_A_W;
-  if (!bodies_[due.a].fixed()) hit.after_a.v_WBcm = bodies_[due.a].inverse_mass() * momentum_[due.a];
-  if (!bodies_[due.b].fixed()) hit.after_b.v_WBcm = bodies_[due.b].inverse_mass() * momentum_[due.b];
+void Loop::apply_exact_momentum(const PairEvent& pair_event, ImpactResult& result) {
+  result.P_A_W = on_grid(result.P_A_W, grid_);
+  momentum_[pair_event.a] += result.P_A_W;
+  momentum_[pair_event.b] -= result.P_A_W;
+  if (!bodies_[pair_event.a].fixed())
+    result.after_a.v_WBcm = bodies_[pair_event.a].inverse_mass() * momentum_[pair_event.a];
+  if (!bodies_[pair_event.b].fixed())
+    result.after_b.v_WBcm = bodies_[pair_event.b].inverse_mass() * momentum_[pair_event.b];
 }
 
 }  // namespace touchstone::fast::world

@@ -1,4 +1,4 @@
-// The loop of the lecture notes: frames, boxes, a heap of pairs, impacts.
+// The main loop of the lecture notes: frames, bounding boxes, an event queue of pairs, impacts.
 #pragma once
 
 #include <map>
@@ -6,20 +6,21 @@
 #include <vector>
 
 #include "fast/simulation.h"
-#include "fast/simulation/body.h"
-#include "fast/simulation/group.h"
+#include "fast/simulation/body_motion.h"
+#include "fast/simulation/event_queue.h"
+#include "fast/simulation/hash_grid.h"
 #include "fast/simulation/impact.h"
-#include "fast/simulation/meeting.h"
-#include "fast/simulation/pair_heap.h"
-#include "fast/simulation/resting.h"
-#include "fast/simulation/tiling.h"
+#include "fast/simulation/island.h"
+#include "fast/simulation/pair_time_of_impact.h"
+#include "fast/simulation/resting_contact.h"
 
 namespace touchstone::fast::world {
 
-/// Of a pair, a < b.
+/// The key of a pair, a < b.
 inline std::uint64_t key(BodyId a, BodyId b) { return std::uint64_t{a} << 32 | b; }
 
-/// One run of a scene. Each body has a path of its own, from its own last event on; nothing is stepped.
+/// One simulation of a scene. Each body has its own trajectory, which starts at its own last event; there are no common
+/// time steps.
 class Loop {
  public:
   /// The scene must outlive the loop.
@@ -28,103 +29,106 @@ class Loop {
   Simulated run();
 
  private:
-  /// A body that is about to rest on another.
-  struct Laid {
+  /// A body that may start to rest on another one.
+  struct RestCandidate {
     BodyId id, on;
-    Vec3 nhat_W;  ///< towards it
-    State state;  ///< without velocity along n̂
+    Vec3 nhat_W;  ///< towards the body
+    State state;  ///< at rest relative to the support along n̂
   };
 
   void begin_frame();
-  bool turn();
-  void push(const Push& push);
-  void attend(const Due& due);
-  void stop_if_endless(const Due& due);
-  bool goes_on(const Due& due);
-  void meet(const Due& due, const Touch& touch);
-  std::optional<Touch> foremost(const Due& due);
+  bool process_next_event();
+  void apply_force(const AppliedForce& force);
+  void process_pair_event(const PairEvent& pair_event);
+  void stop_if_endless(const PairEvent& pair_event);
+  bool makes_progress(const PairEvent& pair_event);
+  void respond(const PairEvent& pair_event, const Touch& touch);
+  std::optional<Touch> fastest_approach(const PairEvent& pair_event);
 
-  bool strikes_endlessly(const Due& due, double u_n);
-  void watch_later(const Due& due);
-  void strike(Event::Kind kind, const Due& due, const Touch& touch, Hit hit);
-  bool hold(const Due& due, const Touch& touch, const Hops& hops, double until);
-  bool can_rest(const Due& due, const Touch& touch) const;
-  std::optional<Laid> laid(const Due& due, const Touch& touch) const;
-  std::optional<Rest> rest_of(const Laid& laid, double load) const;
-  bool lay(const Laid& laid, const Hops& hops, double hops_end);
-  void change(BodyId id);
+  bool collides_endlessly(const PairEvent& pair_event, double u_n);
+  void schedule_later(const PairEvent& pair_event);
+  void apply_impulse(Event::Kind kind, const PairEvent& pair_event, const Touch& touch, ImpactResult result);
+  bool try_rest(const PairEvent& pair_event, const Touch& touch, const MicroBounces& bounces, double until);
+  bool can_rest(const PairEvent& pair_event, const Touch& touch) const;
+  std::optional<RestCandidate> rest_candidate(const PairEvent& pair_event, const Touch& touch) const;
+  std::optional<RestingContact> closed_form_rest(const RestCandidate& candidate, double load) const;
+  bool start_rest(const RestCandidate& candidate, const MicroBounces& bounces, double bounces_end);
+  void end_rest_phase(BodyId id);
   void release(BodyId id, const State& state);
-  void look_until(double time, bool over);
+  void sample_until(double time, bool over);
 
-  Group* group_of(BodyId id);
-  const Group* group_of(BodyId id) const;
-  bool is_held(BodyId id) const { return group_of_[id] || rest_[id]; }
-  bool follows_steps(BodyId id) const { return bodies_[id].fixed() || group_of_[id]; }
+  Island* island_of(BodyId id);
+  const Island* island_of(BodyId id) const;
+  bool is_in_contact(BodyId id) const { return island_of_[id] || rest_[id]; }
+  bool follows_steps(BodyId id) const { return bodies_[id].fixed() || island_of_[id]; }
   State state(BodyId id) const;
-  double hop_of(BodyId a, BodyId b) const;
-  double least_hop(const Group& group) const;  ///< of its pairs
-  double swing(BodyId a, BodyId b) const;
-  Rider rider(BodyId id);
-  void cut(BodyId id);
-  void attend_held(const Due& due);
-  void not_yet(const Due& due);
-  void part_held(const Due& due);
-  bool join(const Due& due);
-  void enter(Group group);
-  std::optional<BodyId> waiting() const;
-  std::optional<BodyId> first_to_arrive() const;
-  void arrive(BodyId key);
-  void begin(BodyId key);
-  void settle(BodyId key);
-  void strike_in(const Strike& found);
-  void fly_off(const Rider& rider, const std::vector<Joint>& parted);
-  bool rests_alone(Group& group);
-  void take_step(Group& group);
-  void set_on_course(Group& group);
-  void tell(Event::Kind kind, const Joint& joint);
+  double rebound_speed(BodyId a, BodyId b) const;
+  double least_rebound_speed(const Island& island) const;  ///< over its contact pairs
+  double centripetal_bound(BodyId a, BodyId b) const;
+  IslandBody island_body(BodyId id);
+  void cut_step(BodyId id);
+  void process_island_event(const PairEvent& pair_event);
+  void recheck(const PairEvent& pair_event);
+  void defer_separating_pair(const PairEvent& pair_event);
+  bool merge_islands(const PairEvent& pair_event);
+  void add_island(Island island);
+  std::optional<BodyId> next_waiting() const;
+  std::optional<BodyId> first_to_finish() const;
+  void finish_step(BodyId key);
+  void begin_step(BodyId key);
+  void resolve_island(BodyId key);
+  void impact_in_island(const ImpactCandidate& found);
+  void release_from_island(const IslandBody& island_body, const std::vector<ContactPair>& released);
+  bool try_closed_form(Island& island);
+  void take_step(Island& island);
+  void set_trajectories(Island& island);
+  void emit(Event::Kind kind, const ContactPair& contact_pair);
 
-  /// Whose box is made anew in each frame, and who asks whom it meets; in the first frame also who only could move.
-  bool moves(BodyId id) const { return !bodies_[id].still() || (done_.books.frames == 1 && !bodies_[id].fixed()); }
-  double start(BodyId id) const;
-  void begin_anew(BodyId id);
-  void file(BodyId id);
-  std::span<const BodyId> near(BodyId id);
-  void watch(BodyId a, BodyId b, double from);
-  void watch_all(BodyId id, BodyId but);
-  void set_out(BodyId id, const State& state);
-  Memory& memory(BodyId a, BodyId b);
+  /// Whether the body's box is renewed and its neighbours are queried in each frame; in the first frame this includes
+  /// bodies at rest that are not fixed.
+  bool moves(BodyId id) const {
+    return !bodies_[id].is_stationary() || (done_.statistics.frames == 1 && !bodies_[id].fixed());
+  }
+  double start_time(BodyId id) const;
+  void restart(BodyId id);
+  void update_proxy(BodyId id);
+  std::span<const BodyId> neighbours(BodyId id);
+  void schedule(BodyId a, BodyId b, double from);
+  void schedule_all(BodyId id, BodyId but);
+  void set_trajectory(BodyId id, const State& state);
+  PairMemory& memory(BodyId a, BodyId b);
   void refuse_overlap(BodyId a, BodyId b, const Touch& touch) const;
-  /// Rests are long, and only on what is fixed: for most pairs they are not looked up.
+  /// A resting contact is large, and its support is always fixed, so that most pairs skip the look-up.
   bool rests_on(BodyId id, BodyId on) const { return bodies_[on].fixed() && rest_[id] && rest_[id]->on == on; }
   void record(const Event& event);
   void record_contact(Event::Kind kind, BodyId id, const Vec3& v_before, double since);
-  void stop(const Due& due, const std::string& why);
-  void keep_momentum();
-  void move_exactly(const Due& due, Hit& hit);
+  void stop(const PairEvent& pair_event, const std::string& why);
+  void set_up_exact_momentum();
+  void apply_exact_momentum(const PairEvent& pair_event, ImpactResult& result);
 
   const Scene* scene_;
   SimulationOptions options_;
   double envelope_;
-  double reach_;  ///< m; bodies that are held and as near as this to each other are followed together
+  double reach_;  ///< m; bodies in contact that are this near to each other take their steps together
   double now_ = 0, frame_end_ = 0, end_ = 0;
-  double sliver_end_ = 0;   ///< s
-  std::int64_t turns_ = 0;  ///< since time came into this sliver of a frame
+  double stall_window_end_ = 0;  ///< s
+  std::int64_t iterations_ = 0;  ///< since the stall window began
   std::int64_t events_ = 0;
-  std::vector<Mover> bodies_;
-  PairHeap heap_;
-  std::vector<std::optional<Rest>> rest_;        ///< by body
-  std::map<BodyId, Group> groups_;               ///< by the first body of each that moves
-  std::vector<std::optional<BodyId>> group_of_;  ///< by body
-  std::vector<double> struck_;                   ///< s, by body that moves: its last impact
-  std::vector<std::uint64_t> strikes_;           ///< likewise: how many
-  std::vector<Vec3> pull_;  ///< by body: what gravity and its push accelerate it by (m/s²), if it moves
-  std::size_t pushed_ = 0;
-  Tiling tiling_;
-  std::unordered_map<std::uint64_t, Memory> memory_;  ///< looked up only, never walked
-  Memory no_memory_;
-  std::vector<Vec3> momentum_;  ///< by body, in multiples of the grid, if it is kept exact
-  double grid_ = 0;             ///< N s; 0: velocities are what is kept
-  std::size_t looked_ = 0;
+  std::vector<BodyMotion> bodies_;
+  EventQueue queue_;
+  std::vector<std::optional<RestingContact>> rest_;  ///< indexed by body
+  std::map<BodyId, Island> islands_;                 ///< keyed by the first of its bodies that move
+  std::vector<std::optional<BodyId>> island_of_;     ///< indexed by body: the key of its island
+  std::vector<double> last_impact_;                  ///< s, indexed by body: its last impact, if it moves
+  std::vector<std::uint64_t> impacts_;               ///< indexed by body: its impacts so far, if it moves
+  std::vector<Vec3> acceleration_;  ///< m/s², indexed by body: due to gravity and the applied force, if it moves
+  std::size_t applied_forces_ = 0;
+  HashGrid grid_of_boxes_;
+  std::unordered_map<std::uint64_t, PairMemory> memory_;  ///< only looked up: iteration order is unspecified
+  PairMemory no_memory_;
+  std::vector<Vec3> momentum_;  ///< indexed by body, in multiples of grid_, with exact_momentum
+  double grid_ = 0;             ///< N s; 0: momentum is not kept exact
+  std::size_t sampled_ = 0;
   Simulated done_;
 };
 

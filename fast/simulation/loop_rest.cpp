@@ -1,90 +1,99 @@
-// The part of the loop that is about rest: who lies on whom, until when, and what comes then.
+// The part of the loop that handles resting contacts with closed forms.
 #include <algorithm>
 
 #include "fast/simulation/loop.h"
 
 namespace touchstone::fast::world {
 
-/// The one of the pair that may rest on the other, and that other; nobody if both move or none does.
-std::optional<Loop::Laid> Loop::laid(const Due& due, const Touch& touch) const {
-  const bool first = bodies_[due.b].fixed();
-  if (bodies_[due.a].fixed() == first) return {};
-  Laid laid{first ? due.a : due.b, first ? due.b : due.a, first ? touch.nhat_BA_W : Vec3(-touch.nhat_BA_W), {}};
-  if (bodies_[laid.on].kind() == Kind::block) laid.nhat_W = face_normal(bodies_[laid.on], laid.nhat_W);
-  laid.state = without_normal(bodies_[laid.on], bodies_[laid.id].state(now_), laid.nhat_W);
-  return laid;
+/// The body of the pair that may rest on the other one. None unless exactly one of them is fixed.
+std::optional<Loop::RestCandidate> Loop::rest_candidate(const PairEvent& pair_event, const Touch& touch) const {
+  const bool first = bodies_[pair_event.b].fixed();
+  if (bodies_[pair_event.a].fixed() == first) return {};
+  RestCandidate candidate{first ? pair_event.a : pair_event.b,
+                          first ? pair_event.b : pair_event.a,
+                          first ? touch.nhat_BA_W : Vec3(-touch.nhat_BA_W),
+                          {}};
+  if (bodies_[candidate.on].kind() == Kind::block)
+    candidate.nhat_W = face_normal(bodies_[candidate.on], candidate.nhat_W);
+  candidate.state = without_normal(bodies_[candidate.on], bodies_[candidate.id].state(now_), candidate.nhat_W);
+  return candidate;
 }
 
-std::optional<Rest> Loop::rest_of(const Laid& laid, double load) const {
-  const Mover &body = bodies_[laid.id], &on = bodies_[laid.on];
+std::optional<RestingContact> Loop::closed_form_rest(const RestCandidate& candidate, double load) const {
+  const BodyMotion &body = bodies_[candidate.id], &on = bodies_[candidate.on];
   if (on.kind() != Kind::block) return {};
-  const double friction = coefficients(body, on, scene_->flight->law).friction;
+  const double friction = coefficients(body, on, scene_->motion->law).friction;
   if (body.kind() == Kind::ball) {
-    return roll(body, on, laid.state, now_, laid.nhat_W, pull_[laid.id], friction, load);
+    return ball_on_face(body, on, candidate.state, now_, candidate.nhat_W, acceleration_[candidate.id], friction, load);
   }
-  const double still = 4 * least_speed(-laid.nhat_W.dot(pull_[laid.id]), envelope_);
-  const std::vector<Vec3> corners = patch(body, on, now_, laid.nhat_W, body.path().place(now_), envelope_);
-  return lie(body, on, laid.state, now_, laid.nhat_W, corners, pull_[laid.id], friction, still);
+  const double rest_speed = 4 * micro_bounce_speed(-candidate.nhat_W.dot(acceleration_[candidate.id]), envelope_);
+  const std::vector<Vec3> corners = patch(body, on, now_, candidate.nhat_W, body.path().place(now_), envelope_);
+  return body_on_face(body, on, candidate.state, now_, candidate.nhat_W, corners, acceleration_[candidate.id], friction,
+                      rest_speed);
 }
 
-bool Loop::can_rest(const Due& due, const Touch& touch) const {
-  const std::optional<Laid> found = laid(due, touch);
-  return found && rest_of(*found, 1);
+bool Loop::can_rest(const PairEvent& pair_event, const Touch& touch) const {
+  const std::optional<RestCandidate> found = rest_candidate(pair_event, touch);
+  return found && closed_form_rest(*found, 1);
 }
 
-/// From now on the one rests on the other, if there is a closed form; hops that are left end at `until`.
-bool Loop::hold(const Due& due, const Touch& touch, const Hops& hops, double until) {
-  const std::optional<Laid> found = laid(due, touch);
+/// Starts a resting contact, if it has a closed form. The remaining micro-bounces end at `until`.
+bool Loop::try_rest(const PairEvent& pair_event, const Touch& touch, const MicroBounces& bounces, double until) {
+  const std::optional<RestCandidate> found = rest_candidate(pair_event, touch);
   if (!found) return false;
   const Vec3 v_before = bodies_[found->id].path().velocity(now_);
-  if (!lay(*found, until > now_ ? hops : Hops{}, until)) return false;
+  if (!start_rest(*found, until > now_ ? bounces : MicroBounces{}, until)) return false;
   if (until <= now_) record_contact(Event::Kind::contact, found->id, v_before, now_);
   return true;
 }
 
-/// The body's path while it rests; false where there is no closed form.
-bool Loop::lay(const Laid& laid, const Hops& hops, double hops_end) {
-  std::optional<Rest> rest = rest_of(laid, hops.load);
+/// Sets the body's trajectory in the resting contact. Returns false if there is no closed form.
+bool Loop::start_rest(const RestCandidate& candidate, const MicroBounces& bounces, double bounces_end) {
+  std::optional<RestingContact> rest = closed_form_rest(candidate, bounces.load);
   if (!rest) return false;
-  if (hops_end > now_ && hops_end <= rest->until) {
-    rest->until = hops_end;
-    rest->then = Rest::Then::hops_end;
+  if (bounces_end > now_ && bounces_end <= rest->until) {
+    rest->until = bounces_end;
+    rest->ends_by = RestingContact::End::bounces_end;
   }
-  rest->on = laid.on;
-  rest->hops = hops;
-  rest->hops_end = hops_end;
-  if (rest_[laid.id] && rest_[laid.id]->on != laid.on) release(laid.id, laid.state);
-  bodies_[laid.id].fly(now_, rest->start, rest->acceleration, rest->alpha);
-  heap_.drop(laid.id);
-  file(laid.id);
-  rest_[laid.id] = rest;
-  watch_all(laid.id, laid.id);
+  rest->on = candidate.on;
+  rest->bounces = bounces;
+  rest->bounces_end = bounces_end;
+  if (rest_[candidate.id] && rest_[candidate.id]->on != candidate.on) release(candidate.id, candidate.state);
+  bodies_[candidate.id].restart(now_, rest->start, rest->acceleration, rest->alpha);
+  queue_.drop(candidate.id);
+  update_proxy(candidate.id);
+  rest_[candidate.id] = rest;
+  schedule_all(candidate.id, candidate.id);
   return true;
 }
 
-/// A rest comes to its next change: the hops before it are over, slip ends, or the foot leaves the face.
-void Loop::change(BodyId id) {
-  const Rest was = *rest_[id];
-  const Vec3 v_before = bodies_[id].path().v + was.hops.speed * was.nhat_W;
+/// A resting contact ends or changes: its micro-bounces are over, slip ends, or the contact point leaves the face.
+void Loop::end_rest_phase(BodyId id) {
+  const RestingContact was = *rest_[id];
+  const Vec3 v_before = bodies_[id].path().v + was.bounces.speed * was.nhat_W;
   const double since = bodies_[id].path().since;
   State state = without_normal(bodies_[was.on], bodies_[id].state(now_), was.nhat_W);
-  if (was.then == Rest::Then::slip_ends) state = without_slip(bodies_[id], bodies_[was.on], state, was.nhat_W);
-  const bool hops_on = was.hops_end > now_;
-  if (was.then != Rest::Then::leaves &&
-      lay({id, was.on, was.nhat_W, state}, hops_on ? Hops{0, was.hops.load} : Hops{}, was.hops_end)) {
-    return record_contact(was.then == Rest::Then::hops_end ? Event::Kind::completed : Event::Kind::contact, id,
-                          v_before, since);
+  if (was.ends_by == RestingContact::End::slip_ends)
+    state = without_slip(bodies_[id], bodies_[was.on], state, was.nhat_W);
+  const bool bounces_on = was.bounces_end > now_;
+  if (was.ends_by != RestingContact::End::leaves &&
+      start_rest({id, was.on, was.nhat_W, state}, bounces_on ? MicroBounces{0, was.bounces.load} : MicroBounces{},
+                 was.bounces_end)) {
+    return record_contact(
+        was.ends_by == RestingContact::End::bounces_end ? Event::Kind::completed : Event::Kind::contact, id, v_before,
+        since);
   }
   release(id, state);
-  set_out(id, state);
-  watch_all(id, id);
+  set_trajectory(id, state);
+  schedule_all(id, id);
 }
 
-/// A rest begins or changes. Its impulse since then: what the body gained beyond what gravity gave.
+/// Records that a resting contact begins or changes. The impulse since then is the change of momentum that the applied
+/// accelerations do not explain.
 void Loop::record_contact(Event::Kind kind, BodyId id, const Vec3& v_before, double since) {
-  const Rest& rest = *rest_[id];
+  const RestingContact& rest = *rest_[id];
   const State state = bodies_[id].state(now_), support = bodies_[rest.on].state(now_);
-  const Vec3 P = (state.velocity.v_WBcm - v_before - (now_ - since) * pull_[id]) / bodies_[id].inverse_mass();
+  const Vec3 P = (state.velocity.v_WBcm - v_before - (now_ - since) * acceleration_[id]) / bodies_[id].inverse_mass();
   const Vec3 C = state.X_WB.p_WB + rest.lever;
   const bool first = id < rest.on;
   record({kind, now_, static_cast<int>(std::min(id, rest.on)), static_cast<int>(std::max(id, rest.on)), C,
@@ -92,7 +101,7 @@ void Loop::record_contact(Event::Kind kind, BodyId id, const Vec3& v_before, dou
 }
 
 void Loop::release(BodyId id, const State& state) {
-  const Rest& rest = *rest_[id];
+  const RestingContact& rest = *rest_[id];
   const State support = bodies_[rest.on].state(now_);
   const bool first = id < rest.on;
   record({Event::Kind::release, now_, static_cast<int>(std::min(id, rest.on)), static_cast<int>(std::max(id, rest.on)),

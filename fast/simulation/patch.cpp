@@ -13,7 +13,7 @@ namespace {
 
 using Vec2 = Eigen::Vector2d;
 
-/// Two axes across n, and the way back.
+/// Two axes across n, which map points into the plane and back.
 struct Plane {
   explicit Plane(const Vec3& n) : x(n.unitOrthogonal()), y(n.cross(x)) {}
   Vec2 seen(const Vec3& p) const { return {x.dot(p), y.dot(p)}; }
@@ -22,7 +22,8 @@ struct Plane {
 
 double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-/// Counter-clockwise hull of the points, without those on its sides. Source: Andrew 1979, the monotone chain.
+/// The counter-clockwise convex hull of the points, without points on its sides. Source: Andrew 1979, the monotone
+/// chain.
 std::vector<Vec2> hull(std::vector<Vec2> points) {
   std::ranges::sort(points,
                     [](const Vec2& a, const Vec2& b) { return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y(); });
@@ -43,7 +44,7 @@ std::vector<Vec2> hull(std::vector<Vec2> points) {
   return chain;
 }
 
-/// What of the subject (a point, a segment or a polygon) is left of a → b.
+/// The part of the subject (a point, a segment or a polygon) to the left of a → b.
 std::vector<Vec2> left_of(const std::vector<Vec2>& subject, const Vec2& a, const Vec2& b) {
   std::vector<Vec2> kept;
   for (std::size_t i = 0; i < subject.size(); ++i) {
@@ -55,15 +56,15 @@ std::vector<Vec2> left_of(const std::vector<Vec2>& subject, const Vec2& a, const
   return kept;
 }
 
-/// A part's vertices that are outermost along `out`, seen in the plane, and how far out that is.
+/// The hull, in the plane, of a part's vertices within `within` of its extent along `out`, and that extent.
 struct Outline {
   std::vector<Vec2> corners;
   double height = 0;
 };
 
-Outline outline(const lin_canny::Convex& part, const lin_canny::Station& body, const Vec3& out, const Plane& plane,
+Outline outline(const lin_canny::Convex& part, const lin_canny::CachedPose& body, const Vec3& out, const Plane& plane,
                 double within) {
-  const lin_canny::Placed placed = lin_canny::placed(part, body, Vec3::Zero());
+  const lin_canny::PosedHull placed = lin_canny::posed_hull(part, body, Vec3::Zero());
   double height = -std::numeric_limits<double>::infinity();
   for (int v = 0; v < placed.hull->vertex_count(); ++v) height = std::max(height, out.dot(placed.vertex(v)));
   std::vector<Vec2> corners;
@@ -74,7 +75,8 @@ Outline outline(const lin_canny::Convex& part, const lin_canny::Station& body, c
   return {hull(std::move(corners)), height + part.radius};
 }
 
-/// None where a point says more: an outline that is one, or two edges that cross.
+/// The intersection of two outlines. Empty if neither is a polygon, as for a single vertex or two crossing edges: then
+/// the contact is a point.
 std::vector<Vec2> common(const std::vector<Vec2>& a, const std::vector<Vec2>& b) {
   const auto& [clip, subject] = a.size() >= b.size() ? std::tie(a, b) : std::tie(b, a);
   if (clip.size() < 3) return {};
@@ -87,13 +89,14 @@ std::vector<Vec2> common(const std::vector<Vec2>& a, const std::vector<Vec2>& b)
 
 }  // namespace
 
-std::vector<Vec3> patch(const Mover& a, const Mover& b, double t, const Vec3& n, const Vec3& p_WC, double within) {
+std::vector<Vec3> patch(const BodyMotion& a, const BodyMotion& b, double t, const Vec3& n, const Vec3& p_WC,
+                        double within) {
   const Plane plane(n);
-  const lin_canny::Station at_a(a.flight().pose(t)), at_b(b.flight().pose(t));
+  const lin_canny::CachedPose at_a(a.ballistic().pose(t)), at_b(b.ballistic().pose(t));
   std::vector<Vec3> corners;
-  for (const lin_canny::Convex& part_a : a.flyer().solid.parts()) {
+  for (const lin_canny::Convex& part_a : a.model().solid.parts()) {
     const Outline of_a = outline(part_a, at_a, -n, plane, within);
-    for (const lin_canny::Convex& part_b : b.flyer().solid.parts()) {
+    for (const lin_canny::Convex& part_b : b.model().solid.parts()) {
       const Outline of_b = outline(part_b, at_b, n, plane, within);
       if (std::abs(of_a.height + of_b.height) > 2 * within) continue;
       const double between = (of_b.height - of_a.height) / 2;
@@ -106,7 +109,7 @@ std::vector<Vec3> patch(const Mover& a, const Mover& b, double t, const Vec3& n,
   return corners;
 }
 
-bool carries(const std::vector<Vec3>& corners, const Vec3& nhat_W, const Vec3& p_W) {
+bool supports(const std::vector<Vec3>& corners, const Vec3& nhat_W, const Vec3& p_W) {
   const Plane plane(nhat_W);
   std::vector<Vec2> seen;
   for (const Vec3& corner : corners) seen.push_back(plane.seen(corner));

@@ -5,17 +5,17 @@
 #include <string>
 
 #include "fast/simulation.h"
-#include "fast/simulation/meeting.h"
+#include "fast/simulation/pair_time_of_impact.h"
 #include "model/limits.h"
 
 namespace touchstone::fast::world {
 namespace {
 
-constexpr double greatest = 0x1p250, least = 0x1p-250;            // of what is squared, and squared again
-constexpr double greatest_sum = 0x1p1000, least_sum = 0x1p-1000;  // of what is a product already
-constexpr double tells = 0x1p-10;  // of a body: what is left to see of it is still its shape
+constexpr double greatest = 0x1p250, least = 0x1p-250;            // of quantities that are squared twice
+constexpr double greatest_sum = 0x1p1000, least_sum = 0x1p-1000;  // of quantities that are products already
+constexpr double least_resolution = 0x1p-10;  // of a body's size: the rounded body still has its shape
 
-double size_of(const Mover& body) { return body.kind() == Kind::ball ? body.radius() : size(body.body().shape); }
+double size_of(const BodyMotion& body) { return body.kind() == Kind::ball ? body.radius() : size(body.body().shape); }
 
 double most(const Vec3& v) { return v.cwiseAbs().maxCoeff(); }
 
@@ -23,7 +23,7 @@ double most(const Vec3& v) { return v.cwiseAbs().maxCoeff(); }
   throw BeyondDoubles(place, std::string(what) + ": the simulation computes in doubles, whose range its square leaves");
 }
 
-void refuse_mass(const std::string& place, const Mover& body) {
+void refuse_mass(const std::string& place, const BodyMotion& body) {
   const double mass = 1 / body.inverse_mass();
   const Vec3 moments = body.inertia().diagonal();
   const auto fits = [](double x) { return x > least_sum && x < greatest_sum; };
@@ -39,7 +39,7 @@ void refuse_mass(const std::string& place, const Mover& body) {
 
 }  // namespace
 
-void refuse_beyond_doubles(const Scene& scene, const std::vector<Mover>& bodies) {
+void refuse_beyond_doubles(const Scene& scene, const std::vector<BodyMotion>& bodies) {
   if (!(most(scene.gravity) < greatest)) refuse("gravity", "is not below 2^250 m/s²");
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const Body& body = scene.bodies[i];
@@ -48,23 +48,23 @@ void refuse_beyond_doubles(const Scene& scene, const std::vector<Mover>& bodies)
     if (!(bodies[i].radius() < greatest)) refuse(place + ".shape", "is not smaller than 2^250 m");
     if (!(size(body.shape) > least)) refuse(place + ".shape", "is not greater than 2^-250 m");
     if (!(most(body.velocity.v_WBcm) < greatest)) refuse(place + ".velocity.v_WBcm", "is not below 2^250 m/s");
-    const bool points_move = bodies[i].kind() != Kind::ball;  // a ball's spin moves no point of its shape
+    const bool points_move = bodies[i].kind() != Kind::ball;  // the spin of a ball moves no point of its shape
     if (points_move && !(most(body.velocity.w_WB) * std::max(1.0, bodies[i].radius()) < greatest)) {
       refuse(place + ".velocity.w_WB", "moves points no slower than 2^250 m/s");
     }
     if (!bodies[i].fixed()) refuse_mass(place, bodies[i]);
   }
-  for (std::size_t k = 0; k < scene.flight->pushes.size(); ++k) {
-    const Push& push = scene.flight->pushes[k];
-    const double acceleration = bodies[static_cast<std::size_t>(push.body)].inverse_mass() * most(push.force_W);
+  for (std::size_t k = 0; k < scene.motion->forces.size(); ++k) {
+    const AppliedForce& force = scene.motion->forces[k];
+    const double acceleration = bodies[static_cast<std::size_t>(force.body)].inverse_mass() * most(force.force_W);
     if (!(acceleration < greatest)) {
-      refuse("flight.pushes[" + std::to_string(k) + "].force_W", "accelerates its body by no less than 2^250 m/s²");
+      refuse("motion.forces[" + std::to_string(k) + "].force_W", "accelerates its body by no less than 2^250 m/s²");
     }
   }
 }
 
-bool places_tell(const Mover& a, const Mover& b, double t) {
-  return clearance(a, b, t, never) < tells * std::min(size_of(a), size_of(b));
+bool positions_resolved(const BodyMotion& a, const BodyMotion& b, double t) {
+  return clearance(a, b, t, never) < least_resolution * std::min(size_of(a), size_of(b));
 }
 
 }  // namespace touchstone::fast::world

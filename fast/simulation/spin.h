@@ -1,14 +1,15 @@
-// How a steady turn changes an attitude.
+// The orientation of a ball after a rotation.
 #pragma once
 
 #include "model/frame.h"
 
 namespace touchstone::fast::world {
 
-/// The rotation by `angle` (rad, its axis and length, in W) after that of q; of length 1 within 8u.
+/// The rotation of q followed by that by the vector `angle` (rad; along the axis, in W). Its norm is 1 within 8u.
 ///
-/// q' = (cos h, sin h · angle/|angle|) q/|q|, h = |angle|/2. + − × ÷ and sqrt alone. Error: (4 + |angle|) u rad, which
-/// rounding the angle itself costs too. Beyond 2⁵⁰ rad, where doubles do not tell it any more, q as it was.
+/// q' = (cos h, sin h · angle/|angle|) q/|q|, h = |angle|/2, computed by + − × ÷ and sqrt alone. Error: (4 + |angle|) u
+/// rad, as much as rounding the angle itself causes. Beyond 2⁵⁰ rad doubles cannot resolve the angle, and q is
+/// returned, normalized by a power of two only.
 Quaternion turned(const Quaternion& q, const Vec3& angle);
 
 }  // namespace touchstone::fast::world

@@ -1,18 +1,20 @@
-// Conservative advancement of two parts: from look to look, each step proved before it is taken.
+// Conservative advancement of two parts: a sequence of separation queries, with each step proved safe before it is
+// taken.
 #pragma once
 
 #include "fast/time_of_impact.h"
-#include "fast/time_of_impact/look.h"
+#include "fast/time_of_impact/separation_query.h"
 
-namespace touchstone::fast::meeting {
+namespace touchstone::fast::toi {
 
-/// As fast/time_of_impact.h, of two parts.
+/// As fast/time_of_impact.h, for two parts.
 ///
-/// Far apart, the balls around the two bodies' centres of mass are kept from meeting; near, the slab between the
-/// closest features (slab.h): its bound misses the distance by less than a second-order term, so that the time left
-/// shrinks quadratically. What is left when rounding hides the gap is looked at a moment later, and twice that, until
-/// the two surely overlap (a hit, between the last time at which they were surely apart and this), or surely are apart
-/// again (then a doubt is kept, and the advance goes on).
-Meeting advance(const Pair& pair, double from, double until, double envelope, lin_canny::FeaturePair& memory);
+/// Far apart, the balls around the two bodies' centres of mass bound the time without contact. Near, the separating
+/// plane of the closest features does (separating_plane.h): its bound misses the distance by less than a second-order
+/// term, so the remaining time shrinks quadratically. When rounding hides the gap, the parts are queried again a moment
+/// later, then twice that, and so on. This ends when they are proved to overlap (a hit, between the last time at which
+/// they were proved separated and this time) or proved separated again (the interval is recorded as a doubt, and the
+/// advancement continues).
+FirstContact advance(const Pair& pair, double from, double until, double envelope, lin_canny::FeaturePair& memory);
 
-}  // namespace touchstone::fast::meeting
+}  // namespace touchstone::fast::toi

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <vector>
 
-namespace touchstone::fast::meeting {
+namespace touchstone::fast::toi {
 
 using lin_canny::Hull;
-using lin_canny::Placed;
+using lin_canny::PosedHull;
 
 namespace {
 
@@ -14,8 +14,9 @@ struct Segment {
   Vec3 from, to;
 };
 
-/// What all P's edges leave in Q. The face that the last edge was beyond is asked first: most edges are beyond it, too.
-std::vector<Segment> left_in(const Placed& Q, const Placed& P) {
+/// The parts of all of P's edges that lie in Q. The face that excluded the last edge is tested first: it excludes most
+/// edges.
+std::vector<Segment> left_in(const PosedHull& Q, const PosedHull& P) {
   std::vector<Vec3> places;
   places.reserve(P.hull->vertices().size());
   for (const Vec3& v : P.hull->vertices()) places.push_back(Q.in(P.out(v)));
@@ -43,7 +44,7 @@ Vec3 middle(const Segment& segment) { return (segment.from + segment.to) / 2; }
 
 }  // namespace
 
-bool is_inside(const Placed& P, const Vec3& p, double error) {
+bool is_inside(const PosedHull& P, const Vec3& p, double error) {
   const Vec3 x = P.in(p);
   for (int f = 0; f < P.hull->face_count(); ++f) {
     const Hull::Face& face = P.hull->face(f);
@@ -52,7 +53,7 @@ bool is_inside(const Placed& P, const Vec3& p, double error) {
   return P.hull->face_count() > 0;
 }
 
-bool share_a_middle(const Placed& A, const Placed& B, double error) {
+bool share_a_middle(const PosedHull& A, const PosedHull& B, double error) {
   if (A.hull->face_count() == 0 || B.hull->face_count() == 0) return false;
   const std::vector<Segment> of_A = left_in(B, A), of_B = left_in(A, B);
   if (std::ranges::any_of(of_A, [&](const Segment& s) { return is_inside(B, middle(s), error); })) return true;
@@ -65,4 +66,4 @@ bool share_a_middle(const Placed& A, const Placed& B, double error) {
   return is_inside(A, mean, error) && is_inside(B, mean, error);
 }
 
-}  // namespace touchstone::fast::meeting
+}  // namespace touchstone::fast::toi

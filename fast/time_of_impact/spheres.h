@@ -1,24 +1,26 @@
-// When two balls under the same acceleration meet: one quadratic.
+// The time of impact of two balls with equal accelerations, from one quadratic.
 #pragma once
 
 #include <optional>
 
 #include "fast/time_of_impact.h"
 
-namespace touchstone::fast::meeting {
+namespace touchstone::fast::toi {
 
-/// Whether both bodies are balls about their centres of mass, and both fall alike.
-bool are_falling_balls(const motion::Flight& a, const motion::Flight& b);
+/// Whether both bodies are balls about their centres of mass and have equal accelerations.
+bool are_falling_balls(const motion::BallisticMotion& a, const motion::BallisticMotion& b);
 
-/// Seen from a the centre of b moves along d + v h: |d + v h| = r_a + r_b = r. With x = d − (d·v̂)v̂ the miss distance,
+/// Relative to a, the centre of b moves along d + v h; they touch at |d + v h| = r_a + r_b = r. With the miss distance
+/// x = |d − (d·v̂)v̂|,
 ///
 ///   h = (|d| − r)(|d| + r) / (−d·v + |v| sqrt(r² − x²))
 ///
-/// (no difference of like numbers but those in d and r² − x²). Both ends of the enclosure are proved by looking: at
-/// `lo` the balls are apart, with more than rounding between, and approach — distance along a line is convex, so they
-/// were apart before; at `hi` they surely overlap. None where rounding does not let that be seen: grazing balls, or
-/// balls that touch at `from` without parting. Requires are_falling_balls and that the two do not overlap at `from`.
-std::optional<Meeting> spheres(const motion::Flight& a, const motion::Flight& b, double from, double until,
-                               double envelope);
+/// (nearly equal numbers are subtracted only in d and r² − x²). Both ends of the enclosure are verified: at `lo` the
+/// balls are separated by more than rounding and approach, so that they were separated before, since the distance along
+/// a line is convex; at `hi` they overlap by more than rounding. No result if rounding prevents these decisions:
+/// grazing balls, or balls that touch at `from` without separating. Requires are_falling_balls and that the two do not
+/// overlap at `from`.
+std::optional<FirstContact> spheres(const motion::BallisticMotion& a, const motion::BallisticMotion& b, double from,
+                                    double until, double envelope);
 
-}  // namespace touchstone::fast::meeting
+}  // namespace touchstone::fast::toi

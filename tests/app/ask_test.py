@@ -1,4 +1,4 @@
-"""The exact answer as a tool: scenes whose truth is found by hand."""
+"""The command ask: scenes whose truth is computed by hand."""
 
 import json
 import re
@@ -16,7 +16,7 @@ class Ask(Test):
         return json.loads(self.succeeds("ask", query, "scene.json", "--json"))
 
     def words(self, query):
-        """A line of the plain text is a label and a value."""
+        """Parses the plain text: each line is a label and a value."""
         lines = self.succeeds("ask", query, "scene.json").splitlines()
         return {line.split()[0]: line.split(None, 1)[-1] for line in lines}
 
@@ -46,7 +46,7 @@ class Ask(Test):
         self.assertEqual(said["distance_enclosure"], [math.nextafter(said["distance"], 0), said["distance"]])
 
     def test_a_turned_box(self):
-        # A quarter turn about z by a quaternion of length √2: half extents become (1, 3, 1), and 4 - 1 - 1 = 2.
+        # A quarter turn about z by a quaternion of length √2: the half extents become (1, 3, 1), and 4 - 1 - 1 = 2.
         quarter = {"w": 1, "x": 0, "y": 0, "z": 1}
         said = self.ask("distance", body(box(3, 1, 1), q=quarter), body(box(1, 1, 1), (4, 0, 0)))
         self.assertEqual((said["distance"], said["squared_distance_of_cores"]["exact"]), (2, "4"))
@@ -58,7 +58,7 @@ class Ask(Test):
         self.assertEqual((said["verdict"], said["distance"]), ("touching", 0))
 
     def test_penetration(self):
-        # Two cubes of edge 2, centres 1.5 apart along x: 0.5 m along x parts them.
+        # Two cubes of edge 2, centres 1.5 apart along x: a translation by 0.5 m along x separates them.
         said = self.ask("penetration", body(box(1, 1, 1)), body(box(1, 1, 1), (1.5, 0, 0)))
         self.assertEqual((said["verdict"], said["depth"]), ("overlapping", 0.5))
         self.assertEqual(said["squared_depth_of_cores"]["exact"], "1/4")
@@ -68,8 +68,8 @@ class Ask(Test):
         self.assertIn("depth", self.words("penetration"))
 
     def test_mass(self):
-        # A tetrahedron of legs 1: volume 1/6, centroid at 1/4; at 6 kg/m³ the mass is 1.
-        # About the centroid, of coordinates x, y, z: ∫x² = 1/10 - 1/16 = 3/80 and ∫xy = 1/20 - 1/16 = -1/80, so
+        # A tetrahedron with legs of length 1: volume 1/6, centroid at 1/4; at 6 kg/m³ the mass is 1.
+        # About the centroid, with coordinates x, y, z: ∫x² = 1/10 - 1/16 = 3/80 and ∫xy = 1/20 - 1/16 = -1/80, so
         # I_xx = ∫y² + z² = 3/40 and I_xy = -∫xy = 1/80.
         said = self.ask("mass", body(hull(TETRAHEDRON), mass={"type": "density", "density": 6}))["bodies"][0]
         self.assertEqual((said["mass"], said["centre_of_mass"]), ([1, 1], dict.fromkeys("xyz", [0.25, 0.25])))
@@ -80,7 +80,7 @@ class Ask(Test):
         self.words("mass")
 
     def test_bounds(self):
-        # q = (2, 0, 0, 1) turns about z with cosine 3/5 and sine 4/5: half extents 3/5 + 4/5 in x and y.
+        # q = (2, 0, 0, 1) rotates about z with cosine 3/5 and sine 4/5: half extents 3/5 + 4/5 in x and y.
         said = self.ask("bounds", body(box(1, 1, 1), (10, 0, 0), {"w": 2, "x": 0, "y": 0, "z": 1}), body(ball(2)))
         exact = [(box["lo"]["exact"], box["hi"]["exact"]) for box in said["boxes"]]
         self.assertEqual(exact, [(["43/5", "-7/5", "-1"], ["57/5", "7/5", "1"]), (["-2"] * 3, ["2"] * 3)])
@@ -95,10 +95,10 @@ class Ask(Test):
         self.words("broad_phase")
 
     def test_time_of_impact(self):
-        # Unit cubes, faces 2 apart, closing at 2 m/s and then 0.5: they meet at t = 1, and not within 3 s.
+        # Unit cubes, faces 2 apart, closing at 2 m/s and then 0.5: contact at t = 1, and none within 3 s.
         def said(speed):
             scene_of_two = scene(body(box(1, 1, 1)), body(box(1, 1, 1), (0, 0, 4), velocity={"v_WBcm": [0, 0, -speed], "w_WB": [0, 0, 0]}))
-            self.file("scene.json", {**scene_of_two, "gravity": [0, 0, -10], "flight": {"times": [3]}})
+            self.file("scene.json", {**scene_of_two, "gravity": [0, 0, -10], "motion": {"sample_times": [3]}})
             return json.loads(self.succeeds("ask", "time_of_impact", "scene.json", "--json"))
 
         hit = said(2)
@@ -114,7 +114,7 @@ class Ask(Test):
             said = self.ask(query, *near_far)
             self.assertEqual(said["pair"], "bodies[0] (near) and bodies[1], of 3 bodies")
             self.assertNotIn("pair", self.ask(query, *near_far[:2]))
-        self.file("scene.json", {**scene(*near_far), "flight": {"times": [3]}})
+        self.file("scene.json", {**scene(*near_far), "motion": {"sample_times": [3]}})
         self.assertRegex(self.succeeds("ask", "time_of_impact", "scene.json"), r"^pair +bodies\[0\] \(near\) and bodies\[1\]")
 
 
@@ -163,7 +163,7 @@ class Words(Test):
         self.assertEqual(self.succeeds("--version").strip(), built)
 
     def test_help_names_every_option_and_exit_code(self):
-        run = ["--subjects", "--stems", "--properties", "--cases", "--effort", "quick", "standard", "soak", "--seed",
+        run = ["--subjects", "--queries", "--properties", "--cases", "--effort", "quick", "standard", "soak", "--seed",
                "--jobs", "--out", "--json", "--junit", "--time-limit", "--meshes"]
         expected = {"report": run, "check": run, "replay": ["CASE", "--subject", "--json"],
                     "minimise": ["CASE", "--subject", "--budget", "--out"], "ask": ["QUERY", "SCENE", "--json", "distance"], "plan": ["SCENE", "--json"],

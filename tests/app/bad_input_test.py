@@ -1,4 +1,4 @@
-"""Bad input: exit code 2, a message that names the place, nothing on stdout, no file left."""
+"""Bad input gives exit code 2, a message that names the place, nothing on stdout, and no new file."""
 
 import copy
 import json
@@ -18,18 +18,18 @@ class BadUsage(Test):
         self.refused("list", "engines", says=["engines", "subjects", "properties", "clauses"])
         self.refused("report", "--colour", says="--colour")
         self.refused("check", "--effort", "huge", says=["huge", "quick", "standard", "soak"])
-        self.refused("check", "--stems", "distanse", says=["distanse", "unknown", "distance"])
+        self.refused("check", "--queries", "distanse", says=["distanse", "unknown", "distance"])
         self.refused("check", "--properties", "distance.valeu", says=["distance.valeu", "distance.value"])
         self.refused("check", "--subjects", "bullet.dubble", says=["bullet.dubble", "bullet.double", "reference"])
         self.refused("check", "--subjects", "inproc:bullet", says=["inproc:bullet", "inproc:reference"])
         self.refused("check", "--subjects", "exec:", says="exec:")
         self.refused("check", "--subjects", "exec:no_such_program_at_all", says="no_such_program_at_all")
-        self.refused("check", "--stems", "mass", "--properties", "distance.value", says="--properties")
+        self.refused("check", "--queries", "mass", "--properties", "distance.value", says="--properties")
 
     def test_numbers_that_make_no_sense(self):
         for option, value in [("--cases", "0"), ("--cases", "-3"), ("--cases", "many"), ("--seed", "-1"), ("--jobs", "0"),
                               ("--time-limit", "0"), ("--time-limit", "-1"), ("--time-limit", "nan")]:
-            self.refused("check", "--subjects", "inproc:fast", "--stems", "mass", option, value, says=option)
+            self.refused("check", "--subjects", "inproc:fast", "--queries", "mass", option, value, says=option)
 
     def test_no_command_at_all(self):
         self.refused(says="Examples:")

@@ -1,8 +1,8 @@
-"""Bad inputs, a row each: what is spoilt, and what the program says of it. bad_inputs_test.py runs them.
+"""Bad inputs, one per row: what is made wrong, and the program's message. bad_inputs_test.py runs them.
 
-A scene or a case is spoilt by a path and the value that is put there (GONE: taken away). It is written with an item a
-line, and the message begins with "FILE:LINE:COLUMN: ", where LINE is that of the path that follows; "~" stands for
-the path that was spoilt. Right("...") means that the input is legal, however odd, and the answer says this.
+A scene or a case is made wrong by a path and the value that is put there (GONE: removed). It is written with one item
+per line, and the message starts with "FILE:LINE:COLUMN: ", where LINE is that of the path that follows; "~" stands for
+the path that was made wrong. Right("...") means that the input is legal, however odd, and the answer contains the text.
 """
 
 import json
@@ -14,11 +14,11 @@ GONE = object()
 
 
 class Right(str):
-    """The input is legal, and this stands in the answer."""
+    """The input is legal, and the answer contains this text."""
 
 
 class Long:
-    """A text that is written piece by piece: a test that holds it whole would count its memory as the program's."""
+    """A text written piece by piece: a test that kept it whole would count its memory as the program's."""
 
     def __init__(self, piece, times, before="", after=""):
         self.piece, self.times, self.before, self.after = piece, times, before, after
@@ -50,10 +50,10 @@ RASTER = {**scene(body(ball(1)), body(box(1, 1, 1), (3, 0, 0))),
 MOTION = {**scene(body(ball(1), velocity={"v_WBcm": [1, 0, 0], "w_WB": [0, 0, 0]}, material=SMOOTH),
                   body(ball(1), (4, 0, 0), velocity=REST, material=SMOOTH),
                   body(box(1, 1, 1), (0, 0, -9), velocity=REST, material=SMOOTH, mass={"type": "fixed"})),
-          "flight": {"times": [1, 3], "since": [0, 0, 0], "envelope": 1e-6, "law": "newton", "force_bound": 2,
-                     "pushes": [{"time": 1, "body": 0, "force_W": [0, 0, 0]},
+          "motion": {"sample_times": [1, 3], "start_times": [0, 0, 0], "envelope": 1e-6, "law": "newton", "force_bound": 2,
+                     "forces": [{"time": 1, "body": 0, "force_W": [0, 0, 0]},
                                 {"time": 2, "body": 1, "force_W": [0, 0, 0]}]}}
-FLYING = {**MOTION, "flight": {"times": [1, 3]}}
+FLYING = {**MOTION, "motion": {"sample_times": [1, 3]}}
 FILM = {**BOXES, "frames": [[{"body": 0, "X_WB": {"p": [0, 0, 0], "q": NO_TURN}}], [{"body": 0, "X_WB": None}]]}
 CASE = {"touchstone": "case/1", "property": "distance.value", "subject": "inproc:reference", "family": "own", "seed": 1,
         "index": 0, "note": "none", "scene": BOXES,
@@ -66,11 +66,11 @@ BASES = {"boxes": (BOXES, ["ask", "distance"]), "hulls": (HULLS, ["ask", "mass"]
          "film": (FILM, ["ask", "broad_phase"]), "case": (CASE, ["replay"])}
 
 G = json.dumps(BOXES)
-X = "[3, 0, 0]"  # where the second box stands
+X = "[3, 0, 0]"  # position of the second box
 
 
 def with_x(text):
-    """The scene whose second box stands at that x."""
+    """The scene with its second box at this x."""
     return G.replace(X, f"[{text}, 0, 0]")
 
 
@@ -78,7 +78,7 @@ SMALL = "too small for a double, found "
 GREAT = "too great for a double, found "
 P = "bodies[1].X_WB.p"
 
-# What stands in the file, and the message behind "scene.json".
+# The text of the file, and the message after "scene.json".
 TEXT = [
     ("", ": empty; expected JSON"),
     (" \r\n\t\n", ": empty; expected JSON"),
@@ -194,7 +194,7 @@ TEXT = [
 ]
 
 BODY = 'known are "name", "shape", "X_WB", "velocity", "material", "mass"'
-ROOT = 'known are "touchstone", "name", "gravity", "bodies", "frames", "contact", "raster", "flight"'
+ROOT = 'known are "touchstone", "name", "gravity", "bodies", "frames", "contact", "raster", "motion"'
 SHAPES_OF = '"sphere", "box", "polytope" or "compound"'
 ABOVE = "expected a number above 0, found "
 NOT_NEGATIVE = "expected a number that is not negative, found "
@@ -392,40 +392,42 @@ RASTERS = [
 ]
 
 MOTIONS = [
-    ("flying", "flight", GONE, "flight: missing; expected one for a question about motion"),
-    ("motion", "flight", 1, "~: expected an object, found 1"),
-    ("motion", "flight.times", GONE, 'flight: the key "times" is missing'),
-    ("motion", "flight.times", [], "~: expected at least one"),
-    ("motion", "flight.times", 3, "~: expected an array, found 3"),
-    ("motion", "flight.times[0]", 0, f"~: {ABOVE}0"),
-    ("motion", "flight.times[0]", -1, f"~: {ABOVE}-1"),
-    ("motion", "flight.times[0]", 4, "flight.times[1]: expected more than the time before it, found 3"),
-    ("motion", "flight.times[0]", 3, "flight.times[1]: expected more than the time before it, found 3"),
-    ("motion", "flight.times[1]", "3 s", "~: expected a number, found a string"),
-    ("motion", "flight.since", [0], "~: expected 3 items, found 1"),
-    ("motion", "flight.since[1]", -1, f"~: {NOT_NEGATIVE}-1"),
-    ("motion", "flight.since[1]", 2, "~: expected no more than the flight's first time, found 2"),
-    ("motion", "flight.since[1]", None, "~: expected a number, found null"),
-    ("motion", "flight.envelope", 0, f"~: {ABOVE}0"),
-    ("motion", "flight.envelope", -1e-6, f"~: {ABOVE}-1e-06"),
-    ("motion", "flight.envelope", 0.5,
+    ("flying", "motion", GONE, "motion: missing; expected one for a question about motion"),
+    ("motion", "motion", 1, "~: expected an object, found 1"),
+    ("motion", "motion.sample_times", GONE, 'motion: the key "sample_times" is missing'),
+    ("motion", "motion.sample_times", [], "~: expected at least one"),
+    ("motion", "motion.sample_times", 3, "~: expected an array, found 3"),
+    ("motion", "motion.sample_times[0]", 0, f"~: {ABOVE}0"),
+    ("motion", "motion.sample_times[0]", -1, f"~: {ABOVE}-1"),
+    ("motion", "motion.sample_times[0]", 4, "motion.sample_times[1]: expected more than the time before it, found 3"),
+    ("motion", "motion.sample_times[0]", 3, "motion.sample_times[1]: expected more than the time before it, found 3"),
+    ("motion", "motion.sample_times[1]", "3 s", "~: expected a number, found a string"),
+    ("motion", "motion.start_times", [0], "~: expected 3 items, found 1"),
+    ("motion", "motion.start_times[1]", -1, f"~: {NOT_NEGATIVE}-1"),
+    ("motion", "motion.start_times[1]", 2, "~: expected no more than the motion's first sample time, found 2"),
+    ("motion", "motion.start_times[1]", None, "~: expected a number, found null"),
+    ("motion", "motion.envelope", 0, f"~: {ABOVE}0"),
+    ("motion", "motion.envelope", -1e-6, f"~: {ABOVE}-1e-06"),
+    ("motion", "motion.envelope", 0.5,
      "~: expected less than a thousandth of the size of each body that moves, found 0.5"),
-    ("motion", "flight.law", "routh", '~: expected "poisson", "stronge" or "newton", found "routh"'),
-    ("motion", "flight.force_bound", -1, f"~: {NOT_NEGATIVE}-1"),
-    ("motion", "flight.force_bound", "strong", "~: expected a number, found a string"),
-    ("motion", "flight.pushes", {}, "~: expected an array, found an object"),
-    ("motion", "flight.pushes[0]", [], "~: expected an object, found an array"),
-    ("motion", "flight.pushes[0].time", GONE, 'flight.pushes[0]: the key "time" is missing'),
-    ("motion", "flight.pushes[0].time", -1, f"~: {NOT_NEGATIVE}-1"),
-    ("motion", "flight.pushes[0].time", 5,
-     "flight.pushes[1].time: expected no less than the time of the push before it, found 2"),
-    ("motion", "flight.pushes[0].body", 3, "~: body 3 does not exist; there are 3"),
-    ("motion", "flight.pushes[0].body", -1, "~: expected an integer from 0 to 2147483647, found -1"),
-    ("motion", "flight.pushes[0].body", 2, "~: a fixed body; no force moves it"),
-    ("motion", "flight.pushes[0].force_W", [3, 0, 0], "~: stronger than the flight's force_bound, found 3 N"),
-    ("motion", "flight.pushes[0].force_W", [1], "~: expected 3 items, found 1"),
-    ("motion", "flight.pushes[0].who", 1, '~: unknown key "who"; known are "time", "body", "force_W"'),
-    ("motion", "flight.speed", 1, '~: unknown key "speed"'),
+    ("motion", "motion.law", "routh", '~: expected "poisson", "stronge" or "newton", found "routh"'),
+    ("motion", "motion.force_bound", -1, f"~: {NOT_NEGATIVE}-1"),
+    ("motion", "motion.force_bound", "strong", "~: expected a number, found a string"),
+    ("motion", "motion.forces", {}, "~: expected an array, found an object"),
+    ("motion", "motion.forces[0]", [], "~: expected an object, found an array"),
+    ("motion", "motion.forces[0].time", GONE, 'motion.forces[0]: the key "time" is missing'),
+    ("motion", "motion.forces[0].time", -1, f"~: {NOT_NEGATIVE}-1"),
+    ("motion", "motion.forces[0].time", 5,
+     "motion.forces[1].time: expected no less than the time of the force before it, found 2"),
+    ("motion", "motion.forces[0].body", 3, "~: body 3 does not exist; there are 3"),
+    ("motion", "motion.forces[0].body", -1, "~: expected an integer from 0 to 2147483647, found -1"),
+    ("motion", "motion.forces[0].body", 2, "~: a fixed body; no force moves it"),
+    ("motion", "motion.forces[0].force_W", [3, 0, 0], "~: stronger than the motion's force_bound, found 3 N"),
+    ("motion", "motion.forces[0].force_W", [1], "~: expected 3 items, found 1"),
+    ("motion", "motion.forces[0].who", 1, '~: unknown key "who"; known are "time", "body", "force_W"'),
+    ("motion", "flight", {}, '~: the key "flight" is "motion" now'),
+    ("motion", "motion.since", [0], '~: the key "since" is "start_times" now'),
+    ("motion", "motion.speed", 1, '~: unknown key "speed"'),
     ("flying", "bodies[1].X_WB.p[0]", 1, "bodies: "),
     ("motion", "bodies[0].velocity.v_WBcm[0]", None, "~: expected a number, found null"),
     ("flying", "bodies[0].velocity.v_WBcm[0]", 0, Right("miss")),
@@ -480,10 +482,10 @@ CASES = [
     ("case", "scene.bodies[1].shape.half_extents[0]", [HOPELESS[:12]], "~: expected a number, found an array"),
     ("case", "scene.bodies[1].X_WB.q.w", 0, f"scene.bodies[1].X_WB.q: {ZERO_Q}"),
     ("case", "scene.bodies[1].colour", 1, f'~: unknown key "colour"; {BODY}'),
-    ("case", "scene.flight", {"times": []}, "scene.flight.times: expected at least one"),
+    ("case", "scene.motion", {"sample_times": []}, "scene.motion.sample_times: expected at least one"),
 ]
 
-# Words of the command line, and what is said behind "touchstone: " or by the answer.
+# Words of the command line, and the text after "touchstone: " or in the answer.
 WORDS = [
     (["ask", "distance", "no.json"], "no.json: is neither a file nor a scene of that name"),
     (["ask", "mass", "no/such/folder.json"], "no/such/folder.json: is neither a file nor a scene of that name"),
@@ -507,7 +509,7 @@ WORDS = [
     (["simulate", "/dev/zero"], "/dev/zero: is a device"),
     (["simulate", "."], ".: is a folder"),
     (["simulate", "no.json"], "no.json: is neither a file nor a scene of that name"),
-    (["simulate", "scene.json"], "scene.json: has no flight"),
+    (["simulate", "scene.json"], "scene.json: has no motion"),
     (["plan", "pipe"], "pipe: is a pipe"),
     (["plan", "/dev/zero"], "/dev/zero: is a device"),
     (["plan", "pool_brake"], "pool_brake: is neither a file nor a scene of that name"),
@@ -525,7 +527,7 @@ WORDS = [
     (["import", "huge.ply"], "huge.ply: has 300 MB"),
 ]
 
-# Words, what standard input holds (a device: its name), and what is said.
+# Words, the content of standard input (for a device, its name), and the message.
 STDIN = [
     (["ask", "distance", "-"], G, Right("separated")),
     (["ask", "distance", "-"], with_x("1e400"), f"<stdin>:1:{G.index(X) + 2}: {P}[0]: {GREAT}1e400"),
@@ -533,7 +535,7 @@ STDIN = [
     (["ask", "distance", "-"], "/dev/zero", "<stdin>: has more; at most 100 MB are read"),
     (["plan", "-"], G, Right("used")),
     (["plan", "-"], "[]", "<stdin>:1:1: expected an object, found an array"),
-    (["simulate", "-"], G, "<stdin>: has no flight"),
+    (["simulate", "-"], G, "<stdin>: has no motion"),
     (["simulate", "-", "--until", "1", "--engine", "inproc:fast"], G, Right("bodies")),
     (["replay", "-"], json.dumps(CASE), Right("holds")),
     (["replay", "-"], G, '<stdin>:1:16: touchstone: expected "case/1", found "scene/1"'),
@@ -572,7 +574,7 @@ SOLID = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 0), (1, 0, 0), (0, 0, 1)]
 NAN = float("nan")
 VOLUME = Right('"vertices"')
 
-# The file's name, what stands in it, and the message behind the name.
+# The file's name, its content, and the message after the name.
 MESHES = [
     ("a.obj", "", ': not an OBJ mesh: no line "f"'),
     ("a.obj", "hello world\n", ': not an OBJ mesh: no line "f"'),
@@ -661,7 +663,7 @@ MESHES = [
     ("obj", CORNER, ": not a mesh format by its name"),
 ]
 
-# Names in files and on the command line. A scene's: path, value, what is said.
+# Names in files and on the command line. For a scene's name: path, value, message.
 SCENE_NAMES = [
     ("boxes", "name", 7, "~: expected a string, found 7"),
     ("boxes", "name", ["a"], "~: expected a string, found an array"),
@@ -679,7 +681,7 @@ NAMES = [
     (["list", "engines"], "engines"),
     (["list", "n" * 300], "is unknown; there are"),
     (["reprot"], "reprot"),
-    (["check", "--stems", "distanse"], "stem distanse: unknown"),
+    (["check", "--queries", "distanse"], "query distanse: unknown"),
     (["check", "--properties", "distance.valeu"], "distance.value"),
     (["check", "--subjects", "bullet.dubble"], 'subject "bullet.dubble": unknown'),
     (["check", "--subjects", "inproc:bullet"], 'subject "inproc:bullet": unknown'),

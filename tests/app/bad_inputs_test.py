@@ -1,4 +1,4 @@
-"""Each row of bad_inputs.py: exit code 2 and a message that names the place, or the right answer; both soon."""
+"""Each row of bad_inputs.py gives exit code 2 and a message that names the place, or the right answer; both soon."""
 
 import concurrent.futures
 import json
@@ -14,10 +14,10 @@ import unittest
 from bad_inputs import *
 from program import PROGRAM, Test
 
-MOST_BYTES = 300_000_000  # a child begins as a copy of this process, which is therefore to stay small
+MOST_BYTES = 300_000_000  # a child starts as a copy of this process, which must therefore stay small
 MOST_SECONDS = 10
 AT_ONCE = 2
-# What AddressSanitizer keeps for itself is not the reader's.
+# The memory that AddressSanitizer uses is not the reader's.
 IS_SANITIZED = "TOUCHSTONE_SANITIZED" in os.environ
 
 
@@ -45,7 +45,7 @@ def an_item_a_line(document):
 
 
 def line_of(document, path):
-    """The first line of what stands at the path, found by putting a mark there."""
+    """The line of the value at this path, found by putting a mark there."""
     marked = an_item_a_line(spoilt(document, path, "@@@"))
     return marked[: marked.index('"@@@"')].count("\n") + 1
 
@@ -64,7 +64,7 @@ def scene_row(base, path, value, says):
     if not isinstance(says, Right):
         said = says.replace("~: ", f"{path}: ", 1)
         place = said.partition(": ")[0]
-        if "unknown key" in said:  # the line is the key's, and the path that of its object
+        if "unknown key" in said or said.endswith(" now"):  # the line is that of the key, the path that of its object
             said = said.replace(place + ": ", place.rpartition(".")[0] + ": ", 1).removeprefix(": ")
         if not re.fullmatch(r"[\w.\[\]]+", place):
             place = ""
@@ -112,7 +112,7 @@ def write(path, content):
 
 
 def furnish(folder):
-    """What the rows about paths find."""
+    """Writes the files to which the rows about paths refer."""
     write(f"{folder}/scene.json", G)
     write(f"{folder}/case_of_no_property.json", json.dumps({**CASE, "property": "distance.valeu"}))
     write(f"{folder}/case_of_no_subject.json", json.dumps({**CASE, "subject": ""}))
@@ -131,7 +131,7 @@ def furnish(folder):
 
 
 def run(row):
-    """Exit code, both streams, the most memory and the time."""
+    """Returns the exit code, both streams, the greatest memory and the time."""
     with tempfile.TemporaryDirectory(prefix="touchstone_") as folder, tempfile.TemporaryFile() as out, \
             tempfile.TemporaryFile() as err:
         furnish(folder)
@@ -155,7 +155,7 @@ def run(row):
 
 
 def fault(row):
-    """What is wrong with how the program takes this row; empty: nothing."""
+    """Says what is wrong with the program's reaction to this row; empty if nothing is."""
     code, out, err, memory, seconds = run(row)
     said = f"exit code {code}, {memory / 1e6:.0f} MB, {seconds:.1f} s: {(err or out)[:400]!r}"
     if row.is_right:

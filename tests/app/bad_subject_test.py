@@ -1,4 +1,4 @@
-"""A subject that dies, hangs, prints garbage or answers NaN spoils its own rows, and nothing else."""
+"""A subject that dies, hangs, prints garbage or answers NaN affects only its own rows."""
 
 import json
 import unittest

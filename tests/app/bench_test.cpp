@@ -1,14 +1,14 @@
 #include <cmath>
 
-#include "app/bench_plot.h"
-#include "app/bench_table.h"
-#include "app/work_precision.h"
+#include "app/benchmarks/bench_plot.h"
+#include "app/benchmarks/bench_table.h"
+#include "app/benchmarks/work_precision.h"
 #include "tests/catch.h"
 
 namespace touchstone::app {
 namespace {
 
-// Made up: 10 ns and 40 ns a body at 10 times as many, so that a frame costs n^(1 + log10 4).
+// Invented figures: 10 ns and 40 ns per body at 10 times as many bodies, so that a frame costs n^(1 + log10 4).
 const std::string csv =
     "workload,bodies,name,whose,law,ns_per_body_and_frame,pairs_per_body,left_out\n"
     "coherent,100,wrapped_grid,ours,n,10,0.1,\n"
@@ -41,7 +41,7 @@ TEST_CASE("bench: the plot has a line and a name for all that were measured, and
   CHECK_THAT(plot, !Catch::Contains("sweep_and_prune"));
 }
 
-// Made up: ours is exact, the peer is faster and errs, another peer gives no error to judge.
+// Invented figures: ours is exact, one peer is faster and has errors, another peer gives no error to judge.
 const std::string work_precision_csv =
     "workload,size,name,whose,ns,median_error,worst_error,left_out\n"
     "coherent,8,fast,ours,100,0,0,\n"

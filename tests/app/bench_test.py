@@ -1,4 +1,4 @@
-"""touchstone bench: bad input, and a tiny comparison where its program was built."""
+"""touchstone bench: bad input, and a tiny comparison if its program was built."""
 
 import pathlib
 import unittest

@@ -1,4 +1,4 @@
-"""A headless Chromium on a leash: its DevTools over a pipe, with the standard library alone."""
+"""Controls a headless Chromium over a pipe by its DevTools protocol, with the standard library only."""
 
 import base64
 import json
@@ -8,7 +8,7 @@ import tempfile
 
 
 class Browser:
-    """Opens pages, evaluates expressions in them, and keeps what the console and the network complain about."""
+    """Opens pages, evaluates expressions in them, and records the errors of the console and the network."""
 
     def __init__(self, webgl=False):
         commands, self.to = os.pipe()
@@ -74,7 +74,7 @@ class Browser:
         return result["result"].get("value")
 
     def complaints(self):
-        """Errors and warnings on the console, exceptions, and every address that the page asked for besides itself."""
+        """Errors and warnings on the console, exceptions, and every address that the page loaded besides itself."""
         found = []
         for event in self.events:
             method, parameters = event.get("method"), event.get("params", {})

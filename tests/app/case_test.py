@@ -1,11 +1,11 @@
-"""replay and minimise: a failing case comes back, and comes out smaller."""
+"""replay repeats a failing case, and minimise makes it smaller."""
 
 import json
 import unittest
 
 from program import *
 
-# A hull of eight odd corners, far from a box: much more than a wrong distance needs.
+# A hull of eight irregular corners, far from a box: much more complex than a wrong distance needs.
 ODD = [[a * 1.125 + 0.0625, b * 0.875 - 0.03125, c * 1.375] for a in (-1, 1) for b in (-1, 1) for c in (-1, 1)]
 SCENE = scene(body(hull(ODD), (0.1875, -0.3125, 0.40625), {"w": 3, "x": 1, "y": -2, "z": 1}), body(box(1.5, 0.75, 1.25), (7, 5, 3)))
 LIAR = f"exec:{CANARY} canary.nan"
@@ -17,7 +17,7 @@ def a_case(subject):
 
 
 def extent_of(a_scene):
-    """Digits that a person reads: of all coordinates, half extents and quaternions."""
+    """Counts the digits other than 0 in all coordinates, half extents and quaternions."""
     bare = [[b["X_WB"], b["shape"].get("vertices"), b["shape"].get("half_extents")] for b in a_scene["bodies"]]
     return sum(c.isdigit() and c != "0" for c in json.dumps(bare))
 
@@ -33,7 +33,7 @@ class Case(Test):
             told = self.refused(verb, "trap.json", says=["trap.json: ", "not run: \"exec:/usr/bin/touch ran\"",
                                                          f"{verb} trap.json --subject 'exec:/usr/bin/touch ran'"])
             self.assertEqual(len(told.splitlines()), 1)
-        # The command that is printed runs it.
+        # The printed command runs it.
         subprocess.run(["sh", "-c", told.split("to run it: ")[1]], cwd=self.folder, capture_output=True)
         self.assertTrue((self.folder / "ran").exists())
 

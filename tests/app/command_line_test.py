@@ -27,7 +27,7 @@ class Suggestions(Test):
             (["bench", "distanc"], "distance"),
             (["completion", "bsh"], "bash"),
             (["check", "--effort", "quik"], "quick"),
-            (["check", "--stems", "distanse"], "distance"),
+            (["check", "--queries", "distanse"], "distance"),
             (["check", "--properties", "distance.valeu"], "distance.value"),
             (["check", "--subjects", "refrence"], "reference"),
             (["check", "--subjects", "inproc:refrence"], "inproc:reference"),
@@ -41,6 +41,9 @@ class Suggestions(Test):
         ]:
             self.assertRegex(self.refused(*words, says="unknown" if words[0] not in ("simulate", "plan") else ""),
                              rf"did you mean (.*(, | or ))?{re.escape(meant)}\b", words)
+
+    def test_an_option_that_was_renamed(self):
+        self.refused("check", "--stems", "mass", says="--stems: is --queries now; see `touchstone help check`")
 
     def test_nothing_is_suggested_where_nothing_is_near(self):
         for words in (["frobnicate"], ["ask", "xyzzy", "a.json"], ["check", "--effort", "x" * 1000]):
@@ -107,7 +110,7 @@ class Help(Test):
             self.assertLessEqual(max(map(len, text.splitlines())), 120, command)
 
     def test_examples_are_accepted_by_the_command_line(self):
-        """As far as it can be told without their files and minutes: every option that an example names is there."""
+        """Checks, without their files and minutes, that each option in an example exists."""
         for command in commands(self.succeeds("help")):
             options, examples = self.succeeds("help", command).split("Examples:")
             for line in examples.split("\n\n")[0].splitlines():
@@ -150,7 +153,7 @@ class SceneByName(Test):
 
 class Completion(Test):
     def completed(self, *words):
-        """What bash offers for the last of these words."""
+        """The words that bash offers as completions of the last of these words."""
         script = self.succeeds("completion", "bash")
         quoted = " ".join("'" + word + "'" for word in ("touchstone", *words))
         run = f"{script}\nCOMP_WORDS=({quoted})\nCOMP_CWORD={len(words)}\n_touchstone\nprintf '%s\\n' \"${{COMPREPLY[@]}}\""
@@ -174,10 +177,10 @@ class Completion(Test):
             (["check", "--effort", "=", "st"], ["standard"]),
             (["check", "--effort", "="], ["quick", "standard", "soak"]),
             (["check", "--seed", "3", "--effort", "so"], ["soak"]),
-            (["check", "--stems", "dist"], ["distance"]),
-            (["check", "--stems", "mass,dist"], ["mass,distance"]),
+            (["check", "--queries", "dist"], ["distance"]),
+            (["check", "--queries", "mass,dist"], ["mass,distance"]),
             (["check", "--properties", "distance.val"], ["distance.value"]),
-            (["check", "--stems", "simul"], ["simulation"]),
+            (["check", "--queries", "simul"], ["simulation"]),
             (["ask", "simul"], []),
             (["check", "--subjects", "refer"], ["reference"]),
             (["ask", "pene"], ["penetration"]),

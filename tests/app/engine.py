@@ -1,4 +1,4 @@
-"""Usage: engine.py TRICK [NAME]. A subject that says "1 m apart", and from its fifth question on does its trick."""
+"""Usage: engine.py TRICK [NAME]. A subject that answers "1 m apart"; from its fifth query on it plays its trick."""
 
 import json
 import os

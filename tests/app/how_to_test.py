@@ -1,4 +1,4 @@
-"""The commands of the how-to for an engine of one's own print what the page says."""
+"""The commands of the how-to for one's own engine print what the page says."""
 
 import re
 import subprocess
@@ -22,7 +22,7 @@ class HowTo(Test):
             done = subprocess.run(["bash", "-e", "-c", command.replace("./touchstone ", f"'{PROGRAM}' ")], cwd=SOURCE,
                                   capture_output=True, text=True, timeout=300)
             self.assertEqual((done.returncode, done.stderr), (0, ""), command + done.stdout)
-            pattern = ".*\n".join(re.escape(part) for part in output.split(" …\n"))  # … stands for lines left out
+            pattern = ".*\n".join(re.escape(part) for part in output.split(" …\n"))  # … stands for omitted lines
             self.assertRegex(done.stdout, re.compile(rf"\A{pattern}\Z", re.DOTALL), command)
 
 

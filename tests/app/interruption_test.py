@@ -1,4 +1,4 @@
-"""A signal leaves a complete partial result and no child; the second ends the program at once."""
+"""A signal leaves a complete partial result and no child process; a second signal ends the program at once."""
 
 import os
 import signal
@@ -14,7 +14,7 @@ FOREVER = ["--time-limit", 3600]
 
 
 def children_of(pid):
-    """Processes of its session, which it leads here. One that is dead counts no more, though nothing may reap it."""
+    """The other processes of the session that this process leads. A dead one does not count, even if unreaped."""
     found = []
     for stat in pathlib.Path("/proc").glob("[0-9]*/stat"):
         try:
@@ -27,7 +27,7 @@ def children_of(pid):
 
 
 def wait_until_asking(pid):
-    """Each piece of work starts fresh processes: when many have been seen, some pieces are done."""
+    """Waits until many processes have been seen: each piece of work starts fresh ones, so some pieces are then done."""
     seen = set()
     end = time.monotonic() + 60
     while len(seen) < 16 and time.monotonic() < end:
@@ -42,7 +42,7 @@ def wait_until(done):
 
 
 def wait_until_a_child_hangs(pid):
-    """It loops: more CPU time than starting takes."""
+    """Waits until the process loops: it has used more CPU time than starting takes."""
     def cpu_seconds():
         times = []
         for child, _ in children_of(pid):
@@ -81,7 +81,7 @@ class Interruption(Test):
         return out, errors
 
     def no_child_of(self, pid):
-        end = time.monotonic() + 2  # a killed child is gone a moment later
+        end = time.monotonic() + 2  # a killed child disappears a moment later
         while children_of(pid) and time.monotonic() < end:
             time.sleep(0.01)
         self.assertEqual(children_of(pid), [])
@@ -90,7 +90,7 @@ class Interruption(Test):
         for sent, code in SIGNALS.items():
             with self.subTest(sent):
                 out = f"R{code}"
-                run = self.start("report", "--subjects", "reference,bullet.double", "--stems", "distance", "--cases", 100000,
+                run = self.start("report", "--subjects", "reference,bullet.double", "--queries", "distance", "--cases", 100000,
                                  "--jobs", 2, "--out", out)
                 wait_until_asking(run.pid)
                 self.assertFalse((self.folder / out / "index.html").exists())
@@ -120,7 +120,7 @@ class Interruption(Test):
     def test_a_simulation_shows_what_is_known(self):
         falling = body(ball(0.5), (0, 0, 1.75))
         self.file("drop.json", {**scene(falling, body(box(4, 4, 1), (0, 0, -1), mass={"type": "fixed"})),
-                                "gravity": [0, 0, -10], "flight": {"times": [k / 16 for k in range(1, 65)]}})
+                                "gravity": [0, 0, -10], "motion": {"sample_times": [k / 16 for k in range(1, 65)]}})
         for sent, code in SIGNALS.items():
             with self.subTest(sent):
                 run = self.start("simulate", "drop.json", "--engine", HANGING_ENGINE, *FOREVER, "--out", f"{code}.jsonl")
@@ -141,7 +141,7 @@ class Interruption(Test):
                 self.assertRegex(said, r"0 disagreements \(interrupted\)\n$")
 
     def test_minimise_keeps_the_smaller_scene(self):
-        """An engine that answers NaN, but takes its time for it."""
+        """An engine that slowly answers NaN."""
         engine = self.folder / "slow.py"
         engine.write_text("""
 import json, sys, time
@@ -180,14 +180,13 @@ for line in sys.stdin:
                 self.assertEqual(len(children_of(run.pid)), 1)
                 run.send_signal(sent)
                 self.ended(run, -sent, timeout=5)
-                os.mkfifo(self.folder / f"never{sent}")
-                run = self.start("ask", "mass", f"never{sent}")
+                run = self.start("ask", "mass", "-", stdin=subprocess.PIPE)  # waits for what is never written
                 time.sleep(0.3)
                 run.send_signal(sent)
                 self.ended(run, -sent, timeout=5)
 
     def test_a_second_signal_ends_it_at_once_with_its_children(self):
-        """Two of different kinds come while the program is held: the first cannot end it before the second is there."""
+        """Two signals come while the program is stopped: the first cannot end it before the second is there."""
         self.file("case.json", a_case(scene={**a_case()["scene"], "name": "trap"}))
         for first in SIGNALS:
             for second in SIGNALS:
@@ -197,7 +196,7 @@ for line in sys.stdin:
                     self.assertEqual(len(children_of(run.pid)), 1)
                     run.send_signal(signal.SIGSTOP)
                     run.send_signal(first)
-                    if first == second:  # two of a kind that wait would be one
+                    if first == second:  # two pending signals of one kind would be one
                         run.send_signal(signal.SIGCONT)
                         time.sleep(0.002)
                     run.send_signal(second)

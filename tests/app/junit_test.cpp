@@ -1,6 +1,6 @@
-// Words of engines inside XML: nothing that they say is markup.
-#include "app/report_junit.h"
-#include "app/xml.h"
+// Messages of engines inside XML: nothing in them is taken for markup.
+#include "app/report/report_junit.h"
+#include "app/report/xml.h"
 #include "tests/catch.h"
 
 namespace touchstone::app {

@@ -1,5 +1,5 @@
-// The books of a run: what counts, what is kept, and that the order of merging is the order of asking.
-#include "app/ledger.h"
+// The ledger of a run: what is counted, what is kept, and that units are merged in the order of the queries.
+#include "app/trial/ledger.h"
 
 #include <cmath>
 

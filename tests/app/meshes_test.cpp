@@ -1,10 +1,10 @@
-#include "app/meshes.h"
+#include "app/trial/meshes.h"
 
 #include <algorithm>
 
 #include "model/input_error.h"
-#include "oracle/tolerance.h"
-#include "oracle/truth.h"
+#include "oracle/tolerance/tolerance.h"
+#include "oracle/truth/truth.h"
 #include "tests/catch.h"
 
 namespace touchstone::app {

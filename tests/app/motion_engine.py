@@ -1,5 +1,5 @@
-"""Usage: motion_engine.py TRICK. A subject that knows one ball above a table at z = 0, e = 1, g = 10, in closed form; its
-trick begins with questions that go beyond 1 s."""
+"""Usage: motion_engine.py TRICK. A subject that computes one ball above a table at z = 0, e = 1, g = 10, in closed
+form. It plays its trick on queries that go beyond 1 s."""
 
 import json
 import math
@@ -20,12 +20,12 @@ def answer(scene):
         return {"X_WB": {"p": p, "q": body["X_WB"]["q"]}, "velocity": {"v_WBcm": v, "w_WB": [0, 0, 0]}}
 
     def at(t):
-        since = (t + fall) % (2 * fall)  # since the bounce before; one falls on the start of each period
+        since = (t + fall) % (2 * fall)  # time since the last bounce; a bounce is at the start of each period
         height, up = since * (speed - G * since / 2), speed - G * since
         return state(ball, [start[0], start[1], low + height], [0, 0, up])
 
     rest = [state(body, body["X_WB"]["p"], [0, 0, 0]) for body in scene["bodies"][1:]]
-    times = scene["flight"]["times"]
+    times = scene["motion"]["sample_times"]
     events = []
     while (2 * len(events) + 1) * fall <= times[-1]:
         events.append({"kind": "impact", "time": (2 * len(events) + 1) * fall, "a": 0, "b": 1,
@@ -45,7 +45,7 @@ for line in sys.stdin:
         said = {"abstains": "not on Sundays"}
     else:
         result = answer(message["scene"])
-        if message["scene"]["flight"]["times"][-1] > 1:
+        if message["scene"]["motion"]["sample_times"][-1] > 1:
             if trick == "dies":
                 os._exit(3)
             while trick == "hangs":
@@ -53,7 +53,7 @@ for line in sys.stdin:
             if trick == "short":
                 result["states"].pop()
             if trick in ("gives_up", "silent_gives_up"):
-                result["states"] = [row for t, row in zip(message["scene"]["flight"]["times"], result["states"]) if t <= 1]
+                result["states"] = [row for t, row in zip(message["scene"]["motion"]["sample_times"], result["states"]) if t <= 1]
                 result["complete_until"] = 1
             if trick.startswith("silent"):
                 del result["events"]

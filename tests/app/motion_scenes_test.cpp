@@ -1,5 +1,5 @@
 // The scenes in motion, and what is known of them.
-#include "app/motion_scenes.h"
+#include "app/motion/motion_scenes.h"
 
 #include <Eigen/Geometry>
 #include <cmath>
@@ -31,24 +31,24 @@ std::vector<State> start_of(const Scene& scene) {
   return states;
 }
 
-/// Everybody stays where it stood.
+/// No body moves.
 Trajectory frozen(const Scene& scene) {
   Trajectory answer;
-  answer.states.assign(scene.flight->times.size(), start_of(scene));
+  answer.states.assign(scene.motion->sample_times.size(), start_of(scene));
   return answer;
 }
 
-/// Body 0's origin is where `x` says.
+/// The error if the origin of body 0 is at x(t).
 double error_of(const std::string& name, const std::function<Vec3(double)>& x) {
   const MotionScene& motion = named(name);
   Trajectory answer = frozen(motion.scene);
   for (std::size_t k = 0; k < answer.states.size(); ++k) {
-    answer.states[k][0].X_WB.p_WB = x(motion.scene.flight->times[k]);
+    answer.states[k][0].X_WB.p_WB = x(motion.scene.motion->sample_times[k]);
   }
   return motion.error(answer);
 }
 
-/// Fixed bodies may share points: nothing becomes of it.
+/// Overlap of two fixed bodies is ignored, since it has no effect.
 bool overlap(Scene scene, int i, int j) {
   const Body a = scene.bodies[static_cast<std::size_t>(i)], b = scene.bodies[static_cast<std::size_t>(j)];
   if (std::holds_alternative<Fixed>(a.mass) && std::holds_alternative<Fixed>(b.mass)) return false;
@@ -79,7 +79,7 @@ TEST_CASE("motion scenes: the files in docs/scenes are these") {
 
 TEST_CASE("motion scenes: a scene is known whatever its looks, and no other scene is") {
   Scene scene = named("turntable").scene;
-  scene.flight->times = {0.5};
+  scene.motion->sample_times = {0.5};
   REQUIRE(app::known_motion(scene) != nullptr);
   CHECK(app::known_motion(scene)->scene.name == "turntable");
   scene.gravity.z() = -9;
@@ -113,10 +113,10 @@ TEST_CASE("motion scenes: no look, or NaN, is no right answer") {
   }
 }
 
-// Truths once more, by hand or another way.
+// The truths once more, computed by hand or in another way.
 
 TEST_CASE("motion scenes: a bouncing ball") {
-  // h = 5/4, g = 10: down after 1/2 s at 5 m/s; flights of 1/2, 1/4, … s; at rest after 1.5 s.
+  // h = 5/4, g = 10: the ball lands after 1/2 s at 5 m/s, flies for 1/2, 1/4, … s, and is at rest after 1.5 s.
   const auto z = [](double t) {
     if (t <= 0.5) return 1.75 - 5 * t * t;
     double v = 2.5, since = 0.5;
@@ -159,7 +159,7 @@ TEST_CASE("motion scenes: a rattleback, by the force at its foot: it does not sl
   const MotionScene& motion = named("rattleback");
   const Body& body = motion.scene.bodies[0];
   const auto& given = std::get<MassProperties>(body.mass);
-  const auto from_foot = [&](const Mat3& R) {
+  const auto from_contact = [&](const Mat3& R) {
     const Vec3 d = -R.transpose() * Vec3::UnitZ(), on_arc = Vec3(0, 0, 1) + Vec3(d.x(), 0, d.z()).normalized();
     return Vec3(R * (given.p_BBcm - on_arc - 0.5 * d));
   };
@@ -169,22 +169,22 @@ TEST_CASE("motion scenes: a rattleback, by the force at its foot: it does not sl
   };
   const auto rate = [&](const Mat3& R, const Vec3& w) {
     const auto turned = [&](double t) { return Mat3(Eigen::AngleAxisd(t * w.norm(), w.normalized()) * R); };
-    const Vec3 c = from_foot(R), c_rate = (from_foot(turned(0x1p-16)) - from_foot(turned(-0x1p-16))) * 0x1p15;
+    const Vec3 c = from_contact(R), c_rate = (from_contact(turned(0x1p-16)) - from_contact(turned(-0x1p-16))) * 0x1p15;
     const Mat3 I = R * given.I_BBcm_B * R.transpose();
     const Vec3 known = w.cross(c_rate) - motion.scene.gravity;
-    const Mat3 about_foot = I + c.squaredNorm() * Mat3::Identity() - c * c.transpose();
-    const Vec3 bent = about_foot.inverse() * (-w.cross(I * w) - c.cross(known));
+    const Mat3 about_contact = I + c.squaredNorm() * Mat3::Identity() - c * c.transpose();
+    const Vec3 bent = about_contact.inverse() * (-w.cross(I * w) - c.cross(known));
     Mat3 R_rate;
     for (int i = 0; i < 3; ++i) R_rate.col(i) = w.cross(R.col(i));
     return Rate{R_rate, bent, known + bent.cross(c)};
   };
   const auto energy = [&](const Mat3& R, const Vec3& w) {
-    const Vec3 c = from_foot(R), w_B = R.transpose() * w;
+    const Vec3 c = from_contact(R), w_B = R.transpose() * w;
     return w.cross(c).squaredNorm() / 2 + w_B.dot(given.I_BBcm_B * w_B) / 2 - motion.scene.gravity.dot(c);
   };
   Mat3 R = Mat3::Identity();
   Vec3 w = body.velocity.w_WB;
-  CHECK((body.velocity.v_WBcm - w.cross(from_foot(R))).norm() == 0);
+  CHECK((body.velocity.v_WBcm - w.cross(from_contact(R))).norm() == 0);
   const double first = energy(R, w), h = 0x1p-9;
   Trajectory answer = frozen(motion.scene);
   for (std::vector<State>& states : answer.states) {
@@ -204,16 +204,16 @@ TEST_CASE("motion scenes: a rattleback, by the force at its foot: it does not sl
 
 TEST_CASE("motion scenes: 3141 impacts of masses 1 : 10⁶, one by one") {
   const MotionScene& motion = named("pi_billiard");
-  // Gaps x (small ball to the wall) and y (big ball to the wall, both balls' widths left out).
+  // Gaps x (small ball to the wall) and y (big ball to the wall, without both balls' widths).
   long double x = 1, y = 2.5L, v = 0, V = -1, now = 0;
   int impacts = 0;
   Trajectory answer = frozen(motion.scene);
   for (std::size_t k = 0; k < answer.states.size();) {
     const long double wall = v < 0 ? -x / v : INFINITY, meet = v > V ? (y - x) / (v - V) : INFINITY;
-    const long double look = motion.scene.flight->times[k] - now;
-    const long double step = std::min({wall, meet, look});
+    const long double sample = motion.scene.motion->sample_times[k] - now;
+    const long double step = std::min({wall, meet, sample});
     x += step * v, y += step * V, now += step;
-    if (step == look) {
+    if (step == sample) {
       answer.states[k][0].X_WB.p_WB.x() = static_cast<double>(x + 0.5L);
       answer.states[k][1].X_WB.p_WB.x() = static_cast<double>(y + 1.5L);
       ++k;

@@ -1,4 +1,4 @@
-"""The page for people in a browser: no complaint, no word cut off on a phone, every link leads somewhere."""
+"""The report in a browser: no errors, no word cut off on a phone, and every link has a target."""
 
 import shutil
 import sys
@@ -7,7 +7,7 @@ import unittest
 from browser import Browser
 from program import *
 
-SHOTS = os.environ.get("TOUCHSTONE_SCREENSHOTS")  # a folder, to look at by eye
+SHOTS = os.environ.get("TOUCHSTONE_SCREENSHOTS")  # a folder for screenshots, to be inspected by eye
 
 
 class Page(Test):
@@ -17,7 +17,7 @@ class Page(Test):
         cls.runs = pathlib.Path(tempfile.mkdtemp(prefix="touchstone_"))
         cls.addClassCleanup(shutil.rmtree, cls.runs)
         write_meshes(cls.runs / "meshes")
-        subprocess.run([PROGRAM, "report", "--cases", "10", "--meshes", "meshes", "--stems", "mass,distance,penetration",
+        subprocess.run([PROGRAM, "report", "--cases", "10", "--meshes", "meshes", "--queries", "mass,distance,penetration",
                         "--out", "R", "--subjects", "reference,fast,bullet.float,fcl.indep,libccd.gjk"], cwd=cls.runs, check=True, capture_output=True)
         cls.page = (cls.runs / "R/index.html").as_uri()
         cls.browser = Browser()

@@ -1,5 +1,5 @@
-// Drawings: of what there is, in finite numbers, and none where a drawing shows nothing.
-#include "app/picture.h"
+// Drawings contain what is in the scene, in finite numbers, and are left out where they would show nothing.
+#include "app/report/picture.h"
 
 #include <regex>
 

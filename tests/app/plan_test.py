@@ -1,4 +1,4 @@
-"""What a scene needs: by file and by name, in words and as JSON."""
+"""The plan of a scene, by file and by name, in words and as JSON."""
 
 import unittest
 

@@ -1,6 +1,6 @@
-"""The pool break with 60 digits: event after event, all pairs. Prints app/motion_scenes/pool_break_truth.h.
+"""Computes the pool break with 60 digits, event by event, over all pairs. Prints app/motion/scenes/pool_break_truth.h.
 
-Equal balls, e = 1, no friction: at an impact the two change the parts of their velocities along the line of centres.
+Equal balls, e = 1, no friction: in an impact the two exchange the components of velocity along the line of centres.
 """
 
 from decimal import Decimal as D, getcontext
@@ -30,7 +30,7 @@ def along(p, v, t):
 
 
 def meet(a, b):
-    """When the two, going straight on, are a diameter apart and approach; None if never."""
+    """The time at which the two, moving straight, are a diameter apart and approach; None if never."""
     x, v = minus(a[0], b[0]), minus(a[1], b[1])
     closing, speed2 = dot(x, v), dot(v, v)
     if closing >= 0:
@@ -48,7 +48,7 @@ def impact(balls, i, j):
 
 
 def run():
-    """The looks, and how many impacts there were."""
+    """Returns the samples and the number of impacts."""
     balls, now, looks, impacts = start(), D(0), [], 0
     while len(looks) < LOOKS:
         meetings = [(meet(balls[i], balls[j]), i, j) for i in range(16) for j in range(i + 1, 16)]
@@ -78,7 +78,7 @@ struct PoolBall {{
   double x = 0, y = 0;
 }};
 
-/// By look, then by ball (m).
+/// By sample, then by ball (m).
 // clang-format off
 inline constexpr std::array<std::array<PoolBall, 16>, {LOOKS}> pool_break_truth{{{{""")
     for positions in looks:

@@ -1,4 +1,4 @@
-"""The built program, as a user meets it: a process with arguments, files, an exit code and two streams."""
+"""Runs the built program as a process with arguments, files, an exit code and two streams."""
 
 import json
 import math
@@ -39,14 +39,14 @@ def scene(*bodies):
 
 
 def write_meshes(folder):
-    """Two solids and one that is flat: real meshes for a run that has no time for many."""
+    """Two solids and one flat mesh: real meshes for a run that has no time for many."""
     folder.mkdir()
     for name, height in [("low", 1), ("high", 5), ("flat", 0)]:
         (folder / f"{name}.obj").write_text(f"v 0 0 0\nv 2 0 0\nv 2 3 0\nv 0 3 0\nv 1 1 {height}\nf 1 2 3 4\nf 1 2 5\n")
 
 
 class Test(unittest.TestCase):
-    """Every test stands in an empty folder of its own."""
+    """Each test runs in an empty folder of its own."""
 
     def setUp(self):
         folder = tempfile.TemporaryDirectory(prefix="touchstone_")
@@ -63,7 +63,7 @@ class Test(unittest.TestCase):
         return done.stdout
 
     def refused(self, *words, says):
-        """Exit code 2; the reason on stderr; nothing on stdout; no new file."""
+        """Requires exit code 2, the reason on stderr, nothing on stdout, and no new file."""
         before = self.files()
         done = self.run_program(*words)
         self.assertEqual((done.returncode, done.stdout), (2, ""), f"{words}\n{done.stderr}")

@@ -1,4 +1,4 @@
-#include "app/progress.h"
+#include "app/system/progress.h"
 #include "tests/catch.h"
 
 namespace touchstone::app {

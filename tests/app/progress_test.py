@@ -1,4 +1,4 @@
-"""The bar on a terminal: the clock, what remains, and no line wider than the window; silence in a pipe."""
+"""The bar on a terminal: elapsed and remaining time, and no line wider than the window; no output into a pipe."""
 
 import fcntl
 import os
@@ -25,7 +25,7 @@ for line in sys.stdin:
 
 
 class Terminal:
-    """What a window of one line shows, after each chunk of output. A character takes a column."""
+    """Records what a window of one line shows after each chunk of output. Each character takes one column."""
 
     def __init__(self, columns):
         self.ours, self.theirs = pty.openpty()
@@ -46,7 +46,7 @@ class Terminal:
         os.close(self.ours)
 
     def lines(self):
-        """Each is drawn on a line that was wiped."""
+        """The bars: each is drawn on a line that was cleared."""
         return self.written.decode().split("\r\x1b[K")[1:]
 
 
@@ -79,7 +79,7 @@ class ProgressBar(Test):
         return ["check", "--subjects", self.slow(name), "--properties", "distance.survives", "--cases", cases, "--jobs", 1]
 
     def test_silence_in_a_pipe(self):
-        self.assertEqual(self.run_program("check", "--subjects", "inproc:reference", "--stems", "bounds", "--cases", 50).stderr, "")
+        self.assertEqual(self.run_program("check", "--subjects", "inproc:reference", "--queries", "bounds", "--cases", 50).stderr, "")
 
     def test_silence_on_a_terminal_that_cannot_wipe(self):
         terminal = Terminal(80)

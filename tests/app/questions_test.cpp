@@ -1,4 +1,4 @@
-#include "app/questions.h"
+#include "app/trial/questions.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -12,14 +12,14 @@ namespace {
 
 const Effort few{"few", 200, 200, 50, 20, 10, 3, 2};
 
-std::vector<Question> questions(const std::string& stem, std::uint64_t seed, const MeshSet& set) {
-  const Questions asked(stem, few, seed, set);
+std::vector<Question> questions(const std::string& query, std::uint64_t seed, const MeshSet& set) {
+  const Questions asked(query, few, seed, set);
   std::vector<Question> all;
   for (std::size_t k = 0; k < asked.size(); ++k) all.push_back(asked[k]);
   return all;
 }
 
-TEST_CASE("Each family of a stem gets its share, and a question gives the same scene each time") {
+TEST_CASE("Each family of a query gets its share, and a question gives the same scene each time") {
   const MeshSet none;
   const std::vector<Question> asked = questions("distance", 7, none);
   CHECK(asked.size() == 220);
@@ -47,7 +47,7 @@ TEST_CASE("There are more impacts, but the laws that ask again are asked of the 
 TEST_CASE("Extreme scenes are asked only of the properties that want an end and sense") {
   const std::vector<Question> asked = questions("mass", 1, {});
   for (const properties::Property& property : properties::all()) {
-    if (property.stem != "mass") continue;
+    if (property.query != "mass") continue;
     const bool for_sense = property.id == "mass.survives" || property.id == "mass.repeats";
     CHECK(asked.back().asked_under(property) == for_sense);
   }
@@ -67,7 +67,7 @@ TEST_CASE("Every pair of meshes is asked under the agreements with the truth, an
     kinds.insert(asked[k].family);
     int laws = 0;
     for (const properties::Property& property : properties::all()) {
-      if (property.stem != "distance") continue;
+      if (property.query != "distance") continue;
       if (compares_with_truth(property)) {
         CHECK(asked[k].asked_under(property));
       } else {

@@ -1,4 +1,4 @@
-"""The replay page in a browser: bodies are drawn and move, on a phone and a desk, in light and dark, without a complaint."""
+"""The replay page in a browser: bodies are drawn and move, on phone and desktop, light and dark, without errors."""
 
 import shutil
 import time
@@ -7,7 +7,7 @@ import unittest
 from browser import Browser
 from program import *
 
-SHOTS = os.environ.get("TOUCHSTONE_SCREENSHOTS")  # a folder, to look at by eye
+SHOTS = os.environ.get("TOUCHSTONE_SCREENSHOTS")  # a folder for screenshots, to be inspected by eye
 PLAYER = f"exec:/usr/bin/python3 {SOURCE / 'tests/app/motion_engine.py'} right"
 COLOURS = """(() => { replay.seek(replay.time);  // draws, in the same task as the reading
   const gl = replay.canvas.getContext('webgl2') || replay.canvas.getContext('webgl'), seen = new Set();
@@ -51,7 +51,7 @@ class Replay(Test):
                 self.assertEqual([c for c in self.browser.complaints() if "due to ReadPixels" not in c], [])
                 self.assertLessEqual(self.browser.value("document.documentElement.scrollWidth"), width)
                 self.assertGreater(self.browser.value("replay.canvas.clientHeight"), 400)
-                self.assertGreater(self.browser.value(COLOURS), 20)  # paper alone would be one
+                self.assertGreater(self.browser.value(COLOURS), 20)  # the background alone has one colour
                 bottom = self.browser.value("document.querySelector('footer').getBoundingClientRect().bottom")
                 self.assertLessEqual(bottom, 800.5)
                 if SHOTS:

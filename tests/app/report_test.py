@@ -1,4 +1,4 @@
-"""A small whole run: what is written is complete, repeats itself byte for byte, and every case replays."""
+"""A small whole run: its output is complete and repeats byte for byte, and every case replays."""
 
 import html
 import pathlib
@@ -12,7 +12,7 @@ from program import *
 
 
 def files(folder):
-    """What is in them, but for the folder's own place, which commands name."""
+    """The content of the files, without the folder's own path, which commands contain."""
     return {str(p.relative_to(folder)): p.read_bytes().replace(bytes(folder), b"HERE") for p in sorted(folder.rglob("*"))
             if p.is_file()}
 
@@ -25,7 +25,7 @@ class Report(Test):
         write_meshes(cls.runs / "meshes")
         cls.told = {}
         for name, jobs, seed in [("once", 1, 7), ("again", 2, 7), ("other", 2, 8)]:
-            words = ["report", "--stems", "bounds,distance,penetration", "--subjects", "reference,fast,bullet.float,fcl.indep",
+            words = ["report", "--queries", "bounds,distance,penetration", "--subjects", "reference,fast,bullet.float,fcl.indep",
                      "--meshes", "meshes", "--cases", 12, "--seed", seed, "--jobs", jobs, "--out", name]
             cls.told[name] = subprocess.run([PROGRAM, *map(str, words)], cwd=cls.runs, capture_output=True, text=True,
                                             timeout=600)
@@ -51,7 +51,7 @@ class Report(Test):
         for name in once:
             self.assertEqual(once[name], again[name], name)
         self.assertNotEqual(once["report.json"], other["report.json"])
-        self.assertNotIn(b"HERE", once["report.json"])  # numbers to compare across machines
+        self.assertNotIn(b"HERE", once["report.json"])  # a file to compare across machines
 
     def test_one_row_a_property_and_subject(self):
         pairs = [(row["property"], row["subject"]) for row in self.report["rows"]]
@@ -103,12 +103,12 @@ class Report(Test):
     def test_a_second_report_leaves_nothing_of_the_first(self):
         shutil.copytree(self.runs / "once", self.runs / "twice")
         (self.runs / "twice/cases/mine.txt").write_text("mine")
-        self.succeeds("report", "--subjects", "inproc:reference", "--stems", "bounds", "--cases", 1, "--out", "twice")
+        self.succeeds("report", "--subjects", "inproc:reference", "--queries", "bounds", "--cases", 1, "--out", "twice")
         self.assertEqual([p.name for p in (self.runs / "twice/cases").iterdir()], ["mine.txt"])
 
 
 class Commands(Test):
-    """Replay commands run as printed, from the report's folder, from the clone and from anywhere."""
+    """Replay commands run as printed, from the report's folder, from the clone and from any other folder."""
 
     def setUp(self):
         super().setUp()
@@ -119,7 +119,7 @@ class Commands(Test):
         write_meshes(self.folder / "meshes")
 
     def told_commands(self, *words, cases=3):
-        """From the terminal, the page and JUnit XML."""
+        """Runs the commands from the terminal, the page and the JUnit XML."""
         said = self.run_program(*words, "--properties", "distance.value,distance.repeats,distance.scaled",
                                 "--cases", cases, "--meshes", "meshes", "--out", "R")
         page = (self.folder / "R/index.html").read_text()
@@ -144,7 +144,7 @@ class Commands(Test):
         for label in ("observed", "expected"):
             if finding.get(label):
                 self.assertRegex(done.stdout, rf"(?m)^{label} +{re.escape(finding[label])}$")
-        if finding.get("why") and finding["defect"] != "hung":  # by which clock depends on the load
+        if finding.get("why") and finding["defect"] != "hung":  # which clock is named depends on the load
             self.assertIn(finding["why"], done.stdout)
 
     def test_they_run_from_anywhere(self):
@@ -163,7 +163,7 @@ class Commands(Test):
 
 class Check(Test):
     def test_exit_codes_and_files(self):
-        words = ("check", "--stems", "distance", "--cases", 4, "--json", "r.json", "--junit", "r.xml", "--subjects")
+        words = ("check", "--queries", "distance", "--cases", 4, "--json", "r.json", "--junit", "r.xml", "--subjects")
         self.succeeds(*words, "inproc:reference")
         self.assertEqual({row["subject"] for row in self.json("r.json")["rows"]}, {"reference"})
         self.assertEqual(sorted(p.name for p in self.folder.iterdir()), ["r.json", "r.xml"])

@@ -1,4 +1,4 @@
-"""What happens next: books, events, files, and what becomes of an engine that does not get to the end."""
+"""The command simulate: energies, events, files, and engines that do not reach the end."""
 
 import os
 import pty
@@ -21,26 +21,26 @@ def engine(trick):
 
 
 def rows(text):
-    """Lines of numbers: time, three energies, momentum, impacts."""
+    """Parses the lines of numbers: time, three energies, momentum, impacts."""
     found = [line.split() for line in text.splitlines() if re.match(r" +[0-9.]+ ", line)]
     return [[None if word == "-" else float(word) for word in row] for row in found]
 
 
 class Simulate(Test):
-    def drop(self, **flight):
-        """A ball of 1 kg dropped from 1.25 m; energy 1 · 10 · 1.75 J."""
+    def drop(self, **motion):
+        """A ball of 1 kg dropped from 1.25 m; its energy is 1 · 10 · 1.75 J."""
         falling = body(ball(0.5), (0, 0, 1.75), mass={"type": "given", "mass": 1, "p_BBcm": [0, 0, 0],
                                                       "I_BBcm_B": [[0.1, 0, 0], [0, 0.1, 0], [0, 0, 0.1]]})
         one = scene(falling, body(box(4, 4, 1), (0, 0, -1), mass={"type": "fixed"}))
         for each in one["bodies"]:
             each["material"] = {"restitution": 1, "friction": 0}
         one["gravity"] = [0, 0, -10]
-        if flight:
-            one["flight"] = flight
+        if motion:
+            one["motion"] = motion
         return self.file("drop.json", one)
 
     def test_books_and_events(self):
-        self.drop(times=[0.25, 0.75, 1.75, 3.0])
+        self.drop(sample_times=[0.25, 0.75, 1.75, 3.0])
         out = self.succeeds("simulate", "drop.json", "--engine", engine("right"), "--out", "events.jsonl")
         found = rows(out)
         self.assertEqual([row[0] for row in found], [0, 0.25, 0.75, 1.75, 3])
@@ -59,7 +59,7 @@ class Simulate(Test):
         self.refused("simulate", "drop.json", "--engine", engine("right"), says="--until")
         found = rows(self.succeeds("simulate", "drop.json", "--engine", engine("right"), "--until", 2))
         self.assertEqual((len(found), found[-1][0]), (21, 2))
-        self.drop(times=[0.25, 0.75, 1.75])
+        self.drop(sample_times=[0.25, 0.75, 1.75])
         found = rows(self.succeeds("simulate", "drop.json", "--engine", engine("right"), "--until", 1))
         self.assertEqual([row[0] for row in found], [0, 0.25, 0.75, 1])
         found = rows(self.succeeds("simulate", "drop.json", "--engine", engine("right"), "--until", 21.75))
@@ -72,17 +72,17 @@ class Simulate(Test):
         file = SOURCE / "docs/scenes/motion_bouncing_ball_forever.json"
         out = self.succeeds("simulate", file, "--engine", engine("right"), "--until", 5)
         self.assertLess(float(re.search(r"truth .* off by (\S+)", out)[1]), 1e-12)
-        out = self.succeeds("simulate", "bouncing_ball", "--engine", engine("right"))  # whose e is 1/2
+        out = self.succeeds("simulate", "bouncing_ball", "--engine", engine("right"))  # its e is 1/2
         self.assertGreater(float(re.search(r"truth .* off by (\S+)", out)[1]), 0.5)
 
     def test_the_error_is_told_with_its_time(self):
-        looks = json.loads((SOURCE / "docs/scenes/motion_bouncing_ball_forever.json").read_text())["flight"]["times"]
+        looks = json.loads((SOURCE / "docs/scenes/motion_bouncing_ball_forever.json").read_text())["motion"]["sample_times"]
         for until, known in ((looks[0], looks[0]), (2 * looks[-1], looks[-1])):
             out = self.succeeds("simulate", "bouncing_ball_forever", "--engine", engine("right"), "--until", until)
             self.assertEqual(float(re.search(r"truth .* off by \S+ until (\S+) s", out)[1]), known)
 
     def test_engines_by_the_names_that_bench_gives_them(self):
-        self.drop(times=[1])
+        self.drop(sample_times=[1])
         built = re.findall(r"(?m)^(\S+) +\S+ +answers .*simulation", self.succeeds("list", "subjects"))
         for name, subject in [("bullet", "bullet.simulation"), ("bullet.tuned", "bullet.simulation_tuned"),
                               ("ode", "ode.simulation"), ("ode.quick", "ode.simulation_quick"),
@@ -92,19 +92,19 @@ class Simulate(Test):
                 self.assertIn(f" {name},", self.refused("simulate", "drop.json", "--engine", "nobody", says=name))
 
     def test_constraint_says_where_its_steps_are_too_long(self):
-        self.drop(times=[1])
+        self.drop(sample_times=[1])
         self.assertEqual(self.run_program("simulate", "drop.json", "--engine", "constraint").stderr, "")
-        self.drop(times=[1e6])  # steps of 244 s
+        self.drop(sample_times=[1e6])  # steps of 244 s
         done = self.run_program("simulate", "drop.json", "--engine", "constraint")
         self.assertEqual(done.returncode, 0)
         self.assertIn("gravity moves bodies[0] by", done.stderr)
 
     def test_an_engine_that_does_not_get_to_the_end(self):
-        looks = [k / 16 for k in range(1, 65)]  # asked about until 1/16, 1/4, 1 and 4 s
+        looks = [k / 16 for k in range(1, 65)]  # queried until 1/16, 1/4, 1 and 4 s
         for trick, says in [("dies", "broke (exit status 3"), ("hangs", "broke (no answer within "),
                             ("short", "broke (answered 63 looks where there are 64)")]:
             with self.subTest(trick=trick):
-                self.drop(times=looks)
+                self.drop(sample_times=looks)
                 done = self.run_program("simulate", "drop.json", "--engine", engine(trick), "--time-limit", 0.5,
                                         "--out", "events.jsonl")
                 self.assertEqual(done.returncode, 1, done.stderr)
@@ -119,7 +119,7 @@ class Simulate(Test):
         self.assertEqual(rows(done.stdout)[-1][0], 1)
 
     def test_an_engine_without_events(self):
-        self.drop(times=[2])
+        self.drop(sample_times=[2])
         out = self.succeeds("simulate", "drop.json", "--engine", engine("silent"))
         self.assertIn("tells none", out)
         self.assertEqual([row[7] for row in rows(out)], [None, None])
@@ -129,7 +129,7 @@ class Simulate(Test):
         self.assertFalse((self.folder / "events.jsonl").exists())
 
     def test_an_engine_without_events_that_gives_up_says_so_first(self):
-        self.drop(times=[0.5, 4])
+        self.drop(sample_times=[0.5, 4])
         done = self.run_program("simulate", "drop.json", "--engine", engine("silent_gives_up"), "--out", "events.jsonl",
                                 "--replay", "replay.html")
         self.assertEqual(done.returncode, 2)
@@ -137,7 +137,7 @@ class Simulate(Test):
         self.assertEqual([path.name for path in self.files()], ["drop.json", "replay.html"])
 
     def test_places_that_cannot_be_written(self):
-        name = self.drop(times=[1])
+        name = self.drop(sample_times=[1])
         (self.folder / "place").mkdir()
         words = ["simulate", name, "--engine", engine("right")]
         for option in ("--out", "--replay"):
@@ -149,12 +149,12 @@ class Simulate(Test):
     @unittest.skipIf(is_root(), "root may write everywhere")
     def test_a_folder_that_is_not_ours(self):
         (self.folder / "locked").mkdir(mode=0o500)
-        self.refused("simulate", self.drop(times=[1]), "--engine", engine("right"), "--out", "locked/x", says="locked")
+        self.refused("simulate", self.drop(sample_times=[1]), "--engine", engine("right"), "--out", "locked/x", says="locked")
 
-    def overlapping(self, first, second, p=(0, 0, 0), **flight):
-        """The second is fixed at the origin."""
+    def overlapping(self, first, second, p=(0, 0, 0), **motion):
+        """The second body is fixed at the origin."""
         one = scene(body(first, p), body(second, mass={"type": "fixed"}))
-        one["flight"] = {"times": [1], **flight}
+        one["motion"] = {"sample_times": [1], **motion}
         return one
 
     def test_overlap_at_the_start_is_bad_input(self):
@@ -166,7 +166,7 @@ class Simulate(Test):
                 (named, ["bodies[0] (ball)", "bodies[1] (table)"], "0.5 m"),
                 (self.overlapping(box(1, 1, 1), box(1, 1, 1), (0, 0, 1.75)), ["bodies[0]", "bodies[1]"], "0.25 m"),
                 (self.overlapping(box(1, 1, 1), union, (6.5, 0, 0)), ["bodies[0]", "bodies[1]"], "0.5 m"),
-                (self.overlapping(ball(1), ball(1), (0, 1, 0), since=[0.5, 0]), ["bodies[0]", "bodies[1]"], "1 m")]:
+                (self.overlapping(ball(1), ball(1), (0, 1, 0), start_times=[0.5, 0]), ["bodies[0]", "bodies[1]"], "1 m")]:
             self.file("overlap.json", content)
             for who in (engine("right"), "inproc:fast", "inproc:reference", "constraint"):
                 with self.subTest(names=names, depth=depth, engine=who):
@@ -185,26 +185,26 @@ class Simulate(Test):
             self.file("rounded.json", rounded)
             self.refused("simulate", "rounded.json", says="at the start by 2.77556e-17 m")
         walls = [body(box(4, 4, 1), (0, 0, -1), mass={"type": "fixed"}), body(box(1, 4, 4), mass={"type": "fixed"})]
-        self.file("walls.json", {**scene(*walls, body(ball(1), (5, 0, 1))), "flight": {"times": [1]}})
+        self.file("walls.json", {**scene(*walls, body(ball(1), (5, 0, 1))), "motion": {"sample_times": [1]}})
         self.succeeds("simulate", "walls.json", "--engine", "inproc:fast")
 
     def test_bad_input(self):
-        name = self.drop(times=[1])
+        name = self.drop(sample_times=[1])
         self.refused("simulate", "no_such_scene", says=["no_such_scene", "list motions"])
         self.refused("simulate", name, "--engine", engine("abstains"), says="not on Sundays")
         error = self.refused("simulate", name, "--engine", "nobody", says=["nobody", "constraint", "fast", "reference"])
-        self.assertNotIn("sweep_and_prune", error)  # a subject that answers no simulation
+        self.assertNotIn("sweep_and_prune", error)  # a subject without simulation
         for until in ("-1", "0", "nan", "inf", "soon"):
             self.refused("simulate", name, f"--until={until}", says="--until")
-        self.drop(times=[1, 0.5])
-        self.refused("simulate", name, says="flight.times")
-        one = json.loads((self.folder / self.drop(times=[1])).read_text())
-        self.file("broken.json", {**one, "flight": {"times": []}})
-        error = self.refused("simulate", "broken.json", says=["broken.json", "flight.times"])
+        self.drop(sample_times=[1, 0.5])
+        self.refused("simulate", name, says="motion.sample_times")
+        one = json.loads((self.folder / self.drop(sample_times=[1])).read_text())
+        self.file("broken.json", {**one, "motion": {"sample_times": []}})
+        error = self.refused("simulate", "broken.json", says=["broken.json", "motion.sample_times"])
         self.assertEqual(error.count("broken.json"), 1, error)
 
     def test_ctrl_c_leaves_what_is_known(self):
-        self.drop(times=[k / 16 for k in range(1, 65)])
+        self.drop(sample_times=[k / 16 for k in range(1, 65)])
         run = subprocess.Popen([PROGRAM, "simulate", "drop.json", "--engine", engine("hangs"), "--out", "events.jsonl"],
                                cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, start_new_session=True)
         time.sleep(1.5)
@@ -216,7 +216,7 @@ class Simulate(Test):
         self.assertEqual(len((self.folder / "events.jsonl").read_text().splitlines()), 1)
 
     def test_a_bar_on_a_terminal_alone(self):
-        self.drop(times=[1])
+        self.drop(sample_times=[1])
         words = [PROGRAM, "simulate", "drop.json", "--engine", engine("right")]
         self.assertEqual(self.run_program(*words[1:]).stderr, "")
         ours, theirs = pty.openpty()
@@ -240,7 +240,7 @@ class Scenes(Test):
         self.assertEqual([f"motion_{name}.json" for name in named], MOTIONS)
 
     def test_fast_is_near_the_truth(self):
-        # An impact may come an envelope too soon, 2^-30 of a size; balls are met closer than that.
+        # An impact may come an envelope too early, 2^-30 of a size; the contacts of balls are found more exactly.
         for name in ("bouncing_ball", "rough_ball", "slide_to_roll", "ball_rolls_down_ramp", "newtons_cradle", "pool_break",
                      "gas", "balls_49", "ramp_sticks", "top_middle_axis"):
             with self.subTest(name=name):
@@ -248,7 +248,7 @@ class Scenes(Test):
                 self.assertLess(float(re.search(r"truth .* off by (\S+)", out)[1]), 2 ** -30)
 
     def test_the_pool_break_is_what_60_digits_say(self):
-        told = (SOURCE / "app/motion_scenes/pool_break_truth.h").read_text()
+        told = (SOURCE / "app/motion/scenes/pool_break_truth.h").read_text()
         made = subprocess.run(["/usr/bin/python3", SOURCE / "tests/app/pool_break.py"], capture_output=True, text=True, check=True)
         self.assertEqual(made.stdout, told)
         looks, _ = pool_break.run()

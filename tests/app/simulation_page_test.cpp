@@ -1,4 +1,4 @@
-#include "app/simulation_page.h"
+#include "app/benchmarks/simulation_page.h"
 
 #include "tests/catch.h"
 

@@ -1,4 +1,4 @@
-"""Nothing from outside reaches a terminal as it is: neither control characters nor what turns the writing around."""
+"""No text from outside reaches a terminal unescaped: no control characters, no change of the writing direction."""
 
 import os
 import re
@@ -15,7 +15,7 @@ RIGHT = {"touchstone": "case/1", "property": "distance.value", "subject": "inpro
 
 class Terminal(Test):
     def harmless(self, *words, code):
-        """Runs the command; what it prints is printable UTF-8, no line is forged, and the name is still seen."""
+        """Runs the command. Its output is printable UTF-8, no line is forged, and the name is still visible."""
         done = subprocess.run([PROGRAM, *[w if isinstance(w, bytes) else str(w) for w in words]], cwd=self.folder,
                               stdin=subprocess.DEVNULL, capture_output=True, timeout=300)
         printed = done.stdout + done.stderr
@@ -32,13 +32,13 @@ class Terminal(Test):
         return {**scene(*[body(ball(1), (3 * k, 0, 0), name=EVIL) for k in range(bodies)]), "name": EVIL, **rest}
 
     def test_all_printing_goes_through_one_place(self):
-        """app/terminal.h escapes what comes from outside, and notices a stdout that takes no more."""
+        """app/system/terminal.h escapes text from outside, and notices a stdout that accepts no more."""
         prints = re.compile(r"fmt::print\(|std::(cout|cerr|puts|fputs|printf|fprintf|fwrite)\b|\bperror\(")
         found = [path.name for path in (SOURCE / "app").rglob("*.cpp") if prints.search(path.read_text())]
         self.assertEqual(sorted(found), ["progress.cpp", "terminal.cpp"])
 
     def test_words_on_the_command_line(self):
-        for words in ([EVIL], ["ask", EVIL, "a.json"], ["list", EVIL], ["check", "--stems", EVIL],
+        for words in ([EVIL], ["ask", EVIL, "a.json"], ["list", EVIL], ["check", "--queries", EVIL],
                       ["check", "--subjects", EVIL], ["check", "--properties", EVIL], ["check", "--effort", EVIL],
                       ["check", "--" + EVIL], ["check", "--cases", EVIL], ["check", "--seed", EVIL], ["check", "--jobs", EVIL],
                       ["check", "--subjects", "exec:" + EVIL.replace("\n", " ")], ["check", "--time-limit", EVIL],
@@ -75,7 +75,7 @@ class Terminal(Test):
         self.file("key.json", {**two, EVIL: 1})
         self.file("type.json", scene(body({"type": EVIL})))
         self.file("named.json", self.named_scene())
-        self.file("flies.json", self.named_scene(flight={"times": [0.5]}))
+        self.file("flies.json", self.named_scene(motion={"sample_times": [0.5]}))
         self.file("twice.json", '{"' + "\x7f\u202e" + '": 1, "' + "\x7f\u202e" + '": 2}')
         self.shows_evil("ask", "mass", "key.json", code=2)
         self.harmless("ask", "mass", "type.json", code=2)
@@ -116,7 +116,7 @@ for line in sys.stdin:
 """)
         subject = f"exec:/usr/bin/python3 {engine}"
         self.file("case.json", {**RIGHT, "scene": self.named_scene(bodies=2)})
-        self.file("flies.json", self.named_scene(flight={"times": [0.5]}))
+        self.file("flies.json", self.named_scene(motion={"sample_times": [0.5]}))
         asked = ["--properties", "distance.value", "--cases", 1, "--jobs", 1]
         self.shows_evil("check", "--subjects", subject, *asked, code=1)
         self.shows_evil("check", "--subjects", subject + " abstains", *asked, "--junit", "a.xml", code=0)

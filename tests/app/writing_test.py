@@ -1,4 +1,4 @@
-"""What cannot be written: a full disk, a stdout that is closed or that nothing reads, names that are no file's names."""
+"""Output that cannot be written: a full disk, a closed stdout or one without a reader, names that no file can have."""
 
 import os
 import resource
@@ -76,7 +76,7 @@ class Stdout(Writing):
         self.json("made.json")
 
     def test_nothing_reads_it(self):
-        """As in `touchstone … | head -1`: a quiet end, and the files are whole."""
+        """As in `touchstone … | head -1`: the program ends quietly, and the files are complete."""
         for name, words in COMMANDS.items():
             with self.subTest(name):
                 reads, writes = os.pipe()

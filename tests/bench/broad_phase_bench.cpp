@@ -1,9 +1,9 @@
-// Our broad phases and others', side by side: CSV of nanoseconds a body and frame. `touchstone bench broad_phase` reads
-// it.
+// Compares our broad phases with those of other libraries: CSV of nanoseconds per body and frame. `touchstone bench
+// broad_phase` reads it.
 //
-// Contestants play a film in turn, a round at a time (seat.h); the figure is the median of the rounds' CPU time a body
-// and frame. What is timed: telling the changed boxes, updating, seeing each pair once. Who does not keep to the budget
-// of 2 CPU seconds, and half of one a round, is left out and named.
+// Contestants play a sequence in turn, a round at a time (seat.h); the result is the median of the rounds' CPU time per
+// body and frame. Timed: passing the changed boxes, updating, visiting each pair once. A contestant that exceeds its
+// budget of 2 CPU seconds plus half a second per round is left out and named.
 #include <cstdio>
 
 #include "tests/bench/broad_phase/contestant.h"
@@ -23,11 +23,11 @@ std::vector<Entrant> everyone() {
 }
 
 void compare(const std::string& workload, std::size_t bodies, int rounds) {
-  const Film film = shoot(workload, bodies, bodies <= 10000 ? 64 : 24);
+  const FrameSequence sequence = shoot(workload, bodies, bodies <= 10000 ? 64 : 24);
   const std::vector<Entrant> all = everyone();
   const unsigned budget = 2 + static_cast<unsigned>(rounds) / 2;
   std::vector<std::unique_ptr<Seat>> seats;
-  for (const Entrant& entrant : all) seats.push_back(std::make_unique<Seat>(entrant, film, budget));
+  for (const Entrant& entrant : all) seats.push_back(std::make_unique<Seat>(entrant, sequence, budget));
   for (int round = 0; round < rounds; ++round)
     for (const auto& seat : seats) seat->play_round();
   for (const auto& seat : seats) {

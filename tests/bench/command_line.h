@@ -1,4 +1,4 @@
-// The command line that every comparison has; `touchstone bench` speaks it.
+// The command line that all comparisons share; `touchstone bench` uses it.
 #pragma once
 
 #include <functional>
@@ -13,15 +13,16 @@ struct Options {
   int rounds = 5;
 };
 
-/// What a comparison can be asked for.
+/// The options that a comparison accepts.
 struct Offer {
   std::string about;
-  std::string size;  ///< of what: "bodies"
+  std::string size;  ///< unit of the sizes: "bodies"
   Options defaults;
   std::vector<std::string> workloads;
 };
 
-/// Reads --sizes, --workloads and --rounds, and runs. Returns the exit code: 0, 2 for bad words, 3 for what run throws.
+/// Parses --sizes, --workloads and --rounds, and calls `run`. Returns the exit code: 0, 2 for invalid arguments, 3 if
+/// `run` throws.
 int run_comparison(int argc, char** argv, const Offer& offer, const std::function<void(const Options&)>& run);
 
 }  // namespace touchstone::bench

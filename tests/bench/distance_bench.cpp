@@ -1,8 +1,8 @@
-// Our distance query and others', side by side: CSV of nanoseconds a query, and the error that they buy.
+// Compares our distance query with those of other libraries: CSV of nanoseconds per query, and the errors.
 //
-// A contestant plays a film of poses, a round at a time, in turn with the others; the figure is the median of its
-// rounds' CPU time. Errors are against the exact distance of 200 frames, in ulps (2^-52) of the scene's scale 1 + 3 +
-// 1; NaN where a contestant says no distance.
+// Contestants play a sequence of poses in turn, a round at a time; the result is the median of the rounds' CPU time.
+// Errors are differences from the exact distance in 200 frames, in ulps (2^-52) of the scene's scale 1 + 3 + 1; NaN if
+// a contestant reports no distance.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -39,40 +39,40 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-std::vector<Runner> runners(const Film& film) {
+std::vector<Runner> runners(const FrameSequence& sequence) {
   std::vector<Runner> all;
   for (const auto& some : {ours(), bullet(), fcl_solvers(), libccd()}) {
-    for (const Entrant& entrant : some) all.push_back({entrant, entrant.enter(film.A, film.B), {}, 0, 0});
+    for (const Entrant& entrant : some) all.push_back({entrant, entrant.enter(sequence.A, sequence.B), {}, 0, 0});
   }
   return all;
 }
 
-double play(Contestant& contestant, const Film& film) {
+double play(Contestant& contestant, const FrameSequence& sequence) {
   double sum = 0;
-  for (const Film::Poses& poses : film.frames) sum += contestant.distance(poses);
+  for (const FrameSequence::Poses& poses : sequence.frames) sum += contestant.distance(poses);
   return sum;
 }
 
-void judge(Runner& runner, const Film& film) {
+void judge(Runner& runner, const FrameSequence& sequence) {
   std::vector<double> errors;
   for (std::size_t i = 0; i < judged_frames; ++i) {
-    const Interval exact = reference::distance(scene_of(film, film.frames[i])).distance;
-    errors.push_back(std::abs(runner.contestant->distance(film.frames[i]) - exact.lo) / (0x1p-52 * scale));
+    const Interval exact = reference::distance(scene_of(sequence, sequence.frames[i])).distance;
+    errors.push_back(std::abs(runner.contestant->distance(sequence.frames[i]) - exact.lo) / (0x1p-52 * scale));
   }
   runner.worst_error = *std::max_element(errors.begin(), errors.end());
   runner.median_error = median(errors);
 }
 
 void compare(const std::string& workload, int vertices, int rounds) {
-  const Film film = shoot(workload, vertices, frame_count);
-  std::vector<Runner> all = runners(film);
+  const FrameSequence sequence = shoot(workload, vertices, frame_count);
+  std::vector<Runner> all = runners(sequence);
   double unused = 0;
-  for (Runner& runner : all) judge(runner, film);
+  for (Runner& runner : all) judge(runner, sequence);
   for (int round = 0; round < rounds; ++round) {
     for (Runner& runner : all) {
       const double before = cpu_seconds();
-      unused += play(*runner.contestant, film);
-      runner.ns.push_back(1e9 * (cpu_seconds() - before) / static_cast<double>(film.frames.size()));
+      unused += play(*runner.contestant, sequence);
+      runner.ns.push_back(1e9 * (cpu_seconds() - before) / static_cast<double>(sequence.frames.size()));
     }
   }
   for (const Runner& runner : all) {
@@ -80,7 +80,7 @@ void compare(const std::string& workload, int vertices, int rounds) {
                 runner.entrant.whose.c_str(), median(runner.ns), runner.median_error, runner.worst_error);
   }
   std::fflush(stdout);
-  if (unused == 1) std::puts("");  // the compiler must not know that nobody reads the answers
+  if (unused == 1) std::puts("");  // the compiler must not see that the answers are unused
 }
 
 void run(const Options& options) {

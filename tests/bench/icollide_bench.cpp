@@ -1,8 +1,9 @@
-// Fixed cubes against climbed tight boxes in the I-COLLIDE experiment: CPU time by phase, one parameter at a time.
+// Compares fixed cubes with tight boxes found by hill climbing, in the I-COLLIDE experiment: CPU time by phase, one
+// parameter varied at a time.
 //
 // Prints CSV: varied,value,bounds,strategy,bodies,boxes_ns,broad_ns,near_pairs,narrow_ns,frame_us,frames_per_second.
-// boxes_ns and broad_ns are a body and frame, near_pairs (pairs of boxes) a body, narrow_ns a near pair: measured on
-// the cubes' pairs with cached closest features, and charged to the tight boxes' pairs alike.
+// boxes_ns and broad_ns are per body and frame, near_pairs (pairs of boxes) per body. narrow_ns is per near pair: it is
+// measured on the cubes' pairs with cached closest features, and used for the tight boxes' pairs as well.
 #include <time.h>
 
 #include <cstdio>
@@ -35,7 +36,7 @@ double timed(Work&& work) {
   return cpu_ns() - start;
 }
 
-/// One kind of bounds under one strategy, with what it has cost so far.
+/// One kind of bounds with one strategy, and its cost so far.
 template <class Bound>
 class Lane {
  public:
@@ -79,7 +80,7 @@ class Lane {
   double pairs_ = 0;
 };
 
-/// The narrow phase, and who collides: a pair exchanges its velocities when it meets.
+/// The narrow phase and the response: the bodies of a pair exchange their velocities when they come into contact.
 class Narrow {
  public:
   explicit Narrow(const World& world) : collider_(fast::find_strategy("wrapped_grid").make()) {

@@ -1,8 +1,9 @@
-// Ways to compute an impact's impulse, side by side: CSV of nanoseconds an impulse, and the error that they buy.
+// Compares methods that compute an impact's impulse: CSV of nanoseconds per impulse, and the errors.
 //
-// Workloads are classes of impacts of a body on the fixed ground. Errors: |P − P*|_K / |u|_{K⁻¹} in units of 2^-53, P*
-// the reference's (45 digits and more) for the same scene; K and u are handed to all as the nearest doubles. Methods
-// run in turn, a round each; the figure is the median of the rounds' CPU time. Who gives no number is left out.
+// Workloads are classes of impacts of a body on the fixed ground. Errors: |P − P*|_K / |u|_{K⁻¹} in units of 2^-53,
+// with P* from the reference (at least 45 digits) for the same scene; all methods get K and u as the nearest doubles.
+// Methods run in turn, one round each; the result is the median of the rounds' CPU time. A method that returns no
+// number is left out.
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
@@ -23,7 +24,7 @@ using fast::impulse::Outcome;
 
 struct Asked {
   Impact impact;
-  Vec3 P = Vec3::Zero();  ///< exact, rounded
+  Vec3 P = Vec3::Zero();  ///< exact, then rounded
   Mat3 K = Mat3::Zero();  ///< in the impact's axes
   double scale = 0;       ///< |u|_{K⁻¹}
 };
@@ -36,7 +37,7 @@ Vec3 vector(properties::Random& random) {
   return {between(random, -1, 1), between(random, -1, 1), between(random, -1, 1)};
 }
 
-/// A body that meets the ground at the origin, the normal along z.
+/// A body that hits the ground at the origin, with the normal along z.
 Scene scene_of(const std::string& name, properties::Random& random) {
   Scene scene;
   Body body;
@@ -64,7 +65,7 @@ Scene scene_of(const std::string& name, properties::Random& random) {
 
 double nearest(const reference::Rational& x) { return x.nearest(); }
 
-/// None if it separates, or the law itself is in doubt.
+/// None if the bodies separate, or if the law's answer is discontinuous near the scene.
 std::optional<Asked> asked_of(const Scene& scene) {
   const reference::ImpulseTruth truth = reference::impulse(reference::completed(scene));
   if (truth.modes.separating || truth.ambiguous) return std::nullopt;
@@ -76,7 +77,7 @@ std::optional<Asked> asked_of(const Scene& scene) {
     u[a] = nearest(truth.u0_W[row]);
     P[a] = nearest(truth.P_A_W[row]);
   }
-  // The tangents along which K's block is diagonal.
+  // Tangential axes in which the tangential block of K is diagonal.
   Mat3 R = Mat3::Identity();
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen(K.topLeftCorner<2, 2>());
   if (K(0, 1) != 0) R.topLeftCorner<2, 2>() = eigen.eigenvectors();
@@ -142,7 +143,7 @@ void compare(const std::string& name, int count, int rounds) {
     }
   }
   std::fflush(stdout);
-  if (unused == 1) std::puts("");  // the compiler must not know that nobody reads the answers
+  if (unused == 1) std::puts("");  // the compiler must not see that the answers are unused
 }
 
 void run(const Options& options) {

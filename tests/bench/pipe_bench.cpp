@@ -1,10 +1,11 @@
-// Questions a second through the pipe, against the same subject in process: what writing, reading and waiting cost.
+// Queries per second through the pipe, compared with the same subject in process: the cost of writing, reading and
+// waiting.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
 
-#include "oracle/pipe.h"
-#include "oracle/subjects/libccd.h"
+#include "oracle/process/pipe.h"
+#include "oracle/subjects/libccd/libccd.h"
 #include "reference/validity.h"
 
 namespace touchstone::oracle {
@@ -54,7 +55,7 @@ void start_and_stop(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(connect("libccd.gjk", TOUCHSTONE_SUBJECTS));
 }
 
-// Two processes: only the wall clock sees both.
+// Two processes take part, and only the wall clock measures both.
 BENCHMARK(pipe_new_scene)->Arg(4)->Arg(8)->Arg(20)->Arg(50)->UseRealTime();
 BENCHMARK(pipe_same_scene)->Arg(4)->Arg(8)->Arg(20)->Arg(50)->UseRealTime();
 BENCHMARK(in_process)->Arg(4)->Arg(8)->Arg(20)->Arg(50);

@@ -1,5 +1,5 @@
-// Tests at pixel resolution, as CSV. Masks laid over each other, against a plain read of the same bytes; and how often
-// sampling misses bodies that overlap, by the size of a pixel, with what it costs and what the exact distance costs.
+// Tests at pixel resolution, as CSV: the overlap of two masks, compared with a plain read of the same bytes; and how
+// often sampling misses bodies that overlap, for several pixel sizes, with its cost and that of the exact distance.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -27,7 +27,7 @@ std::uint64_t next_bits(std::uint64_t& state) {  // SplitMix64
 
 double unit(std::uint64_t& state) { return static_cast<double>(next_bits(state) >> 11) * 0x1p-53; }
 
-/// The least of some runs, ns.
+/// The minimum of several runs, in ns.
 template <class F>
 double nanoseconds(int runs, int times, F&& f) {
   double least = 1e300;
@@ -39,7 +39,7 @@ double nanoseconds(int runs, int times, F&& f) {
   return least;
 }
 
-/// What a loop that only reads costs: four sums, so that no addition waits for another.
+/// The cost of a loop that only reads. It has four sums, so that no addition waits for another.
 std::uint64_t read_all(const fast::pixels::BitMask& mask) {
   std::uint64_t sums[4] = {};
   for (int j = 0; j < mask.rows(); ++j) {
@@ -51,7 +51,7 @@ std::uint64_t read_all(const fast::pixels::BitMask& mask) {
   return sums[0] + sums[1] + sums[2] + sums[3];
 }
 
-constexpr int side_of_a_mask = 64;  ///< times the size asked for
+constexpr int side_of_a_mask = 64;  ///< multiple of the requested size
 
 void masks(int size, int rounds) {
   const int side = side_of_a_mask * size;
@@ -103,7 +103,8 @@ Shape shape_of(const std::string& workload) {
   return prism(workload == "triangles" ? 3 : 16);
 }
 
-/// Turned about z alone: prisms meet where their pictures do, so the law of plane figures shows.
+/// Rotated about z only: prisms overlap exactly if their projections do, so the result follows the law of plane
+/// figures.
 Body some_body(const Shape& shape, std::uint64_t& state) {
   Body body;
   body.shape = shape;

@@ -1,4 +1,4 @@
-// How fast exact truth is. CPU time; run it several times on a busy machine.
+// Speed of the exact reference, in CPU time. Run it several times on a busy machine.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 #include "reference/distance.h"
 #include "reference/penetration.h"
 #include "reference/time_of_impact.h"
-#include "tests/reference/flights.h"
+#include "tests/reference/moving_scenes.h"
 
 namespace touchstone::tests {
 namespace {
@@ -85,7 +85,8 @@ void depth_by_minkowski_hull(benchmark::State& state) {
 }
 BENCHMARK(depth_by_minkowski_hull)->Arg(8)->Arg(20)->Unit(benchmark::kMicrosecond);
 
-/// Hulls that fly at each other; the counters say how many meet, and how far apart the ends of half the enclosures are.
+/// Hulls that move towards each other. The counters report how many come into contact, and the median width of the
+/// enclosures.
 template <class Change>
 void times_of_impact(benchmark::State& state, Change change) {
   Dice dice(3);

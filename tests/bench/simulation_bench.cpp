@@ -1,18 +1,18 @@
-// Simulators side by side: CSV of the CPU time of a whole scene and the error that it buys.
+// Compares simulators: CSV of the CPU time of a whole scene, and the error.
 //
-// Workloads are the scenes of app/motion_scenes.h; each says what its error is. Sizes: steps a second of those that
-// step; ours have none. 256 is the engines' own (oracle/subjects/). Flights of milliseconds or hours have as many steps
-// a unit of their own. Each run is a process of its own; the figure is the fastest of the rounds.
+// Workloads are the scenes of app/motion/motion_scenes.h; each defines its error. Sizes: steps per second of the
+// simulators that step; ours do not. The engines' default is 256 (oracle/subjects/). For motions of milliseconds or
+// hours the unit of time is not the second. Each run is a process of its own; the result is the fastest of the rounds.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 
-#include "app/motion_scenes.h"
+#include "app/motion/motion_scenes.h"
 #include "fast/simulation.h"
-#include "oracle/subjects/bullet_simulation.h"
-#include "oracle/subjects/ode_simulation.h"
-#include "oracle/subjects/simbody_simulation.h"
-#include "oracle/subjects/touchstone_fast.h"
+#include "oracle/subjects/bullet/simulation.h"
+#include "oracle/subjects/ode/simulation.h"
+#include "oracle/subjects/simbody/simulation.h"
+#include "oracle/subjects/touchstone/fast.h"
 #include "tests/bench/command_line.h"
 #include "tests/bench/simulation/trial.h"
 
@@ -27,7 +27,7 @@ std::vector<std::string> names() {
   return all;
 }
 
-/// Commas part fields.
+/// Replaces commas, which separate fields.
 std::string field(std::string text) {
   std::ranges::replace(text, ',', ';');
   std::ranges::replace(text, '\n', ' ');
@@ -44,12 +44,12 @@ void print(const std::string& scene, double steps, const std::string& name, cons
   std::fflush(stdout);
 }
 
-/// Nobody is left out for being far: boxes over a frame as long as the flight.
+/// Uses one frame as long as the whole motion: since boxes then cover the whole motion, they exclude hardly any pair.
 class OneFrame : public oracle::Subject {
  public:
   const oracle::Card& card() const override { return card_; }
   Answer<Trajectory> simulation(const Scene& scene) override {
-    return fast::simulate(scene, {.frame = scene.flight->times.back()}).trajectory;
+    return fast::simulate(scene, {.frame = scene.motion->sample_times.back()}).trajectory;
   }
 
  private:
@@ -79,9 +79,9 @@ const std::vector<Stepper>& steppers() {
   return all;
 }
 
-/// s: a second, or for a flight far from that the power of two below its duration.
-double unit(const Flight& flight) {
-  const double duration = flight.times.back();
+/// Unit of time (s): a second, or, for a motion of a very different duration, the power of two below the duration.
+double unit(const Motion& motion) {
+  const double duration = motion.sample_times.back();
   return duration > 1.0 / 16 && duration < 64 ? 1 : std::exp2(std::floor(std::log2(duration)));
 }
 
@@ -94,9 +94,9 @@ void compare(const app::MotionScene& motion, const Options& options) {
   for (const Stepper& stepper : steppers()) {
     bool ends = true;
     for (const int size : options.sizes) {
-      // Finer steps would not end either.
+      // Smaller steps would not finish either.
       if (!ends) break;
-      const double steps = size / unit(*motion.scene.flight);
+      const double steps = size / unit(*motion.scene.motion);
       const Maker maker = [&stepper, steps] { return stepper.make(1 / steps); };
       const Outcome outcome = trial(motion, maker, &oracle::Subject::simulation, options.rounds);
       print(scene, steps, stepper.name, "peer", outcome);

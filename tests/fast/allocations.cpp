@@ -1,5 +1,5 @@
-// The operators are replaced for the whole program. The one that does not throw is replaced with them: a sanitizer's
-// own would not pair with our delete.
+// The operators are replaced for the whole program. The non-throwing one is replaced too: a sanitizer's own version
+// would not match this operator delete.
 #include "tests/fast/allocations.h"
 
 #include <malloc.h>

@@ -1,5 +1,5 @@
-// How often this program has asked the heap for memory, and how much it holds: for tests that promise a steady frame
-// asks for none, and that a body costs little.
+// Counts the program's heap allocations and the memory it holds, for tests that a steady frame allocates nothing and
+// that a body costs little.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,7 @@ namespace touchstone::tests {
 
 std::size_t allocations();
 
-/// Bytes, as the heap rounds them.
+/// In bytes, as the heap rounds them.
 std::size_t bytes_held();
 
 }  // namespace touchstone::tests

@@ -1,4 +1,4 @@
-// fast's boxes and pairs against the exact ones: they hold the exact box, and are no wider than the header's law
+// fast's boxes and pairs against the exact ones: they contain the exact box, and are no wider than the header's law
 // allows.
 #include "fast/bounds.h"
 
@@ -107,7 +107,7 @@ TEST_CASE("bounds: at the end of the range the greatest finite double stands, ne
   }
 }
 
-/// Every exact pair is found, and every further pair is apart by no more than the two boxes' widening.
+/// Checks that every exact pair is found, and that every other pair is apart by at most the widening of the two boxes.
 void check_pairs(const Scene& scene) {
   const PairSet found = broad_phase(scene);
   CHECK(std::is_sorted(found.begin(), found.end()));

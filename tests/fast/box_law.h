@@ -1,4 +1,4 @@
-// How much wider than the exact box fast's may be (fast/bounds.h).
+// How much wider than the exact box fast's box may be (fast/bounds.h).
 #pragma once
 
 #include <algorithm>
@@ -25,7 +25,7 @@ inline double reach(const Compound& compound) {
   return greatest;
 }
 
-/// 2E of fast/bounds.h, as a rational (a double's sum could overflow); 1 part in 2^40 more for the sums above.
+/// 2E of fast/bounds.h as a rational (a double's sum could overflow); 1 part in 2^40 more for the sums above.
 inline reference::Rational widening(const Body& b) {
   const double size = std::visit([](const auto& shape) { return reach(shape); }, b.shape);
   const double parts = std::holds_alternative<Compound>(b.shape) ? 2 : 1;

@@ -1,4 +1,4 @@
-// Many bodies followed: each frame's near pairs are exactly those there are, whatever comes and goes.
+// A collider over many frames: each frame's near pairs are exactly the true ones, whatever is inserted and removed.
 #include "fast/collider.h"
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace {
 
 using tests::Dice;
 
-struct Mover {
+struct MovingBody {
   Body body;
   Vec3 velocity;
   Quaternion spin;
@@ -41,39 +41,40 @@ Shape some_shape(Dice& dice, int kind) {
   return Compound{{{Pose{offset, {}}, Box{Vec3(0.5, 0.25, 1)}}, {Pose{-offset, {1, 1, 0, 0}}, Sphere{0.5}}}};
 }
 
-std::vector<Mover> crowd(Dice& dice, int count, double room) {
-  std::vector<Mover> movers;
+std::vector<MovingBody> crowd(Dice& dice, int count, double room) {
+  std::vector<MovingBody> moving_bodies;
   for (int i = 0; i < count; ++i) {
     const Shape shape = some_shape(dice, i % 4);
     const Vec3 place = room * dice.in_cube();
     const Vec3 velocity = 0.1 * dice.in_cube();
-    movers.push_back({tests::body(shape, place, tests::integer_quaternion(dice)), velocity,
-                      unit({12, dice.around_zero(), dice.around_zero(), dice.around_zero()})});
+    moving_bodies.push_back({tests::body(shape, place, tests::integer_quaternion(dice)), velocity,
+                             unit({12, dice.around_zero(), dice.around_zero(), dice.around_zero()})});
   }
-  return movers;
+  return moving_bodies;
 }
 
-/// Flies on, and back from the walls of a cube.
-void fly(Mover& mover, double room) {
-  Pose& X = mover.body.X_WB;
-  X.p_WB += mover.velocity;
+/// Moves on, and back from the walls of a cube.
+void fly(MovingBody& moving_body, double room) {
+  Pose& X = moving_body.body.X_WB;
+  X.p_WB += moving_body.velocity;
   for (int i = 0; i < 3; ++i) {
-    if (std::abs(X.p_WB[i]) > room) mover.velocity[i] = std::copysign(mover.velocity[i], -X.p_WB[i]);
+    if (std::abs(X.p_WB[i]) > room) moving_body.velocity[i] = std::copysign(moving_body.velocity[i], -X.p_WB[i]);
   }
-  X.q_WB = unit(times(mover.spin, X.q_WB));
+  X.q_WB = unit(times(moving_body.spin, X.q_WB));
 }
 
-/// Every pair of the present bodies, told apart by the reference, against what the collider says of those near.
-void check(const Collider& collider, const std::vector<Mover>& movers, const std::vector<bool>& present,
+/// Compares every pair of the present bodies, by the reference's distance, with the collider's near pairs.
+void check(const Collider& collider, const std::vector<MovingBody>& moving_bodies, const std::vector<bool>& present,
            double margin) {
   std::map<std::pair<BodyId, BodyId>, const lin_canny::Proximity*> near;
   for (const NearPair& pair : collider.pairs()) near[{pair.bodies.a, pair.bodies.b}] = &pair.nearest.proximity;
   REQUIRE(near.size() == collider.pairs().size());
   std::size_t expected = 0;
-  for (std::size_t i = 0; i < movers.size(); ++i) {
-    for (std::size_t j = i + 1; j < movers.size(); ++j) {
+  for (std::size_t i = 0; i < moving_bodies.size(); ++i) {
+    for (std::size_t j = i + 1; j < moving_bodies.size(); ++j) {
       if (!present[i] || !present[j]) continue;
-      const reference::DistanceTruth truth = reference::distance(tests::pair(movers[i].body, movers[j].body));
+      const reference::DistanceTruth truth =
+          reference::distance(tests::pair(moving_bodies[i].body, moving_bodies[j].body));
       const auto found = near.find({static_cast<BodyId>(i), static_cast<BodyId>(j)});
       if (found == near.end()) {
         REQUIRE(truth.distance.lo > margin);
@@ -92,46 +93,47 @@ TEST_CASE("a thousand frames: no pair is missed, each has its distance") {
   Dice dice(31);
   constexpr double room = 2.5;
   constexpr double margin = 0.25;
-  std::vector<Mover> movers = crowd(dice, 8, room);
-  std::vector<bool> present(movers.size(), true);
+  std::vector<MovingBody> moving_bodies = crowd(dice, 8, room);
+  std::vector<bool> present(moving_bodies.size(), true);
   Collider collider(find_strategy("sweep_and_prune").make(), margin);
-  for (BodyId id = 0; id < movers.size(); ++id) collider.insert(id, movers[id].body.shape, movers[id].body.X_WB);
+  for (BodyId id = 0; id < moving_bodies.size(); ++id)
+    collider.insert(id, moving_bodies[id].body.shape, moving_bodies[id].body.X_WB);
   std::size_t near = 0;
   for (int frame = 0; frame < 1000; ++frame) {
-    for (BodyId id = 0; id < movers.size(); ++id) {
-      fly(movers[id], room);
-      if (present[id]) collider.move(id, movers[id].body.X_WB);
+    for (BodyId id = 0; id < moving_bodies.size(); ++id) {
+      fly(moving_bodies[id], room);
+      if (present[id]) collider.move(id, moving_bodies[id].body.X_WB);
     }
-    // Now and then one goes, one comes, one goes and comes as another.
+    // Now and then one body is removed, one is inserted, and one is replaced by another.
     const auto id = static_cast<BodyId>(dice.between(0, 7));
     if (frame % 10 == 3) {
       if (present[id]) collider.remove(id);
-      if (!present[id]) collider.insert(id, movers[id].body.shape, movers[id].body.X_WB);
+      if (!present[id]) collider.insert(id, moving_bodies[id].body.shape, moving_bodies[id].body.X_WB);
       present[id] = !present[id];
     }
     if (frame % 10 == 7 && present[id]) {
       collider.remove(id);
-      movers[id].body.shape = some_shape(dice, dice.between(0, 3));
-      collider.insert(id, movers[id].body.shape, movers[id].body.X_WB);
+      moving_bodies[id].body.shape = some_shape(dice, dice.between(0, 3));
+      collider.insert(id, moving_bodies[id].body.shape, moving_bodies[id].body.X_WB);
     }
     collider.update();
     near += collider.pairs().size();
-    if (frame % 2 == 0) check(collider, movers, present, margin);
+    if (frame % 2 == 0) check(collider, moving_bodies, present, margin);
   }
   CHECK(near > 1000);
 }
 
 TEST_CASE("whichever broad phase prunes, the same pairs and answers") {
   Dice dice(32);
-  std::vector<Mover> movers = crowd(dice, 20, 4);
+  std::vector<MovingBody> moving_bodies = crowd(dice, 20, 4);
   std::vector<Collider> colliders;
   for (const Strategy& strategy : strategies()) colliders.emplace_back(strategy.make(), 0.5);
   for (int frame = 0; frame < 30; ++frame) {
     std::vector<std::map<std::pair<BodyId, BodyId>, double>> said;
     for (Collider& collider : colliders) {
-      for (BodyId id = 0; id < movers.size(); ++id) {
-        if (frame == 0) collider.insert(id, movers[id].body.shape, movers[id].body.X_WB);
-        if (frame > 0) collider.move(id, movers[id].body.X_WB);
+      for (BodyId id = 0; id < moving_bodies.size(); ++id) {
+        if (frame == 0) collider.insert(id, moving_bodies[id].body.shape, moving_bodies[id].body.X_WB);
+        if (frame > 0) collider.move(id, moving_bodies[id].body.X_WB);
       }
       collider.update();
       said.emplace_back();
@@ -140,7 +142,7 @@ TEST_CASE("whichever broad phase prunes, the same pairs and answers") {
       }
     }
     for (const auto& other : said) REQUIRE(other == said.front());
-    for (Mover& mover : movers) fly(mover, 4);
+    for (MovingBody& moving_body : moving_bodies) fly(moving_body, 4);
   }
 }
 

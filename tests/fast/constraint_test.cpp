@@ -1,4 +1,4 @@
-// The time-stepper against the exact ball, and against what the textbooks say of blocks and stacks.
+// The time stepper against the exact ball, and against textbook results for blocks and stacks.
 #include "fast/constraint.h"
 
 #include <Eigen/Geometry>
@@ -24,7 +24,7 @@ Scene ball_on_table(const Vec3& v, const Vec3& w, double until) {
   scene.bodies = {{"ball", Sphere{0.25}, {Vec3(0, 0, 0.25), {}}, {v, w}, {1, 1}, Density{}},
                   table(Vec3(2, 2, 1), Vec3(0, 0, -1), {0, 0.125}),
                   table(Vec3(50, 50, 1), Vec3(0, 0, -4), {0, 1})};
-  scene.flight = Flight{.times = {until}};
+  scene.motion = Motion{.sample_times = {until}};
   return scene;
 }
 
@@ -43,7 +43,7 @@ TEST_CASE("constraint: the error goes with the step") {
         std::tuple(Vec3(3.5, 0, 0), Vec3(0, 14, 0), 2.0)}) {
     const Scene scene = ball_on_table(v, w, until);
     const reference::ConstraintTruth truth = reference::constraint(scene);
-    // Of two steps the worse: where the ball comes off the edge at a step's end nothing at all is off.
+    // The worse of two steps: where the ball leaves the edge exactly at a step's end, there is no error at all.
     const auto worse = [&](double step) {
       return std::max(off(fast::constrained(scene, {.step = step}), truth),
                       off(fast::constrained(scene, {.step = step / 2}), truth));
@@ -54,7 +54,7 @@ TEST_CASE("constraint: the error goes with the step") {
   }
 }
 
-// A cube on a slope of atan(3/4), one of whose edges is level.
+// A cube on a slope of atan(3/4); one of its edges is level.
 Scene cube_on_slope(double mu) {
   Scene scene;
   scene.gravity = Vec3(0, 0, -g);
@@ -62,7 +62,7 @@ Scene cube_on_slope(double mu) {
   scene.bodies = {{"cube", Box{Vec3(0.5, 0.5, 0.5)}, {1.5 * Vec3(-0.6, 0, 0.8), tilt}, {}, {0, mu}, Density{}},
                   {"slope", Box{Vec3(8, 8, 1)}, {Vec3::Zero(), tilt}, {}, {0, 10}, Fixed{}}};
   scene.bodies[0].X_WB.p_WB *= 1 + 0x1p-40;
-  scene.flight = Flight{.times = {1.0}};
+  scene.motion = Motion{.sample_times = {1.0}};
   return scene;
 }
 
@@ -93,7 +93,7 @@ TEST_CASE("constraint: stacks stand, also with a hundredfold and a millionfold m
                               {0, 0.5},
                               Density{i == 2 ? heavy : 1.0}});
     }
-    scene.flight = Flight{.times = {2.0}};
+    scene.motion = Motion{.sample_times = {2.0}};
     const Trajectory said = fast::constrained(scene, {.step = 1.0 / 512});
     for (std::size_t i = 1; i < scene.bodies.size(); ++i) {
       const Vec3 went = said.states.back()[i].X_WB.p_WB - scene.bodies[i].X_WB.p_WB;
@@ -119,8 +119,8 @@ TEST_CASE("constraint: pushes on the way are told, where they begin to act") {
   Scene scene = ball_on_table(Vec3::Zero(), Vec3::Zero(), 1.0);
   scene.gravity.setZero();
   scene.bodies.resize(1);
-  scene.flight->force_bound = 8;
-  scene.flight->pushes = {{0, 0, {0, 0, 1}}, {0.5, 0, {0, 1, 0}}, {2, 0, {1, 0, 0}}};
+  scene.motion->force_bound = 8;
+  scene.motion->forces = {{0, 0, {0, 0, 1}}, {0.5, 0, {0, 1, 0}}, {2, 0, {1, 0, 0}}};
   const Trajectory said = fast::constrained(scene, {.step = 1.0 / 256});
   REQUIRE(said.events->size() == 1);
   const Event& push = said.events->front();
@@ -130,8 +130,8 @@ TEST_CASE("constraint: pushes on the way are told, where they begin to act") {
   CHECK(push.after_a.velocity.v_WBcm.y() == 0);
 }
 
-// Spun about its axis a needle turns by more than a radian in a step; its axis leads energy 2¹⁷ times as easily as the
-// others. Twice the kinetic energy is L·ω.
+// Spun about its axis, a needle rotates by more than a radian in a step; about this axis an angular momentum has 2¹⁷
+// times the energy of one about the others. Twice the kinetic energy is L·ω.
 TEST_CASE("constraint: a needle that nothing touches keeps its energy, however fast it turns in a step") {
   Scene scene;
   scene.bodies = {{"needle",
@@ -140,7 +140,7 @@ TEST_CASE("constraint: a needle that nothing touches keeps its energy, however f
                    {Vec3(0, 0, 0), Vec3(512, 256, 64)},
                    {1, 0},
                    MassProperties{1, Vec3::Zero(), Vec3(0x1p-18, 0.5, 0.5).asDiagonal()}}};
-  scene.flight = Flight{.times = {1.0}};
+  scene.motion = Motion{.sample_times = {1.0}};
   const auto energy = [](const State& state) {
     const Quaternion& q = state.X_WB.q_WB;
     const Vec3 w = Eigen::Quaterniond(q.w, q.x, q.y, q.z).normalized().conjugate() * state.velocity.w_WB;

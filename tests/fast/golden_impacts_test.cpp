@@ -1,5 +1,5 @@
 // properties/corpus/impulse/golden.jsonl: 65 impacts of each family of contacts, their numbers as doubles bit for bit,
-// and the truth to 50 digits, of which those within `error` count. TOUCHSTONE_UPDATE=1 makes the file anew.
+// and the truth to 50 digits, of which those within `error` count. TOUCHSTONE_UPDATE=1 writes the file again.
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 #include <cstdlib>
@@ -9,7 +9,7 @@
 
 #include "fast/impulse.h"
 #include "model/json.h"
-#include "properties/domain.h"
+#include "properties/scenes/domain.h"
 #include "reference/impulse.h"
 #include "tests/catch.h"
 
@@ -21,7 +21,7 @@ using Decimal = mp::number<mp::cpp_bin_float<80>, mp::et_off>;
 using reference::ImpulseTruth;
 
 constexpr std::uint64_t seed = 2026;
-constexpr std::uint64_t draws = 65;  ///< of each family
+constexpr std::uint64_t draws = 65;  ///< per family
 
 const std::string path = TOUCHSTONE_SOURCE "/properties/corpus/impulse/golden.jsonl";
 

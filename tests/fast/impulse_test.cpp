@@ -1,4 +1,4 @@
-// Scenes: the impulse beside the exact one, in the energy norm; momentum; what cannot be asked.
+// Scenes: the impulse against the exact one, in the energy norm; momentum; invalid queries.
 #include "fast/impulse.h"
 
 #include <cmath>
@@ -110,7 +110,7 @@ TEST_CASE("Newton's law on a long lever: what is claimed counts the energy that 
   Body lever, ground;
   lever.shape = Box{Vec3(1, 1, 1)};
   lever.X_WB.p_WB = Vec3(-0x1p18, -0x1p17, -0x1p17);
-  lever.velocity.v_WBcm = {-2, 1, 3};  // across the lever: K⁻¹ knows little of it
+  lever.velocity.v_WBcm = {-2, 1, 3};  // across the lever: K⁻¹ is ill-conditioned there
   lever.mass = MassProperties{2, Vec3::Zero(), 5 * Mat3::Identity()};
   ground.shape = Box{Vec3(16, 16, 16)};
   scene.bodies = {lever, ground};

@@ -1,4 +1,4 @@
-// Flights that once went wrong.
+// Motions that once gave wrong results.
 #include <filesystem>
 #include <utility>
 
@@ -27,11 +27,11 @@ class Fast : public oracle::Subject {
 
 TEST_CASE("flights of the corpus: what once went wrong holds") {
   Fast fast;
-  for (const auto& [stem, at_least] :
+  for (const auto& [query, at_least] :
        {std::pair("time_of_impact", 5), std::pair("simulation", 5), std::pair("constraint", 1)}) {
     int cases = 0;
     for (const auto& entry :
-         std::filesystem::directory_iterator(std::filesystem::path(TOUCHSTONE_SOURCE) / "properties/corpus" / stem)) {
+         std::filesystem::directory_iterator(std::filesystem::path(TOUCHSTONE_SOURCE) / "properties/corpus" / query)) {
       const oracle::Case asked = oracle::read_case(entry.path().string());
       const oracle::Finding found = properties::find(asked.property).check(asked.scene, fast);
       INFO(entry.path().string() << ": " << found.observed << " for " << found.expected);

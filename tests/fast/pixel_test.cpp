@@ -1,4 +1,4 @@
-// Fast pixels against the exact ones, on scenes that are hard for other reasons and on those made for pixels.
+// Fast pixels against the exact ones, on scenes that are hard for other reasons and on scenes made for pixels.
 #include "fast/pixel.h"
 
 #include <cmath>
@@ -7,7 +7,7 @@
 
 #include "fast/pixel/bit_mask.h"
 #include "model/input_error.h"
-#include "properties/domain.h"
+#include "properties/scenes/domain.h"
 #include "reference/pixel.h"
 #include "tests/catch.h"
 

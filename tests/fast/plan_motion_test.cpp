@@ -1,7 +1,7 @@
-// What a simulation leaves out changes nothing else, and what that saves.
+// Omitted queries change no answer of the simulation, and how many are omitted.
 #include <algorithm>
 
-#include "app/motion_scenes.h"
+#include "app/motion/motion_scenes.h"
 #include "fast/plan.h"
 #include "fast/simulation.h"
 #include "tests/catch.h"
@@ -53,13 +53,13 @@ TEST_CASE("plan of a flight: counts pairs and bodies") {
 
 TEST_CASE("plan of a flight: a push lets bodies stay in contact as gravity does") {
   Scene scene = named("gas");
-  scene.flight->force_bound = 1;
-  scene.flight->pushes = {{0.5, 0, Vec3(1, 0, 0)}};
+  scene.motion->force_bound = 1;
+  scene.motion->forces = {{0.5, 0, Vec3(1, 0, 0)}};
   CHECK(why(plan_of(scene).used, "contact mode")->starts_with("2400 pairs "));
 }
 
-/// One frame, so that the boxes over it are as long as the paths: all pairs that could ever meet are asked.
-Simulated all_asked(const Scene& scene) { return simulate(scene, {.frame = scene.flight->times.back()}); }
+/// One frame, so that the boxes over it cover the whole trajectories: all pairs that could ever touch are queried.
+Simulated all_asked(const Scene& scene) { return simulate(scene, {.frame = scene.motion->sample_times.back()}); }
 
 TEST_CASE("plan of a flight: with all pairs asked no state and no event changes a bit") {
   for (const std::string name : {"gas", "balls_49", "pool_break", "rough_ball", "newtons_cradle"}) {
@@ -73,7 +73,7 @@ TEST_CASE("plan of a flight: with all pairs asked no state and no event changes 
 
 TEST_CASE("plan of a flight: in a crowd most questions are saved") {
   const Scene scene = named("gas");
-  CHECK(8 * simulate(scene).books.pairs < all_asked(scene).books.pairs);
+  CHECK(8 * simulate(scene).statistics.pairs < all_asked(scene).statistics.pairs);
 }
 
 }  // namespace

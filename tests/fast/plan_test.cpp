@@ -1,13 +1,13 @@
-// What a plan leaves out is what the scene does not need, and leaving it out changes no pair.
+// A plan leaves out what the scene does not need, and this changes no pair.
 #include "fast/plan.h"
 
 #include <algorithm>
 #include <iterator>
 
 #include "fast/broad_phase.h"
-#include "model/film.h"
 #include "model/json.h"
-#include "properties/domain.h"
+#include "model/sequence.h"
+#include "properties/scenes/domain.h"
 #include "reference/bounds.h"
 #include "reference/broad_phase.h"
 #include "reference/validity.h"
@@ -21,7 +21,7 @@ namespace {
 using tests::body;
 using tests::Dice;
 
-/// Pairs that only one plan tells must be apart, by no more than the two boxes' widening.
+/// Pairs that only one plan reports must be apart, by no more than the widening of the two boxes.
 void check_free(const Scene& still, const PairSet& some, const PairSet& others) {
   PairSet differ;
   std::ranges::set_symmetric_difference(some, others, std::back_inserter(differ));
@@ -35,9 +35,9 @@ void check_free(const Scene& still, const PairSet& some, const PairSet& others) 
   }
 }
 
-/// Bodies keep their index: who is not there stands where it was made, and is in no pair.
-Scene posed(const Scene& film, const Places& places) {
-  Scene still = film;
+/// Bodies keep their index: a body that is absent from a frame keeps its initial pose, and is in no pair.
+Scene posed(const Scene& sequence, const Places& places) {
+  Scene still = sequence;
   still.frames.clear();
   for (std::size_t i = 0; i < places.size(); ++i) {
     if (places[i]) still.bodies[i].X_WB = *places[i];
@@ -45,16 +45,18 @@ Scene posed(const Scene& film, const Places& places) {
   return still;
 }
 
-void check_same_pairs(const Scene& film) {
-  const PairHistory planned = pair_history(film, plan(film)), full = pair_history(film, all_parts(film));
-  const std::vector<Places> frames = places(film);
+void check_same_pairs(const Scene& sequence) {
+  const PairHistory planned = pair_history(sequence, plan(sequence)),
+                    full = pair_history(sequence, all_parts(sequence));
+  const std::vector<Places> frames = places(sequence);
   REQUIRE(planned.size() == frames.size());
-  for (std::size_t f = 0; f < frames.size(); ++f) check_free(posed(film, frames[f]), planned[f].pairs, full[f].pairs);
+  for (std::size_t f = 0; f < frames.size(); ++f)
+    check_free(posed(sequence, frames[f]), planned[f].pairs, full[f].pairs);
 }
 
-/// A film that every plan serves: not beyond 2^1000.
-bool served(const Scene& film) {
-  return std::ranges::all_of(film.frames, [](const Frame& frame) {
+/// Whether every plan supports the sequence: no coordinate beyond 2^1000.
+bool served(const Scene& sequence) {
+  return std::ranges::all_of(sequence.frames, [](const SequenceFrame& frame) {
     return std::ranges::all_of(frame, [](const Placement& placement) {
       return !placement.X_WB || placement.X_WB->p_WB.cwiseAbs().maxCoeff() < 0x1p990;
     });
@@ -62,40 +64,40 @@ bool served(const Scene& film) {
 }
 
 TEST_CASE("plan: with parts left out the pairs are those with all parts, on every family of films") {
-  int films = 0;
+  int sequences = 0;
   for (const properties::Family& family : properties::families()) {
     for (std::uint64_t index = 0; index < 60; ++index) {
-      const Scene film = properties::draw(family, 5, index);
-      if (!is_film(film)) break;
-      if (!served(film)) continue;
-      check_same_pairs(film);
-      ++films;
+      const Scene sequence = properties::draw(family, 5, index);
+      if (!is_sequence(sequence)) break;
+      if (!served(sequence)) continue;
+      check_same_pairs(sequence);
+      ++sequences;
     }
   }
-  CHECK(films > 400);
+  CHECK(sequences > 400);
 }
 
 Scene swarm(int bodies, int vertices, int frames) {
   Dice dice(41);
-  Scene film;
-  for (int i = 0; i < bodies; ++i) film.bodies.push_back(body(tests::round_hull(dice, vertices)));
+  Scene sequence;
+  for (int i = 0; i < bodies; ++i) sequence.bodies.push_back(body(tests::round_hull(dice, vertices)));
   for (int f = 0; f < frames; ++f) {
-    Frame frame;
+    SequenceFrame frame;
     for (int i = 0; i < bodies; ++i) {
       const Vec3 p = 3 * dice.in_cube();
       frame.push_back({i, Pose{p, tests::integer_quaternion(dice)}});
     }
-    film.frames.push_back(frame);
+    sequence.frames.push_back(frame);
   }
-  return film;
+  return sequence;
 }
 
 TEST_CASE("plan: the same on a swarm of many vertices, where all parts are at work") {
-  const Scene film = swarm(40, 40, 6);
-  const Plan chosen = plan(film);
+  const Scene sequence = swarm(40, 40, 6);
+  const Plan chosen = plan(sequence);
   CHECK(chosen.strategy == "wrapped_grid");
   CHECK(std::ranges::count(chosen.bounds, BoundKind::climb) == 40);
-  check_same_pairs(film);
+  check_same_pairs(sequence);
   check_same_pairs(swarm(20, 10, 6));
 }
 
@@ -126,7 +128,7 @@ TEST_CASE("plan: says of each named scene what it needs") {
     CHECK(chosen.strategy == expected.strategy);
     for (const std::string& what : expected.used) CHECK(has(chosen.used, what));
     for (const std::string& what : expected.left_out) CHECK(has(chosen.left_out, what));
-    if (is_film(scene)) check_same_pairs(scene);
+    if (is_sequence(scene)) check_same_pairs(scene);
   }
 }
 

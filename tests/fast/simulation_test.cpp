@@ -1,4 +1,4 @@
-// Scenes whose course is known on paper, and the laws of the loop.
+// Simulations with known solutions, and the laws of the simulation.
 #include "fast/simulation.h"
 
 #include <Eigen/Geometry>
@@ -6,7 +6,7 @@
 #include <limits>
 #include <ranges>
 
-#include "app/motion_scenes.h"
+#include "app/motion/motion_scenes.h"
 #include "fast/lin_canny/parting_normals.h"
 #include "fast/lin_canny/rotation.h"
 #include "fast/lin_canny/solid.h"
@@ -24,13 +24,13 @@ const State& last(const Simulated& done) { return done.trajectory.states.back()[
 
 TEST_CASE("a bouncing ball rises to e² of its height, and its hops end when the series says") {
   for (const double e : {0.5, 0.9}) {
-    const Scene scene = flight({ball(0.5, Vec3(0, 0, 1.5), Vec3::Zero(), {e, 0}), table()}, down, {20});
+    const Scene scene = moving_scene({ball(0.5, Vec3(0, 0, 1.5), Vec3::Zero(), {e, 0}), table()}, down, {20});
     const Simulated done = simulate(scene);
     const std::vector<Event> bounces = of_kind(done, Kind::impact);
     REQUIRE(bounces.size() > 10);
     double speed = std::sqrt(20.0), time = std::sqrt(0.2);
     for (const Event& bounce : bounces) {
-      CHECK(std::abs(bounce.time - time) < 1e-12);  // the last hops are slow: 1e-15 m take 1e-12 s
+      CHECK(std::abs(bounce.time - time) < 1e-12);  // the last micro-bounces are slow: 1e-15 m take 1e-12 s
       speed *= e;
       CHECK(std::abs(bounce.after_a.velocity.v_WBcm.z() - speed) < 1e-12);
       time += speed / 5;
@@ -49,7 +49,7 @@ TEST_CASE("49 balls bounce for 20 s and keep their energy") {
     bodies.push_back(ball(0.5, Vec3(2 * (i % 7), 2 * (i / 7), 1.5 + 0.1 * i), Vec3::Zero(), {1, 0.5}));
   }
   bodies.push_back(table());
-  const Scene scene = flight(bodies, down, {1, 5, 10, 20});
+  const Scene scene = moving_scene(bodies, down, {1, 5, 10, 20});
   const Simulated done = simulate(scene);
   double worst = 0;
   for (const std::vector<State>& states : done.trajectory.states) {
@@ -59,11 +59,11 @@ TEST_CASE("49 balls bounce for 20 s and keep their energy") {
     }
   }
   CHECK(worst < 1e-12);
-  CHECK(done.books.of(Kind::impact) > 49 * 10);
+  CHECK(done.statistics.of(Kind::impact) > 49 * 10);
 }
 
 TEST_CASE("a ball that slides rolls after 2v/7μg, at 5v/7") {
-  const Scene scene = flight({ball(0.5, Vec3(0, 0, 0.5), Vec3(7, 0, 0), {0.5, 0.2}), table()}, down, {1, 3});
+  const Scene scene = moving_scene({ball(0.5, Vec3(0, 0, 0.5), Vec3(7, 0, 0), {0.5, 0.2}), table()}, down, {1, 3});
   const Simulated done = simulate(scene);
   const State& at_1 = done.trajectory.states[0][0];
   CHECK(std::abs(at_1.X_WB.p_WB.x() - 6) < 1e-14);
@@ -74,9 +74,9 @@ TEST_CASE("a ball that slides rolls after 2v/7μg, at 5v/7") {
 }
 
 TEST_CASE("down a ramp a ball rolls while tan α ≤ 7μ/2, else it slips") {
-  const Vec3 pull(10 * 0.28, 0, -10 * 0.96);
+  const Vec3 acceleration(10 * 0.28, 0, -10 * 0.96);
   for (const double mu : {0.2, 0.05}) {
-    const Scene scene = flight({ball(0.5, Vec3(0, 0, 0.5), Vec3::Zero(), {0, mu}), table()}, pull, {2});
+    const Scene scene = moving_scene({ball(0.5, Vec3(0, 0, 0.5), Vec3::Zero(), {0, mu}), table()}, acceleration, {2});
     const Simulated done = simulate(scene);
     const double a = mu == 0.2 ? 5.0 / 7 * 2.8 : 2.8 - mu * 9.6;
     CHECK(std::abs(last(done).X_WB.p_WB.x() - 2 * a) < 1e-14 * 4);
@@ -84,19 +84,19 @@ TEST_CASE("down a ramp a ball rolls while tan α ≤ 7μ/2, else it slips") {
 }
 
 TEST_CASE("a brick stays on a ramp up to the angle of friction, and slides beyond") {
-  const Vec3 pull(10 * 0.28, 0, -10 * 0.96);  // tan α = 0.29167
+  const Vec3 acceleration(10 * 0.28, 0, -10 * 0.96);  // tan α = 0.29167
   const double just_more = 0.2917, just_less = 0.2916;
-  const Simulated stays =
-      simulate(flight({brick(Vec3(0.5, 0.5, 0.5), Vec3(0, 0, 0.5), {0.3, just_more}), table()}, pull, {10}));
+  const Simulated stays = simulate(
+      moving_scene({brick(Vec3(0.5, 0.5, 0.5), Vec3(0, 0, 0.5), {0.3, just_more}), table()}, acceleration, {10}));
   CHECK(last(stays).X_WB.p_WB == Vec3(0, 0, 0.5));
   CHECK(stays.trajectory.events->size() == 1);
-  const Simulated slides =
-      simulate(flight({brick(Vec3(0.5, 0.5, 0.5), Vec3(0, 0, 0.5), {0.3, just_less}), table()}, pull, {10}));
+  const Simulated slides = simulate(
+      moving_scene({brick(Vec3(0.5, 0.5, 0.5), Vec3(0, 0, 0.5), {0.3, just_less}), table()}, acceleration, {10}));
   CHECK(std::abs(last(slides).X_WB.p_WB.x() - 50 * (2.8 - just_less * 9.6)) < 1e-12);
 }
 
 TEST_CASE("a brick that slides on a table stops after v²/2μg") {
-  Scene scene = flight({brick(Vec3(0.5, 0.4, 0.3), Vec3(0, 0, 0.3), {0.3, 0.5}), table()}, down, {5});
+  Scene scene = moving_scene({brick(Vec3(0.5, 0.4, 0.3), Vec3(0, 0, 0.3), {0.3, 0.5}), table()}, down, {5});
   scene.bodies[0].velocity.v_WBcm = Vec3(3, 4, 0);
   const Simulated done = simulate(scene);
   CHECK((last(done).X_WB.p_WB - Vec3(1.5, 2, 0.3)).norm() < 1e-14);
@@ -105,23 +105,23 @@ TEST_CASE("a brick that slides on a table stops after v²/2μg") {
 }
 
 TEST_CASE("a brick that falls on its corner comes to rest, and is never in the table") {
-  Scene scene = flight({brick(Vec3(0.5, 0.4, 0.3), Vec3(0, 0, 1), {0.2, 0.8}), table()}, down, {3});
+  Scene scene = moving_scene({brick(Vec3(0.5, 0.4, 0.3), Vec3(0, 0, 1), {0.2, 0.8}), table()}, down, {3});
   scene.bodies[0].X_WB.q_WB = {0.9, 0.3, 0.2, 0.1};
   const Simulated done = simulate(scene);
   REQUIRE(!done.stopped);
   CHECK(last(done).velocity == Velocity{});
-  CHECK(done.books.of(Kind::contact) + done.books.of(Kind::completed) > 0);
-  const double loss = done.books.loss + done.books.contact_loss, height = 1 - last(done).X_WB.p_WB.z();
-  CHECK(std::abs(loss / (0.48 * 10 * height) - 1) < 1e-2);  // the rest went as it lay down
+  CHECK(done.statistics.of(Kind::contact) + done.statistics.of(Kind::completed) > 0);
+  const double loss = done.statistics.loss + done.statistics.contact_loss, height = 1 - last(done).X_WB.p_WB.z();
+  CHECK(std::abs(loss / (0.48 * 10 * height) - 1) < 1e-2);  // the rest is lost in resting contact
 }
 
-/// At rest against the turning table but for the speed that keeps it on the circle of radius 1 about its axis.
+/// A ball that rolls without slip on a turning table, with the speed that keeps it on a circle of radius 1.
 Scene turntable(double envelope) {
   const double turn = 2, v = turn * 2 / 7;
-  Scene scene = flight({ball(0.5, Vec3(1, 0, 0.5), Vec3(0, v, 0), {0.3, 1}), table(5)}, down, {1});
+  Scene scene = moving_scene({ball(0.5, Vec3(1, 0, 0.5), Vec3(0, v, 0), {0.3, 1}), table(5)}, down, {1});
   scene.bodies[0].velocity.w_WB = Vec3(2 * (turn - v), 0, 0);
   scene.bodies[1].velocity.w_WB = Vec3(0, 0, turn);
-  scene.flight->envelope = envelope;
+  scene.motion->envelope = envelope;
   return scene;
 }
 
@@ -130,10 +130,10 @@ const Vec3 on_the_turntable(0.84112921341523592, 0.54083421335883185, 0.5);  // 
 TEST_CASE("hops may stand for contact: a ball on a turntable circles at 2/7 of its rate") {
   const auto error = [&](double envelope) {
     const Simulated done = simulate(turntable(envelope), {.micro_collisions = true});
-    CHECK(done.books.of(Kind::micro_collision) > 1000);
+    CHECK(done.statistics.of(Kind::micro_collision) > 1000);
     return (last(done).X_WB.p_WB - on_the_turntable).head<2>().norm();
   };
-  const double at_1e_7 = error(1e-7), at_1e_9 = error(1e-9);  // found: 4.5e-9, 4.5e-11: as the hops' height
+  const double at_1e_7 = error(1e-7), at_1e_9 = error(1e-9);  // found: 4.5e-9, 4.5e-11: as the bounces' height
   CHECK(at_1e_7 < 2e-8);
   CHECK(at_1e_9 < 2e-10);
 }
@@ -141,8 +141,8 @@ TEST_CASE("hops may stand for contact: a ball on a turntable circles at 2/7 of i
 TEST_CASE("where no closed form is known steps in contact are of second order, and nothing sinks") {
   const auto error = [&](double steps) {
     const Simulated done = simulate(turntable(1e-9), {.contact_steps = steps});
-    CHECK(done.books.of(Kind::micro_collision) == 0);
-    CHECK(done.books.contact_steps > static_cast<std::int64_t>(steps));
+    CHECK(done.statistics.of(Kind::micro_collision) == 0);
+    CHECK(done.statistics.contact_steps > static_cast<std::int64_t>(steps));
     CHECK(std::abs(last(done).X_WB.p_WB.z() - 0.5) < 1e-14);
     return (last(done).X_WB.p_WB - on_the_turntable).head<2>().norm();
   };
@@ -151,9 +151,9 @@ TEST_CASE("where no closed form is known steps in contact are of second order, a
   CHECK(std::abs(coarse / fine - 4) < 0.1);
 }
 
-/// Its mass is a quarter of the radius below its centre.
+/// Its centre of mass is a quarter of the radius below its centre.
 Scene rocking_ball() {
-  Scene scene = flight({ball(1, Vec3(0, 0, 1), Vec3::Zero(), {0, 1}), table()}, down, {0.5, 1, 2, 4});
+  Scene scene = moving_scene({ball(1, Vec3(0, 0, 1), Vec3::Zero(), {0, 1}), table()}, down, {0.5, 1, 2, 4});
   scene.bodies[0].mass = MassProperties{1, Vec3(0, 0, -0.25), 0.375 * Mat3::Identity()};
   scene.bodies[0].X_WB.q_WB = {4, 0, 1, 0};
   return scene;
@@ -169,7 +169,7 @@ TEST_CASE("a ball whose mass is off its centre rocks and keeps its energy, but f
   double before = energy({scene.bodies[0].X_WB, scene.bodies[0].velocity});
   const double first = before;
   const Simulated done = simulate(scene);
-  CHECK(done.books.deepest < 1e-12);
+  CHECK(done.statistics.deepest < 1e-12);
   for (const std::vector<State>& states : done.trajectory.states) {
     const double now = energy(states[0]);
     CHECK(now <= before + 1e-11);
@@ -179,25 +179,25 @@ TEST_CASE("a ball whose mass is off its centre rocks and keeps its energy, but f
   }
 }
 
-/// Balls in a bow: their centres are on an arc of radius 1, 1/16 rad apart.
+/// A compound of balls with their centres on an arc of radius 1, 1/16 rad apart.
 Scene bow_of_balls() {
   Compound bow;
   for (int k = -8; k <= 8; ++k) {
     const double angle = k / 16.0;
     bow.parts.push_back({{Vec3(std::sin(angle), 0, 1 - std::cos(angle)), {}}, Sphere{0.5}});
   }
-  Scene scene = flight({ball(0.5, Vec3(0, 0, 0.5), Vec3::Zero(), {0, 1}), table()}, down, {});
+  Scene scene = moving_scene({ball(0.5, Vec3(0, 0, 0.5), Vec3::Zero(), {0, 1}), table()}, down, {});
   scene.bodies[0].shape = bow;
   scene.bodies[0].mass = MassProperties{1, Vec3::Zero(), Mat3::Identity()};
   scene.bodies[0].velocity = {Vec3(0.5, 0, 0), Vec3(0, 1, 0)};
-  for (int look = 1; look <= 64; ++look) scene.flight->times.push_back(look / 16.0);
+  for (int sample = 1; sample <= 64; ++sample) scene.motion->sample_times.push_back(sample / 16.0);
   return scene;
 }
 
 TEST_CASE("a bow of balls rocks from ball to ball, and none of them is ever in the table") {
   const Scene scene = bow_of_balls();
   const Simulated done = simulate(scene);
-  CHECK(done.books.of(Kind::impact) > 10);
+  CHECK(done.statistics.of(Kind::impact) > 10);
   double most = 0;
   for (const std::vector<State>& states : done.trajectory.states) {
     const Mat3 R = lin_canny::rotation(states[0].X_WB.q_WB);
@@ -211,7 +211,7 @@ TEST_CASE("a bow of balls rocks from ball to ball, and none of them is ever in t
 
 TEST_CASE("who leaves the ground is said to leave it where he stood") {
   Scene scene = bow_of_balls();
-  scene.flight->pushes = {{0.25, 0, Vec3(0, 0, 32)}};
+  scene.motion->forces = {{0.25, 0, Vec3(0, 0, 32)}};
   const Vec3 place(5, 7, 3);
   for (Body& body : scene.bodies) body.X_WB.p_WB += place;
   const Trajectory answer = simulate(scene).trajectory;
@@ -230,7 +230,8 @@ TEST_CASE("a rattleback of balls turns back as a smooth one does") {
 }
 
 TEST_CASE("a brick that spins about its middle axis turns over and keeps energy and angular momentum") {
-  Scene scene = flight({brick(Vec3(0.5, 0.3, 0.1), Vec3::Zero(), {})}, Vec3::Zero(), {1, 4.5, 4.75, 5, 5.25, 5.5, 20});
+  Scene scene =
+      moving_scene({brick(Vec3(0.5, 0.3, 0.1), Vec3::Zero(), {})}, Vec3::Zero(), {1, 4.5, 4.75, 5, 5.25, 5.5, 20});
   scene.bodies[0].velocity.w_WB = Vec3(1e-6, 5, 1e-6);
   scene.bodies[0].mass = MassProperties{1, Vec3::Zero(), Vec3(0.1, 0.26, 0.34).asDiagonal()};
   scene.bodies.push_back(ball(0.5, Vec3(5, 0, 0), Vec3::Zero(), {}));
@@ -260,10 +261,10 @@ TEST_CASE("bricks in a box, without friction and loss, keep their energy") {
     bodies.push_back(brick(half, p, {1, 0}));
     bodies.back().mass = Fixed{};
   }
-  const Scene scene = flight(bodies, Vec3::Zero(), {5});
+  const Scene scene = moving_scene(bodies, Vec3::Zero(), {5});
   const Simulated done = simulate(scene);
-  CHECK(done.books.of(Kind::impact) > 50);
-  CHECK(std::abs(done.books.loss) < 1e-14);
+  CHECK(done.statistics.of(Kind::impact) > 50);
+  CHECK(std::abs(done.statistics.loss) < 1e-14);
   CHECK(simulate(scene).trajectory == done.trajectory);
 }
 
@@ -275,11 +276,12 @@ Body brick_at(double z, double density) {
 
 TEST_CASE("a stack stands: forces that balance it are found, and nothing moves by a bit, nor costs a step") {
   for (const double ratio : {1.0, 100.0, 1e6}) {
-    const Scene scene = flight({brick_at(0.5, 1), brick_at(1.5, 1), brick_at(2.5, ratio), table()}, down, {1, 1000});
+    const Scene scene =
+        moving_scene({brick_at(0.5, 1), brick_at(1.5, 1), brick_at(2.5, ratio), table()}, down, {1, 1000});
     const Simulated done = simulate(scene);
     REQUIRE(!done.stopped);
-    CHECK(done.books.contact_steps == 0);
-    CHECK(done.books.of(Kind::impact) + done.books.of(Kind::micro_collision) == 0);
+    CHECK(done.statistics.contact_steps == 0);
+    CHECK(done.statistics.of(Kind::impact) + done.statistics.of(Kind::micro_collision) == 0);
     for (std::size_t i = 0; i < 3; ++i) {
       CHECK(done.trajectory.states.back()[i] == State{scene.bodies[i].X_WB, scene.bodies[i].velocity});
     }
@@ -287,21 +289,21 @@ TEST_CASE("a stack stands: forces that balance it are found, and nothing moves b
 }
 
 TEST_CASE("a stack that is pushed goes, and what leans too far falls") {
-  Scene pushed = flight({brick_at(0.5, 1), brick_at(1.5, 1), table()}, down, {0.875});
-  pushed.flight->force_bound = 8;
-  pushed.flight->pushes = {{0.5, 1, Vec3(8, 0, 0)}};  // of a weight of 10, at μ = 1/2: 3 m/s²
+  Scene pushed = moving_scene({brick_at(0.5, 1), brick_at(1.5, 1), table()}, down, {0.875});
+  pushed.motion->force_bound = 8;
+  pushed.motion->forces = {{0.5, 1, Vec3(8, 0, 0)}};  // weight 10 N, μ = 1/2: 3 m/s²
   const Simulated slid = simulate(pushed);
   CHECK(std::abs(slid.trajectory.states.back()[1].X_WB.p_WB.x() - 0.2109375) < 1e-11);
   CHECK((slid.trajectory.states.back()[0].X_WB.p_WB - pushed.bodies[0].X_WB.p_WB).norm() < 1e-11);
 
-  Scene leaning = flight({brick_at(0.5, 1), brick_at(1.5, 1), table()}, down, {1});
-  leaning.bodies[1].X_WB.p_WB.x() = 0.625;  // its centre is beyond the edge
+  Scene leaning = moving_scene({brick_at(0.5, 1), brick_at(1.5, 1), table()}, down, {1});
+  leaning.bodies[1].X_WB.p_WB.x() = 0.625;  // its centre of mass is beyond the edge
   CHECK(simulate(leaning).trajectory.states.back()[1].X_WB.p_WB.z() < 1.25);
 }
 
 TEST_CASE("hops may stand for a stack: until there are too many, and it says so") {
-  const Scene scene = flight({brick_at(0.5, 1), brick_at(1.5, 1), table()}, down, {1});
-  const Simulated done = simulate(scene, {.micro_collisions = true, .most_hops = 1000});
+  const Scene scene = moving_scene({brick_at(0.5, 1), brick_at(1.5, 1), table()}, down, {1});
+  const Simulated done = simulate(scene, {.micro_collisions = true, .most_micro_bounces = 1000});
   REQUIRE(done.stopped);
   CHECK_THAT(done.stopped->why, Catch::Contains("hops"));
   CHECK(done.trajectory.complete_until == done.stopped->time);
@@ -312,8 +314,8 @@ TEST_CASE("a cradle hands its speed on") {
   for (int i = 0; i < 5; ++i) {
     bodies.push_back(ball(0.5, Vec3(1.25 * i, 0, 0), Vec3(i == 0 ? 1 : 0, 0, 0), {1, 0}));
   }
-  const Simulated done = simulate(flight(bodies, Vec3::Zero(), {4}));
-  CHECK(done.books.of(Kind::impact) == 4);
+  const Simulated done = simulate(moving_scene(bodies, Vec3::Zero(), {4}));
+  CHECK(done.statistics.of(Kind::impact) == 4);
   for (std::size_t i = 0; i < 5; ++i) {
     CHECK(done.trajectory.states[0][i].velocity.v_WBcm == Vec3(i == 4 ? 1 : 0, 0, 0));
   }
@@ -321,18 +323,18 @@ TEST_CASE("a cradle hands its speed on") {
 
 TEST_CASE("a million to one: the light ball goes to and fro and the heavy one keeps its momentum's worth") {
   const Scene scene =
-      flight({ball(0.5, Vec3(0, 0, 0), Vec3(1, 0, 0), {1, 0}, 1e6), ball(0.5, Vec3(3, 0, 0), Vec3::Zero(), {1, 0}),
-              brick(Vec3(1, 5, 5), Vec3(10, 0, 0), {1, 0})},
-             Vec3::Zero(), {9});
+      moving_scene({ball(0.5, Vec3(0, 0, 0), Vec3(1, 0, 0), {1, 0}, 1e6),
+                    ball(0.5, Vec3(3, 0, 0), Vec3::Zero(), {1, 0}), brick(Vec3(1, 5, 5), Vec3(10, 0, 0), {1, 0})},
+                   Vec3::Zero(), {9});
   Scene walled = scene;
   walled.bodies[2].mass = Fixed{};
   const Simulated done = simulate(walled);
   CHECK(std::abs(kinetic(walled, done.trajectory.states.back()) / kinetic(walled) - 1) < 1e-12);
-  CHECK(done.books.of(Kind::impact) > 1000);
+  CHECK(done.statistics.of(Kind::impact) > 1000);
 }
 
 TEST_CASE("a rough ball turns what it loses into spin") {
-  const Scene scene = flight({ball(0.5, Vec3(0, 0, 1), Vec3(7, 0, -5), {1, 10}), table()}, Vec3::Zero(), {0.2});
+  const Scene scene = moving_scene({ball(0.5, Vec3(0, 0, 1), Vec3(7, 0, -5), {1, 10}), table()}, Vec3::Zero(), {0.2});
   const Simulated done = simulate(scene);
   const State& after = last(done);
   CHECK(std::abs(after.velocity.v_WBcm.x() - 5) < 1e-14);
@@ -342,7 +344,7 @@ TEST_CASE("a rough ball turns what it loses into spin") {
 
 TEST_CASE("a ball that spins faster than doubles can tell stays as it is turned") {
   for (const double spin : {1e22, 1e30, 1e150}) {
-    Scene scene = flight({ball(0.5, Vec3(0, 0, 5), Vec3::Zero(), {1, 0})}, down, {1});
+    Scene scene = moving_scene({ball(0.5, Vec3(0, 0, 5), Vec3::Zero(), {1, 0})}, down, {1});
     scene.bodies[0].velocity.w_WB = Vec3(spin, 0, 0);
     const Simulated done = simulate(scene);
     CHECK(last(done).X_WB.p_WB == Vec3(0, 0, 0));
@@ -353,13 +355,13 @@ TEST_CASE("a ball that spins faster than doubles can tell stays as it is turned"
 TEST_CASE("an elastic gas keeps its energy, and its total momentum to the bit if asked") {
   const Scene scene = gas(5, {1, 0});
   const Simulated done = simulate(scene);
-  CHECK(done.books.of(Kind::impact) > 200);
+  CHECK(done.statistics.of(Kind::impact) > 200);
   CHECK(std::abs(kinetic(scene, done.trajectory.states.back()) / kinetic(scene) - 1) < 1e-13);
 
   Scene open = scene;
   open.bodies.resize(125);
   const Simulated exact = simulate(open, {.exact_momentum = true});
-  CHECK(exact.books.of(Kind::impact) > 50);
+  CHECK(exact.statistics.of(Kind::impact) > 50);
   Vec3 before = Vec3::Zero(), after = Vec3::Zero();
   for (std::size_t i = 0; i < 125; ++i) {
     before += exact.momentum_before[i];
@@ -385,12 +387,12 @@ TEST_CASE("neither frames nor strangers change a bit") {
   CHECK(done.trajectory.states == as_is.states);
 }
 
-/// Bricks that stand on each other, and one that falls on them.
+/// Bricks stacked on each other, and one that falls on them.
 Scene pile(const std::vector<double>& heights, double beside, const Material& material, double until) {
   std::vector<Body> bodies{table(8)};
   for (const double z : heights) bodies.push_back(brick(Vec3(0.5, 0.5, 0.5), Vec3(0, 0, z), material));
   bodies.back().X_WB.p_WB.x() = beside;
-  return flight(bodies, down, {until});
+  return moving_scene(bodies, down, {until});
 }
 
 TEST_CASE("groups that strike at one time change no bit of each other") {
@@ -405,12 +407,12 @@ TEST_CASE("groups that strike at one time change no bit of each other") {
   CHECK(std::ranges::equal(both.trajectory.states.back() | std::views::drop(5), alone.states.back()));
 }
 
-/// Of two boxes along the direction that keeps them apart best; less than 0 where they overlap (m).
+/// The separation of two boxes along the direction of greatest separation (m); < 0: they overlap.
 double gap(const Body& a, const State& at_a, const Body& b, const State& at_b) {
   const lin_canny::Solid A(a.shape), B(b.shape);
-  const lin_canny::Placed in_A = lin_canny::placed(A.parts()[0], lin_canny::Station(at_a.X_WB), Vec3::Zero());
-  const lin_canny::Placed in_B = lin_canny::placed(B.parts()[0], lin_canny::Station(at_b.X_WB), Vec3::Zero());
-  const auto least = [](const lin_canny::Placed& body, const Vec3& n) {
+  const lin_canny::PosedHull in_A = lin_canny::posed_hull(A.parts()[0], lin_canny::CachedPose(at_a.X_WB), Vec3::Zero());
+  const lin_canny::PosedHull in_B = lin_canny::posed_hull(B.parts()[0], lin_canny::CachedPose(at_b.X_WB), Vec3::Zero());
+  const auto least = [](const lin_canny::PosedHull& body, const Vec3& n) {
     double low = std::numeric_limits<double>::infinity();
     for (int v = 0; v < body.hull->vertex_count(); ++v) low = std::min(low, n.dot(body.vertex(v)));
     return low;
@@ -426,8 +428,8 @@ TEST_CASE("what falls on a pile bounces, rocks and comes down, and nothing sinks
       CAPTURE(e, beside);
       const Simulated done = simulate(scene);
       REQUIRE(!done.stopped);
-      CHECK(done.books.of(Kind::impact) > 10);
-      CHECK(done.books.deepest < 1e-8);
+      CHECK(done.statistics.of(Kind::impact) > 10);
+      CHECK(done.statistics.deepest < 1e-8);
       for (std::size_t i = 0; i < 4; ++i) {
         CHECK(gap(scene.bodies[i + 1], done.trajectory.states.back()[i + 1], scene.bodies[i],
                   done.trajectory.states.back()[i]) > -1e-8);
@@ -439,7 +441,7 @@ TEST_CASE("what falls on a pile bounces, rocks and comes down, and nothing sinks
 TEST_CASE("who tumbles, however wildly, strikes where he is said to be") {
   for (const double spin : {100.0, 1e3, 1e4, 1e5}) {
     CAPTURE(spin);
-    Scene scene = flight({brick(Vec3(0.5, 0.3, 0.1), Vec3(0, 0, 1.75), {0.5, 0}), table(32)}, down, {1});
+    Scene scene = moving_scene({brick(Vec3(0.5, 0.3, 0.1), Vec3(0, 0, 1.75), {0.5, 0}), table(32)}, down, {1});
     scene.bodies[0].velocity.w_WB = Vec3(spin / 10000, spin, 0);
     const Simulated done = simulate(scene);
     REQUIRE(!done.stopped);
@@ -451,7 +453,7 @@ TEST_CASE("who tumbles, however wildly, strikes where he is said to be") {
   }
 }
 
-/// All lengths times a power of two.
+/// The scene with all lengths multiplied by `unit`, a power of two.
 Scene in_units(Scene scene, double unit) {
   for (Body& body : scene.bodies) {
     if (auto* box = std::get_if<Box>(&body.shape)) box->half_extents *= unit;
@@ -477,8 +479,8 @@ TEST_CASE("what lengths are measured in changes no bit") {
     for (const double unit : {0x1p-20, 0x1p20}) {
       CAPTURE(unit);
       const Simulated other = simulate(in_units(scene, unit));
-      CHECK(other.books.count == done.books.count);
-      CHECK(other.books.contact_steps == done.books.contact_steps);
+      CHECK(other.statistics.count == done.statistics.count);
+      CHECK(other.statistics.contact_steps == done.statistics.contact_steps);
       const std::vector<State>&here = done.trajectory.states.back(), &there = other.trajectory.states.back();
       for (std::size_t i = 0; i < here.size(); ++i) {
         CHECK(there[i].X_WB.p_WB == unit * here[i].X_WB.p_WB);
@@ -491,18 +493,18 @@ TEST_CASE("what lengths are measured in changes no bit") {
 TEST_CASE("events come in time order, each pair approaches, and what is reported is flown from") {
   const Scene scene = gas(4, {0.8, 0});
   const Simulated done = simulate(scene);
-  struct Leg {
+  struct Segment {
     double since;
     State state;
   };
-  std::vector<Leg> legs;
-  for (const Body& body : scene.bodies) legs.push_back({0, {body.X_WB, body.velocity}});
+  std::vector<Segment> segments;
+  for (const Body& body : scene.bodies) segments.push_back({0, {body.X_WB, body.velocity}});
   double time = 0;
   for (const Event& event : *done.trajectory.events) {
     CHECK(event.time >= time);
     CHECK(event.a < event.b);
     time = event.time;
-    Leg &a = legs[static_cast<std::size_t>(event.a)], &b = legs[static_cast<std::size_t>(event.b)];
+    Segment &a = segments[static_cast<std::size_t>(event.a)], &b = segments[static_cast<std::size_t>(event.b)];
     CHECK((a.state.velocity.v_WBcm - b.state.velocity.v_WBcm).dot(event.nhat_BA_W) < 0);
     CHECK(event.after_a.X_WB.p_WB == a.state.X_WB.p_WB + (time - a.since) * a.state.velocity.v_WBcm);
     a = {time, event.after_a};
@@ -510,7 +512,7 @@ TEST_CASE("events come in time order, each pair approaches, and what is reported
   }
 }
 
-/// Of all that moves, about the origin.
+/// The total momentum, and the angular momentum about the origin.
 struct Moments {
   Vec3 linear = Vec3::Zero(), angular = Vec3::Zero();
 };
@@ -538,44 +540,45 @@ TEST_CASE("a hundred thousand impacts keep momentum and angular momentum of what
   box.shape = hollow;
   std::get<MassProperties>(box.mass).mass = 64;
   scene.bodies.push_back(box);
-  scene.flight->times = {0, 330};
+  scene.motion->sample_times = {0, 330};
   const Simulated done = simulate(scene, {.keep_events = false});
   REQUIRE(!done.stopped);
-  const auto impacts = static_cast<double>(done.books.of(Kind::impact));
+  const auto impacts = static_cast<double>(done.statistics.of(Kind::impact));
   CHECK(impacts > 1e5);
   const Moments before = moments(scene, done.trajectory.states.front());
   const Moments after = moments(scene, done.trajectory.states.back());
-  // An impact rounds what it gives and what it takes by 2u of momenta, below 1 kg m/s each here, and places by 8u.
+  // An impact rounds the momenta of both bodies by 2u, where they are below 1 kg m/s, and positions by 8u.
   CHECK((after.linear - before.linear).norm() < 8 * u * impacts);
   CHECK((after.angular - before.angular).norm() < 64 * u * impacts);
   CHECK((after.angular - before.angular).norm() > 0);
 }
 
 TEST_CASE("a push changes the path from its time on, and what then meets is found") {
-  Scene scene = flight({ball(0.5, Vec3(0, 0, 0), Vec3::Zero(), {1, 0}), ball(0.5, Vec3(5, 0, 0), Vec3::Zero(), {1, 0})},
-                       Vec3::Zero(), {10});
-  scene.flight->force_bound = 2;
-  scene.flight->pushes = {{1, 0, Vec3(2, 0, 0)}, {2, 0, Vec3::Zero()}};
-  const Simulated done = simulate(scene);  // 1 m/s² · … : 2 m/s after a second, 1 m on the way, then 3 m more
+  Scene scene =
+      moving_scene({ball(0.5, Vec3(0, 0, 0), Vec3::Zero(), {1, 0}), ball(0.5, Vec3(5, 0, 0), Vec3::Zero(), {1, 0})},
+                   Vec3::Zero(), {10});
+  scene.motion->force_bound = 2;
+  scene.motion->forces = {{1, 0, Vec3(2, 0, 0)}, {2, 0, Vec3::Zero()}};
+  const Simulated done = simulate(scene);  // 2 m/s² for 1 s: 2 m/s after 1 m, then 3 m more
   const std::vector<Event> hits = of_kind(done, Kind::impact);
   REQUIRE(hits.size() == 1);
   CHECK(std::abs(hits[0].time - 3.5) < 2e-14);
-  CHECK(done.books.of(Kind::push) == 2);
+  CHECK(done.statistics.of(Kind::push) == 2);
 }
 
 TEST_CASE("bad input is named") {
   Scene scene =
-      flight({ball(0.5, Vec3(0, 0, 0), Vec3::Zero(), {1, 0}), ball(0.5, Vec3(0.75, 0, 0), Vec3::Zero(), {1, 0})},
-             Vec3::Zero(), {10});
+      moving_scene({ball(0.5, Vec3(0, 0, 0), Vec3::Zero(), {1, 0}), ball(0.5, Vec3(0.75, 0, 0), Vec3::Zero(), {1, 0})},
+                   Vec3::Zero(), {10});
   CHECK_THROWS_WITH(simulate(scene), Catch::Contains("bodies[0]: overlaps bodies[1] at the start by 0.25"));
   scene.gravity = down;
   CHECK_THROWS_AS(simulate(scene, {.exact_momentum = true}), InputError);
-  scene.flight.reset();
-  CHECK_THROWS_WITH(simulate(scene), Catch::Contains("flight"));
+  scene.motion.reset();
+  CHECK_THROWS_WITH(simulate(scene), Catch::Contains("motion"));
 }
 
 TEST_CASE("a simulation that may not go on says where it ended") {
-  const Scene scene = flight({ball(0.5, Vec3(0, 0, 1), Vec3::Zero(), {1, 0}), table()}, down, {100});
+  const Scene scene = moving_scene({ball(0.5, Vec3(0, 0, 1), Vec3::Zero(), {1, 0}), table()}, down, {100});
   const Simulated done = simulate(scene, {.most_events = 10});
   REQUIRE(done.stopped);
   CHECK(done.stopped->a == 0);

@@ -8,15 +8,15 @@
 #include "reference/time_of_impact.h"
 #include "reference/validity.h"
 #include "tests/catch.h"
-#include "tests/fast/motion/random_flight.h"
+#include "tests/fast/motion/random_motion.h"
 
 namespace touchstone::fast {
 namespace {
 
 using Kind = TimeOfImpact::Meeting;
-using tests::RandomFlight;
+using tests::RandomMotion;
 
-/// Two balls of radius 1/2 on the x axis, from -2 and 2, at speeds of 1 towards each other unless said otherwise.
+/// Two balls of radius 1/2 on the x axis at -2 and 2, moving towards each other at speed 1 unless a test changes that.
 Scene balls() {
   Scene scene;
   for (const double side : {-1.0, 1.0}) {
@@ -27,12 +27,12 @@ Scene balls() {
     ball.velocity.v_WBcm = Vec3(-side, 0, 0);
     scene.bodies.push_back(ball);
   }
-  scene.flight.emplace();
-  scene.flight->times = {10};
+  scene.motion.emplace();
+  scene.motion->sample_times = {10};
   return scene;
 }
 
-/// A cube of side 1, its lower face `height` above a fixed table, at speed v downward.
+/// A cube of side 1 whose lower face is `height` above a fixed table, moving down at speed v.
 Scene cube_over_table(double height, double v) {
   Scene scene;
   scene.gravity = Vec3(0, 0, -9.8);
@@ -46,8 +46,8 @@ Scene cube_over_table(double height, double v) {
   table.X_WB.p_WB = Vec3(0, 0, -1);
   table.mass = Fixed{};
   scene.bodies = {cube, table};
-  scene.flight.emplace();
-  scene.flight->times = {2};
+  scene.motion.emplace();
+  scene.motion->sample_times = {2};
   return scene;
 }
 
@@ -91,9 +91,9 @@ TEST_CASE("contact at the start counts if the two approach there") {
   check_holds(at_once, 0, 1e-12);
   CHECK(at_once.enclosure->lo == 0);
   Scene scene = cube_over_table(0, -1);
-  scene.flight->times = {0.125};
+  scene.motion->sample_times = {0.125};
   CHECK(time_of_impact_of(scene).meeting == Kind::miss);
-  scene.flight->times = {2};
+  scene.motion->sample_times = {2};
   const TimeOfImpact back = time_of_impact_of(scene);
   CHECK(back.enclosure->lo == Approx(1 / 4.9).epsilon(1e-12));
   CHECK_THROWS_AS(time_of_impact_of(cube_over_table(-0.25, 0)), InputError);
@@ -103,19 +103,19 @@ TEST_CASE("what pushes a body from its start is felt, a later push is refused") 
   Scene scene = cube_over_table(1, 0);
   scene.gravity = Vec3::Zero();
   scene.bodies[0].mass = MassProperties{2, Vec3::Zero(), Mat3::Identity()};
-  scene.flight->force_bound = 8;
-  scene.flight->pushes = {{0, 0, Vec3(0, 0, -4)}};  // 2 m/s²: 1 m in 1 s
-  scene.flight->times = {4};
+  scene.motion->force_bound = 8;
+  scene.motion->forces = {{0, 0, Vec3(0, 0, -4)}};  // 2 m/s²: 1 m in 1 s
+  scene.motion->sample_times = {4};
   check_holds(time_of_impact_of(scene), 1, 1e-12);
-  scene.flight->pushes[0].time = 0.5;
+  scene.motion->forces[0].time = 0.5;
   CHECK_THROWS_AS(time_of_impact_of(scene), InputError);
 }
 
 TEST_CASE("a pair meets when the reference says it does") {
-  RandomFlight random(3);
+  RandomMotion random(3);
   int hits = 0, misses = 0;
   for (int i = 0; i < 240; ++i) {
-    // Tumbling truth costs milliseconds a radian: one pair in eight.
+    // The truth of tumbling bodies costs milliseconds a radian: one pair in eight.
     const int kinds[] = {0, 0, 0, 1, 2, 2, 1, 4};
     Scene drawn = random.pair(kinds[i % 8], i % 8 < 6 ? 0 : 2);
     if (i % 8 >= 4) {
@@ -138,15 +138,15 @@ TEST_CASE("a pair meets when the reference says it does") {
 }
 
 TEST_CASE("a split flight meets when the whole one does") {
-  RandomFlight random(5);
+  RandomMotion random(5);
   for (int i = 0; i < 100; ++i) {
     const Scene scene = random.pair(i % 4, (i / 4) % 4);
-    const motion::Flyer A(scene.bodies[0]), B(scene.bodies[1]);
-    const motion::Flight a(A, 0, scene.bodies[0].X_WB, scene.bodies[0].velocity, scene.gravity);
-    const motion::Flight b(B, 0, scene.bodies[1].X_WB, scene.bodies[1].velocity, scene.gravity);
-    const Meeting whole = time_of_impact(a, b, 0, 2);
+    const motion::RigidBodyModel A(scene.bodies[0]), B(scene.bodies[1]);
+    const motion::BallisticMotion a(A, 0, scene.bodies[0].X_WB, scene.bodies[0].velocity, scene.gravity);
+    const motion::BallisticMotion b(B, 0, scene.bodies[1].X_WB, scene.bodies[1].velocity, scene.gravity);
+    const FirstContact whole = time_of_impact(a, b, 0, 2);
     const double split = 2 * random.unit();
-    Meeting parts = time_of_impact(a, b, 0, split);
+    FirstContact parts = time_of_impact(a, b, 0, split);
     if (parts.meeting == Kind::miss) parts = time_of_impact(a, b, split, 2);
     CAPTURE(i, split);
     REQUIRE(whole.meeting == parts.meeting);
@@ -157,13 +157,13 @@ TEST_CASE("a split flight meets when the whole one does") {
 }
 
 TEST_CASE("within an envelope, a meeting is a time at which the two are as near as that") {
-  RandomFlight random(7);
+  RandomMotion random(7);
   for (int i = 0; i < 60; ++i) {
     Scene scene = random.pair(i % 4, (i / 4) % 4);
-    const motion::Flyer A(scene.bodies[0]), B(scene.bodies[1]);
-    const motion::Flight a(A, 0, scene.bodies[0].X_WB, scene.bodies[0].velocity, scene.gravity);
-    const motion::Flight b(B, 0, scene.bodies[1].X_WB, scene.bodies[1].velocity, scene.gravity);
-    const Meeting met = time_of_impact(a, b, 0, 2, 1e-9);
+    const motion::RigidBodyModel A(scene.bodies[0]), B(scene.bodies[1]);
+    const motion::BallisticMotion a(A, 0, scene.bodies[0].X_WB, scene.bodies[0].velocity, scene.gravity);
+    const motion::BallisticMotion b(B, 0, scene.bodies[1].X_WB, scene.bodies[1].velocity, scene.gravity);
+    const FirstContact met = time_of_impact(a, b, 0, 2, 1e-9);
     if (met.meeting != Kind::hit) continue;
     REQUIRE(met.lo == met.hi);
     scene.bodies[0].X_WB = a.pose(met.lo);
@@ -176,34 +176,35 @@ TEST_CASE("within an envelope, a meeting is a time at which the two are as near 
   }
 }
 
-/// at_first in steps of 1/8 m from 0, rates in steps of 1/4 m/s from 0; now and then so much that they begin as one.
-Swelling drawn_swelling(RandomFlight& random, int i) {
-  Swelling swelling;
-  swelling.since = i % 2 == 0 ? 0 : -random.unit();
-  swelling.at_first = i % 16 == 15 ? 8 : (i % 3) / 8.0;
-  swelling.rate = i % 5 / 4.0;
-  return swelling;
+/// at_first is a multiple of 1/8 m, from 0; the rate of 1/4 m/s, from 0. Now and then at_first is so large that the
+/// inflated bodies overlap from the beginning.
+Inflation drawn_inflation(RandomMotion& random, int i) {
+  Inflation inflation;
+  inflation.since = i % 2 == 0 ? 0 : -random.unit();
+  inflation.at_first = i % 16 == 15 ? 8 : (i % 3) / 8.0;
+  inflation.rate = i % 5 / 4.0;
+  return inflation;
 }
 
 TEST_CASE("swollen, the two are apart before they meet by more than the swelling, and then no farther") {
-  RandomFlight random(13);
+  RandomMotion random(13);
   int hits = 0, misses = 0, at_once = 0;
   for (int i = 0; i < 240; ++i) {
     Scene scene = random.pair(i % 3, (i / 3) % 3);
     if (i % 7 == 0) scene.bodies[1].mass = Fixed{};
-    const motion::Flyer A(scene.bodies[0]), B(scene.bodies[1]);
-    const motion::Flight a(A, 0, scene.bodies[0].X_WB, scene.bodies[0].velocity, scene.gravity);
-    const motion::Flight b(B, 0, scene.bodies[1].X_WB, scene.bodies[1].velocity, scene.gravity);
-    const Swelling swelling = drawn_swelling(random, i);
+    const motion::RigidBodyModel A(scene.bodies[0]), B(scene.bodies[1]);
+    const motion::BallisticMotion a(A, 0, scene.bodies[0].X_WB, scene.bodies[0].velocity, scene.gravity);
+    const motion::BallisticMotion b(B, 0, scene.bodies[1].X_WB, scene.bodies[1].velocity, scene.gravity);
+    const Inflation inflation = drawn_inflation(random, i);
     const double from = i % 4 == 3 ? random.unit() / 4 : 0, until = 2, envelope = i / 2 % 2 == 0 ? 0 : 1e-9;
     std::vector<lin_canny::FeaturePair> memory(1), walk(1);
-    const Meeting met = time_of_impact(a, b, from, until, envelope, memory, swelling);
+    const FirstContact met = time_of_impact(a, b, from, until, envelope, memory, inflation);
     const auto farther_by = [&](double t) {
-      const lin_canny::Station at_a(a.pose(t)), at_b(b.pose(t));
-      const double thicker = swelling.at_first + swelling.rate * (t - swelling.since);
+      const lin_canny::CachedPose at_a(a.pose(t)), at_b(b.pose(t));
+      const double thicker = inflation.at_first + inflation.rate * (t - inflation.since);
       return nearest_parts(A.solid, at_a, B.solid, at_b, walk).proximity.distance - thicker;
     };
-    CAPTURE(i, from, swelling.since, swelling.at_first, swelling.rate, met.lo, met.hi);
+    CAPTURE(i, from, inflation.since, inflation.at_first, inflation.rate, met.lo, met.hi);
     for (int k = 0; met.lo > from && k < 64; ++k) {
       const double early = from + (met.lo - from) * (k / 64.0), late = met.lo - std::ldexp(met.lo - from, -k);
       CAPTURE(early, late);
@@ -235,7 +236,7 @@ TEST_CASE("sizes and spins at the ends of what is used") {
     scene.bodies[0].X_WB.p_WB = Vec3(0, 0, 4 * size);
     scene.bodies[1].X_WB.p_WB = Vec3(0, 0, -size);
     scene.bodies[0].velocity = {Vec3(0, 0, -size), Vec3(0, 0, 1e4)};  // spins flat: the face's height is 7/2 sizes
-    scene.flight->times = {8};
+    scene.motion->sample_times = {8};
     const TimeOfImpact found = time_of_impact_of(scene);
     CAPTURE(size);
     check_holds(found, 3.5, 1e-6);
@@ -243,7 +244,7 @@ TEST_CASE("sizes and spins at the ends of what is used") {
 }
 
 TEST_CASE("needles meet when the reference says they do") {
-  RandomFlight random(11);
+  RandomMotion random(11);
   int hits = 0;
   for (int i = 0; i < 24; ++i) {
     Scene scene = random.pair(1, 1);

@@ -1,9 +1,9 @@
-"""Structural accidents that befall a scene: what a careless program sends, rather than what noise makes of text."""
+"""Structural mutations of a scene: errors of a careless program, not random noise in the text."""
 
 import copy
 import json
 
-# Written bare, though no JSON value of Python's: the text is put in place of the string.
+# Written without quotes, although Python has no such JSON value: the text replaces the string.
 BARE = {"@nan": "NaN", "@inf": "Infinity", "@1e999": "1e999", "@1e-400": "1e-400", "@big": "9" * 40, "@hex": "0x10", "@nothing": ""}
 NUMBERS = [0, -0.0, 1, -1, 0.5, 2, 3, 1e308, -1e308, 5e-324, 1e-300, 1e-160, 1e160, 1e15, 2 ** 31 - 1, 2 ** 31, 2 ** 53 + 1,
            2 ** 63, 2 ** 64 - 1, 1e-9, 1 + 2 ** -52]
@@ -33,7 +33,7 @@ def put(value, path, new):
     try:
         at(value, path[:-1])[path[-1]] = new
     except (IndexError, KeyError, TypeError):
-        pass  # an accident before this one took the place away
+        pass  # an earlier mutation removed the place
     return value
 
 
@@ -77,16 +77,16 @@ def unknown_key(random, scene):
 
 
 def swap_places(random, scene):
-    """Two values, of any kind, trade places (or one is copied over the other)."""
+    """Swaps two values of any kind (or copies one over the other)."""
     a, b = (random.choice(list(paths(scene))) for _ in range(2))
     first, second = copy.deepcopy(at(scene, a)), copy.deepcopy(at(scene, b))
-    if a[:len(b)] == b or b[:len(a)] == a:  # one holds the other
+    if a[:len(b)] == b or b[:len(a)] == a:  # one contains the other
         return put(scene, a, second)
     return put(put(scene, a, second), b, first)
 
 
 def change_list(random, scene):
-    """An item is lost, repeated or moved; or the list is cut short, or turned round."""
+    """Removes, repeats or moves an item; or shortens or reverses the list."""
     lists = [path for path in of_kind(scene, list) if at(scene, path)]
     if not lists:
         return scene
@@ -107,7 +107,7 @@ def change_list(random, scene):
 
 
 def flatten(random, scene):
-    """All vertices in one plane, on one line, in one point, or far apart and thin."""
+    """Puts all vertices in one plane, on one line or in one point, or makes the shape long and thin."""
     for shape in [at(scene, path) for path in of_kind(scene, dict)]:
         vertices = shape.get("vertices")
         if not isinstance(vertices, list) or random.random() < 0.3:
@@ -120,7 +120,7 @@ def flatten(random, scene):
 
 
 def change_faces(random, scene):
-    """Inside out, wrong corners, one too few or too many; or faces where there were none."""
+    """Reverses faces, gives them wrong corners, or one too few or too many; or adds faces where there were none."""
     for shape in [at(scene, path) for path in of_kind(scene, dict)]:
         if not isinstance(shape.get("vertices"), list):
             continue
@@ -152,7 +152,7 @@ def many_frames(random, scene):
 
 
 def wide_raster(random, scene):
-    """Refused for its size, or long and thin."""
+    """Makes the raster so large that it is refused, or long and thin."""
     if isinstance(scene, dict) and isinstance(scene.get("raster"), dict):
         columns, rows = random.choice([(2 ** 24 + 1, 1), (2 ** 31 - 1, 2 ** 31 - 1), (1, 2000), (2000, 1), (2 ** 13, 2 ** 12), (0, 0)])
         scene["raster"].update(columns=columns, rows=rows)
@@ -176,7 +176,7 @@ ACCIDENTS = [replace_number, replace_number, replace_number, negate_number, copy
 
 
 def mutated(random, scene, shapes):
-    """One to three accidents."""
+    """Applies one to three mutations."""
     scene = copy.deepcopy(scene)
     for _ in range(random.choice([1, 1, 2, 3])):
         if random.random() < 0.1:

@@ -1,9 +1,9 @@
-"""Scenes after structural accidents, put to a subject's program: each question is answered, and the program lives.
+"""Sends mutated scenes to a subject's program: it must answer every query and stay alive.
 
 usage: pipe_fuzz.py PROGRAM [--count 20000] [--seed 1] [--first 0] [--time-limit 20] [--say]
 
-Question i of a seed is the same whatever is asked before it. Exit code 1: it crashed, hung, or said something else than one
-answer; each such question is printed, to be kept in kept.jsonl, whose lines are asked before all others."""
+Query i of a seed does not depend on earlier queries. Exit code 1: the program crashed, hung, or printed something else
+than one answer. Each such query is printed, to be added to kept.jsonl, whose lines are sent before all others."""
 
 import argparse
 import collections
@@ -25,7 +25,7 @@ TICK = os.sysconf("SC_CLK_TCK")
 
 
 def question(seed, index):
-    """The line to send, with its seq, 1 + index; now and then it is not even a question."""
+    """The line to send, with its seq, 1 + index; sometimes it is not even a query."""
     chance = random.Random(f"{seed} {index}")
     query, scene = chance.choice(QUESTIONS)
     asked = mutation.mutated(chance, scene, scenes.SHAPES) if index % 20 else scene
@@ -61,7 +61,7 @@ class Program:
         return self.errors.read().decode(errors="replace")[:6000]
 
     def ask(self, line):
-        """(its answer, None) or (None, what went wrong); then it has been started anew."""
+        """Returns (its answer, None) or (None, what went wrong); in the second case it has been restarted."""
         began, before = time.monotonic(), self.cpu_seconds()
         try:
             self.process.stdin.write(line.encode() + b"\n")
@@ -93,7 +93,7 @@ class Program:
 
 
 def kind_of(answer, line):
-    """result, abstains or breaks; or what is wrong with the answer."""
+    """Returns "result", "abstains" or "breaks"; or what is wrong with the answer."""
     try:
         said = json.loads(answer)
     except json.JSONDecodeError:

@@ -1,4 +1,4 @@
-"""Small valid scenes of every kind, which a mutation starts from."""
+"""Small valid scenes of every kind, from which the mutations start."""
 
 NO_TURN = {"w": 1, "x": 0, "y": 0, "z": 0}
 TURNED = {"w": 0.5, "x": -0.25, "y": 1, "z": 0.125}
@@ -51,13 +51,13 @@ def contact(law):
 RASTER = {"x": -2, "y": -2, "pixel": 0.5, "columns": 9, "rows": 8, "shift": [1, -1]}
 FRAMES = [[{"body": 0, "X_WB": {"p": [0, 0, 0], "q": NO_TURN}}, {"body": 1, "X_WB": {"p": [1, 0, 0], "q": TURNED}}],
           [{"body": 0, "X_WB": {"p": [5, 0, 0], "q": TURNED}}], [{"body": 1, "X_WB": None}]]
-FLIGHT = {"times": [0.5, 1.5], "since": [0, 0], "envelope": 1e-6, "law": "poisson", "force_bound": 1,
-          "pushes": [{"time": 0.25, "body": 0, "force_W": [0.5, 0, 0]}]}
+MOTION = {"sample_times": [0.5, 1.5], "start_times": [0, 0], "envelope": 1e-6, "law": "poisson", "force_bound": 1,
+          "forces": [{"time": 0.25, "body": 0, "force_W": [0.5, 0, 0]}]}
 TABLE = body(box(10, 10, 1), (0, 0, -1), mass={"type": "fixed"})
 
 
 def questions():
-    """(query, scene): each kind of shape, and what each query needs."""
+    """Yields (query, scene): each kind of shape, and what each query needs."""
     pairs = [(a, b) for i, a in enumerate(SHAPES) for b in SHAPES[i % 3::3]]
     for a, b in pairs:
         for query in ("mass", "bounds", "broad_phase", "distance", "penetration"):
@@ -66,9 +66,9 @@ def questions():
         for law in ("poisson", "stronge", "newton"):
             yield "impulse", pair(a, b, contact=contact(law))
         yield "pixel", pair(a, b, raster=RASTER)
-        yield "time_of_impact", pair(a, b, flight={"times": [2]})
-        yield "simulation", pair(a, b, flight={"times": [2]})
-        yield "simulation", pair(a, b, flight=FLIGHT)
+        yield "time_of_impact", pair(a, b, motion={"sample_times": [2]})
+        yield "simulation", pair(a, b, motion={"sample_times": [2]})
+        yield "simulation", pair(a, b, motion=MOTION)
     ball = body(sphere(0.5), (0, 0, 0.5), v=(1, 0, 0))
-    yield "constraint", {**scene(ball, TABLE, flight={"times": [0.5, 1]}), "gravity": [0, 0, -9.75]}
-    yield "simulation", {**scene(body(sphere(0.5), (0, 0, 2)), TABLE, flight={"times": [0.5, 1]}), "gravity": [0, 0, -9.75]}
+    yield "constraint", {**scene(ball, TABLE, motion={"sample_times": [0.5, 1]}), "gravity": [0, 0, -9.75]}
+    yield "simulation", {**scene(body(sphere(0.5), (0, 0, 2)), TABLE, motion={"sample_times": [0.5, 1]}), "gravity": [0, 0, -9.75]}

@@ -1,5 +1,5 @@
-"""Usage: documents_test.py ROOT. Every link in our documents leads somewhere, every cited source is in the list, and a
-folder's README links to every page beside it."""
+"""Usage: documents_test.py ROOT. Every link in the documents has a target, every cited source is in the list, and the
+README of a folder links to every page beside it."""
 
 import pathlib
 import re
@@ -10,20 +10,20 @@ CITATION = re.compile(rf"({SURNAME})(?:, {SURNAME})*(?: & {SURNAME})? ((?:19|20)
 
 
 def links(text):
-    """Targets of [text](target), code left out."""
+    """The targets of [text](target), except in code."""
     prose = re.sub(r"```.*?```|`[^`\n]*`", "", text, flags=re.DOTALL)
     return re.findall(r"\[[^\]]*\]\(([^)\s]+)\)", prose)
 
 
 def anchors(text):
-    """Of the headings, as the usual renderers make them."""
+    """The anchors of the headings, as the usual renderers make them."""
     prose = re.sub(r"```.*?```", "", text, flags=re.DOTALL)
     titles = re.findall(r"^#+ (.*)$", prose, re.MULTILINE)
     return {re.sub(r"[^\w\- ]", "", title.lower()).replace(" ", "-") for title in titles}
 
 
 def cited(text):
-    """Keys as in docs/sources.bib: the first author and the year."""
+    """The keys, as in docs/sources.bib: the first author and the year."""
     return {author.split()[-1].lower() + year for author, year in CITATION.findall(text)}
 
 

@@ -1,4 +1,4 @@
-"""Usage: launcher_test.py ROOT CMAKE. The launcher and what it says, with stand-ins for the tools that take long."""
+"""Usage: launcher_test.py ROOT CMAKE. Tests the launcher and its output, with stand-ins for the slow tools."""
 
 import fcntl
 import os
@@ -15,7 +15,7 @@ STAND_INS = {
     "apt-get": "exit 1",
     # Configures the folder after -B.
     "cmake": 'while [ "$1" != -B ]; do shift; done; touch "$2/build.ninja"; echo "-- Not on trial: ode (not found)"',
-    # Builds a program that says where it stands.
+    # Builds a program that prints its own path.
     "ninja": 'mkdir -p "$2/bin"; printf "#!/bin/sh\\necho \\$0 \\$*\\n" >"$2/bin/touchstone"; chmod +x "$2/bin/touchstone"',
 }
 TOOLS = ["awk", "bash", "cat", "dirname", "dpkg-deb", "env", "flock", "id", "mkdir", "mktemp", "nproc", "readlink",
@@ -23,7 +23,7 @@ TOOLS = ["awk", "bash", "cat", "dirname", "dpkg-deb", "env", "flock", "id", "mkd
 
 
 class Launcher(unittest.TestCase):
-    """A source folder with nothing but the launcher; beside it the build folder and the tools."""
+    """A source folder that contains only the launcher; beside it the build folder and the tools."""
 
     def setUp(self):
         folder = tempfile.TemporaryDirectory(prefix="touchstone_")
@@ -55,7 +55,7 @@ class Launcher(unittest.TestCase):
         self.assertIn("Not on trial: ode", errors)
 
     def test_help_of_its_own_commands_is_the_programs(self):
-        """And needs no more than the program: neither the tests nor the comparisons are built for it."""
+        """The help needs no more than the program: neither the tests nor the comparisons are built for it."""
         for words in ["test", "--help"], ["test", "-h"], ["bench", "--help"]:
             code, output, errors = self.run_launcher(*words)
             self.assertEqual((code, output), (0, f"{self.build}/bin/touchstone {' '.join(words)}\n"), errors)

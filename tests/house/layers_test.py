@@ -1,11 +1,12 @@
-"""Usage: layers_test.py ROOT. Holds every #include to the table of layers; cmake/layers.cmake must say the same."""
+"""Usage: layers_test.py ROOT. Checks every #include against the table of layers, which cmake/layers.cmake must repeat,
+and every namespace against its folder."""
 
 import pathlib
 import re
 import sys
 
-# What a layer may include of the others. Two laws: reference and fast never see each other; the judge (oracle, properties)
-# never knows who is on trial.
+# The other layers that a layer may include. Two rules matter most: reference and fast do not depend on each other;
+# oracle and properties, which judge, do not depend on any subject.
 MAY_USE = {
     "model": set(),
     "reference": {"model"},
@@ -17,24 +18,53 @@ MAY_USE = {
     "tests": {"model", "reference", "fast", "oracle", "subject", "properties", "app"},
 }
 
-# Foreign headers that belong to some files only: (header, files that may include it).
+# External headers that only some files may include: (header, files that may include it).
 EXACT = r"CGAL/|gmp|mpfr|boost/multiprecision"
 BEHIND = [
-    (EXACT, r"reference/\w+\.cpp|reference/\w+_impl\.h|oracle/subjects/cgal\.cpp|tests/.*"),
-    (r"rapidcheck", r"properties/(domain|rapidcheck)\w*\.(h|cpp)|tests/.*"),
-    (r"catch2/", r"tests/catch\.h"),  # which knows versions 2 and 3
+    (EXACT, r"reference/\w+\.cpp|reference/\w+/.*|oracle/subjects/cgal/.*|tests/.*"),
+    (r"rapidcheck", r"properties/scenes/(domain|rapidcheck)\w*\.(h|cpp)|tests/.*"),
+    (r"catch2/", r"tests/catch\.h"),  # which supports versions 2 and 3
     (r"benchmark/", r"tests/bench/.*"),
-    (r"bt[A-Z]\w*\.h|Bullet\w*/|LinearMath/", r"oracle/subjects/bullet\w*\.(h|cpp)|tests/bench/(broad_phase|distance)/bullet\.cpp"),
-    (r"fcl/", r"oracle/subjects/fcl\w*\.(h|cpp)|tests/bench/(broad_phase|distance)/fcl\.cpp"),
-    (r"ccd/", r"oracle/subjects/(libccd|ccd)\w*\.(h|cpp)|tests/bench/distance/libccd\.cpp"),
-    (r"ode/", r"oracle/subjects/ode\w*\.(h|cpp)|tests/bench/broad_phase/ode\.cpp"),
-    (r"Simbody\.h|simbody/|SimTK", r"oracle/subjects/simbody\w*\.(h|cpp)"),
-    (r"CLI/", r"app/.*|oracle/subjects/\w*main\.cpp|tests/bench/command_line\.cpp"),
-    (r"iostream", r".*\.cpp"),  # every file that includes it pays for its static initialisers
+    (r"bt[A-Z]\w*\.h|Bullet\w*/|LinearMath/",
+     r"oracle/subjects/bullet/.*|tests/bench/(broad_phase|distance)/bullet\.cpp"),
+    (r"fcl/", r"oracle/subjects/fcl/.*|tests/bench/(broad_phase|distance)/fcl\.cpp"),
+    (r"ccd/", r"oracle/subjects/libccd/.*|tests/bench/distance/libccd\.cpp"),
+    (r"ode/", r"oracle/subjects/ode/.*|tests/bench/broad_phase/ode\.cpp"),
+    (r"Simbody\.h|simbody/|SimTK", r"oracle/subjects/simbody/.*"),
+    (r"CLI/", r"app/.*|oracle/subjects/\w+/\w*main\.cpp|tests/bench/command_line\.cpp"),
+    (r"iostream", r".*\.cpp"),  # each file that includes it pays for its static initialisers
 ]
 
-# What is seen of no engine's adapter but its own: the file that adapts our reference or our fast.
-OWN_ADAPTER = re.compile(r"oracle/subjects/(?:touchstone_)?(reference|fast)\w*\.(h|cpp)$")
+# Only the adapters of our reference and of our fast may include their layer; other engines' adapters may not.
+OWN_ADAPTER = re.compile(r"oracle/subjects/touchstone/(reference|fast)\w*\.(h|cpp)$")
+
+# A namespace is the folder's path: touchstone::fast::motion in fast/motion. The exceptions are (files, namespaces that
+# are allowed besides).
+NAMESPACES = [
+    (r"model/.*", {""}),  # what all layers share needs no prefix
+    (r"reference/\w+/.*", {"reference"}),  # sub-folders are private, so they need no names of their own
+    (r"properties/\w+/.*", {"properties"}),
+    (r"app/.*", {"app"}),
+    (r"app/report/.*", {"app::page"}),
+    (r"app/commands/help_texts\.h", {"app::help"}),
+    (r"oracle/(judge|minimise|process|truth)/.*|oracle/tolerance/precision\.(h|cpp)", {"oracle"}),
+    (r"oracle/judge/words\.(h|cpp)", {"oracle::words"}),
+    (r"oracle/minimise/.*", {"oracle::shrink"}),
+    (r"oracle/process/protocol\.(h|cpp)", {"oracle::protocol"}),
+    (r"oracle/subjects/.*", {"oracle::subjects"}),
+    (r"oracle/subjects/bullet/.*", {"oracle::subjects::in_bullet"}),  # `fcl` and `ode` are the engines' own names
+    (r"oracle/subjects/fcl/.*", {"oracle::subjects::in_fcl"}),
+    (r"oracle/subjects/ode/.*", {"oracle::subjects::in_ode"}),
+    (r"oracle/subjects/simbody/.*", {"oracle::subjects::in_simbody"}),
+    (r"fast/(bounds|broad_phase)/.*|fast/time_of_impact/inflation\.h", {"fast"}),
+    (r"fast/bounds/.*", {"fast::outward"}),
+    (r"fast/pixel/.*", {"fast::pixels"}),  # `fast::pixel` is the query's function
+    (r"fast/simulation/.*", {"fast::world"}),
+    (r"fast/time_of_impact/.*", {"fast::toi"}),  # `fast::time_of_impact` is the query's function
+    (r"properties/scenes/rapidcheck_domain\.h", {""}),  # RapidCheck finds showValue by its argument's type
+    (r"tests/.*", {"", "tests"}),
+    (r"tests/bench/.*", {"bench", "oracle"}),
+]
 
 
 def layer_of(path):
@@ -42,15 +72,16 @@ def layer_of(path):
 
 
 def complaint(file, header, is_quoted):
-    """What is wrong with `file` including `header`, or None."""
+    """Returns what is wrong with `file` including `header`, or None."""
     layer = layer_of(file)
     if is_quoted:
         if "/" not in header:
             return f'write the whole path of "{header}"'
         other = layer_of(header)
         if other == layer or other in MAY_USE[layer]:
-            if other == "reference" and layer != "reference" and header.endswith("_impl.h"):
-                return f"{header} is the reference's own: only exact value types pass its door"
+            is_private = header.startswith("reference/") and header.count("/") > 1
+            if is_private and (layer != "reference" or re.fullmatch(r"reference/\w+\.h", file)):
+                return f"{header} is private: other layers and the public headers of reference may not include it"
             return None
         own = OWN_ADAPTER.match(file)
         if own and own.group(1) == other:
@@ -62,27 +93,74 @@ def complaint(file, header, is_quoted):
     return None
 
 
+def allowed_namespaces(file):
+    """The namespaces, without touchstone::, that a file may be in: its folder's and the exceptions. A test may also be
+    in the namespaces of what it tests."""
+    folder = file.rsplit("/", 1)[0]
+    allowed = {folder.replace("/", "::")}.union(*(names for files, names in NAMESPACES if re.fullmatch(files, file)))
+    if folder.startswith("tests/"):
+        tested = file.removeprefix("tests/")
+        while "/" in tested:
+            allowed |= allowed_namespaces(tested)
+            tested = tested.rsplit("/", 1)[0]
+    return allowed
+
+
+def namespace_complaints(file, text):
+    """What is wrong with the namespaces that a file declares in."""
+    for name in sorted(set(re.findall(r"^namespace touchstone((?:::\w+)*) \{", text, re.MULTILINE))):
+        if name.removeprefix("::") not in allowed_namespaces(file):
+            yield f"namespace touchstone{name} is not that of its folder"
+
+
 def test_the_test():
-    """The laws bite."""
+    """Each rule reports a violation, and accepts what is right."""
     for file, header, is_quoted in [
         ("fast/a.cpp", "reference/distance.h", True),
         ("reference/a.cpp", "fast/distance.h", True),
-        ("oracle/judge.cpp", "fast/distance.h", True),
+        ("oracle/judge/judge.cpp", "fast/distance.h", True),
         ("properties/distance.cpp", "fast/distance.h", True),
-        ("properties/distance.cpp", "oracle/subjects/bullet.h", True),
-        ("oracle/subjects/bullet.cpp", "reference/distance.h", True),
-        ("oracle/subjects/reference.cpp", "fast/bounds.h", True),
-        ("oracle/judge.cpp", "reference/rational_impl.h", True),
+        ("properties/distance.cpp", "oracle/subjects/bullet/bullet.h", True),
+        ("oracle/subjects/bullet/bullet.cpp", "reference/distance.h", True),
+        ("oracle/subjects/touchstone/reference.cpp", "fast/bounds.h", True),
+        ("oracle/judge/judge.cpp", "reference/exact/rational.h", True),
+        ("tests/reference/distance_test.cpp", "reference/exact/rational.h", True),
+        ("reference/distance.h", "reference/exact/rational.h", True),
         ("model/scene.h", "oracle/subject.h", True),
         ("properties/distance.cpp", "fcl/fcl.h", False),
         ("reference/distance.h", "CGAL/Gmpq.h", False),
-        ("oracle/judge.cpp", "gmpxx.h", False),
+        ("oracle/judge/judge.cpp", "gmpxx.h", False),
         ("properties/distance.cpp", "rapidcheck.h", False),
-        ("oracle/subjects/fcl.cpp", "btBulletCollisionCommon.h", False),
+        ("oracle/subjects/fcl/fcl.cpp", "btBulletCollisionCommon.h", False),
+        ("oracle/subjects/common/cast.cpp", "fcl/fcl.h", False),
+        ("properties/cases/pair_sets.cpp", "rapidcheck.h", False),
     ]:
         assert complaint(file, header, is_quoted), (file, header)
-    assert not complaint("oracle/subjects/reference.cpp", "reference/distance.h", True)
-    assert not complaint("reference/distance.cpp", "CGAL/Gmpq.h", False)
+    for file, header, is_quoted in [
+        ("oracle/subjects/touchstone/reference.cpp", "reference/distance.h", True),
+        ("reference/distance.cpp", "reference/exact/rational.h", True),
+        ("reference/hull/half_space.h", "reference/exact/rational.h", True),
+        ("reference/distance.cpp", "CGAL/Gmpq.h", False),
+        ("reference/exact/rational.h", "gmpxx.h", False),
+        ("oracle/subjects/cgal/cgal.cpp", "CGAL/version.h", False),
+    ]:
+        assert not complaint(file, header, is_quoted), (file, header)
+    for file, name in [
+        ("fast/motion/tumble.cpp", "::fast"),
+        ("fast/contact/step.h", "::fast::motion"),
+        ("reference/exact/rational.h", ""),
+        ("properties/distance.cpp", "::oracle"),
+        ("tests/fast/motion/sine_test.cpp", "::fast::lin_canny"),
+    ]:
+        assert list(namespace_complaints(file, f"namespace touchstone{name} {{\n")), (file, name)
+    for file, name in [
+        ("model/scene.h", ""),
+        ("fast/motion/tumble.cpp", "::fast::motion"),
+        ("reference/exact/rational.h", "::reference"),
+        ("tests/fast/motion/sine_test.cpp", "::fast::motion"),
+        ("tests/fast/motion/sine_test.cpp", "::tests"),
+    ]:
+        assert not list(namespace_complaints(file, f"namespace touchstone{name} {{\n")), (file, name)
 
 
 def table_in_cmake(root):
@@ -103,6 +181,7 @@ def main(root):
             text = path.read_text()
             if path.suffix == ".h" and "#pragma once" not in text:
                 wrong.append(f"{file}: no #pragma once")
+            wrong += [f"{file}: {fault}" for fault in namespace_complaints(file, text)]
             for header, is_quoted in re.findall(r'^\s*#\s*include\s+[<"]([^>"]+)([>"])', text, re.MULTILINE):
                 seen += 1
                 fault = complaint(file, header, is_quoted == '"')

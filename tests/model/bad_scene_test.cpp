@@ -1,4 +1,5 @@
-// Each row of bad_scenes.json spoils good_scene.json in one place; schema_test.py holds the schema to the same rows.
+// Each row of bad_scenes.json makes good_scene.json invalid in one place; schema_test.py checks the schema against the
+// same rows.
 #include "model/json.h"
 #include "tests/catch.h"
 

@@ -26,7 +26,7 @@ class Folder {
   fs::path path_ = fs::temp_directory_path() / ("touchstone_files_test_" + std::to_string(::getpid()));
 };
 
-/// While it lives, a file that grows beyond `bytes` fails to (EFBIG): a full disk that a test can make.
+/// During its lifetime, writing a file beyond `bytes` fails (EFBIG): a simulated full disk.
 class SmallDisk {
  public:
   explicit SmallDisk(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {

@@ -1,4 +1,4 @@
-// Spoiled text is either refused or still a scene; nothing else may happen.
+// Corrupted text is either refused or still a scene; nothing else may happen.
 #include "model/json.h"
 #include "tests/catch.h"
 #include "tests/model/random_scene.h"
@@ -9,7 +9,7 @@ namespace {
 using tests::Bits;
 using namespace std::string_literals;
 
-/// One small accident that befalls files: a cut, a lost, changed, repeated or moved piece.
+/// Corrupts the text as files are in practice: truncates it, or removes, changes, repeats or moves a piece.
 std::string spoiled(std::string text, Bits& bits) {
   const auto anywhere = [&] { return static_cast<std::size_t>(bits.below(static_cast<int>(text.size()))); };
   static const std::string telling = "{}[]\":,.-+eE0123456789ntfux\\ \n\t\0\x80\xff"s;
@@ -48,7 +48,7 @@ TEST_CASE("spoiled scenes are refused or read, and what is read survives") {
       REQUIRE_FALSE(std::string(error.what()).empty());
     }
   }
-  CHECK(read > 100);  // or the accidents are too coarse to test the reader behind the parser
+  CHECK(read > 100);  // otherwise the corruptions are too coarse to test the reader behind the parser
 }
 
 }  // namespace

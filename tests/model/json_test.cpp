@@ -11,7 +11,7 @@ namespace {
 using tests::Bits;
 using namespace std::string_literals;
 
-/// operator== takes -0 for 0; a file must not.
+/// Compares by representation: operator== treats -0 as 0, but a file must preserve it.
 template <class T>
 bool same_bits(const T& a, const T& b) {
   return std::memcmp(&a, &b, sizeof(T)) == 0;
@@ -49,7 +49,7 @@ TEST_CASE("a scene survives text, compact or for people") {
     const Scene scene = tests::random_scene(seed);
     const Scene compact = through_text(scene);
     REQUIRE(compact == scene);
-    REQUIRE(json_of(compact).dump() == json_of(scene).dump());  // -0 too
+    REQUIRE(json_of(compact).dump() == json_of(scene).dump());  // preserves -0 too
     REQUIRE(text_of(json_of(read<Scene>(parse(text_of(json_of(scene)), ""), ""))) == text_of(json_of(scene)));
   }
 }

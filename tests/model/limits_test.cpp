@@ -1,4 +1,4 @@
-// What JSON cannot carry (NaN, Inf) and the edges; bad_scenes.json has the rest.
+// Values that JSON cannot represent (NaN, Inf), and values at the limits; bad_scenes.json has the rest.
 #include "model/limits.h"
 
 #include <limits>
@@ -20,7 +20,7 @@ Scene tetrahedron() {
   return scene;
 }
 
-/// `spoil` gets the only body.
+/// `spoil` changes the only body.
 template <class Spoil>
 std::string complaint(Spoil spoil) {
   Scene scene = tetrahedron();
@@ -113,7 +113,7 @@ TEST_CASE("a thin plate's inertia is a limit case and legal, turned or not") {
   CHECK(complaint([&](Body& b) { b.mass = MassProperties{1, Vec3::Zero(), plate}; }) != "accepted");
 }
 
-/// `spoil` gets the contact of two balls.
+/// `spoil` changes the contact of two balls.
 template <class Spoil>
 std::string impact_complaint(Spoil spoil) {
   Scene scene;

@@ -1,4 +1,5 @@
-// Prints scenes as the program writes them, one a line, for schema_test.py. Numbers are random bit patterns made legal.
+// Prints scenes as the program writes them, one per line, for schema_test.py. Numbers are random bit patterns made
+// valid.
 #include <algorithm>
 #include <iostream>
 #include <limits>
@@ -40,18 +41,19 @@ void legalise(Raster& raster) {
   ++raster.rows;
 }
 
-void legalise(Flight& flight, int bodies) {
-  for (std::vector<double>* numbers : {&flight.times, &flight.since}) {
+void legalise(Motion& motion, int bodies) {
+  for (std::vector<double>* numbers : {&motion.sample_times, &motion.start_times}) {
     for (double& x : *numbers) x = above_zero(x);
     std::sort(numbers->begin(), numbers->end());
   }
-  flight.times.erase(std::unique(flight.times.begin(), flight.times.end()), flight.times.end());
-  for (double& since : flight.since) since = std::min(since, flight.times.front());
-  flight.envelope.reset();  // a body's size may be too small for any
-  if (bodies == 0) flight.pushes.clear();
-  flight.force_bound = std::numeric_limits<double>::max();
-  for (Push& push : flight.pushes) push = {above_zero(push.time), push.body % bodies, push.force_W / 4};
-  std::ranges::sort(flight.pushes, {}, &Push::time);
+  motion.sample_times.erase(std::unique(motion.sample_times.begin(), motion.sample_times.end()),
+                            motion.sample_times.end());
+  for (double& since : motion.start_times) since = std::min(since, motion.sample_times.front());
+  motion.envelope.reset();  // the body may be too small for any envelope
+  if (bodies == 0) motion.forces.clear();
+  motion.force_bound = std::numeric_limits<double>::max();
+  for (AppliedForce& push : motion.forces) push = {above_zero(push.time), push.body % bodies, push.force_W / 4};
+  std::ranges::sort(motion.forces, {}, &AppliedForce::time);
 }
 
 Scene legal_scene(std::uint64_t seed) {
@@ -62,9 +64,10 @@ Scene legal_scene(std::uint64_t seed) {
     scene.bodies[0].mass = Density{};
   }
   if (scene.raster) legalise(*scene.raster);
-  if (scene.flight) {
-    legalise(*scene.flight, static_cast<int>(scene.bodies.size()));
-    for (const Push& push : scene.flight->pushes) scene.bodies[static_cast<std::size_t>(push.body)].mass = Density{};
+  if (scene.motion) {
+    legalise(*scene.motion, static_cast<int>(scene.bodies.size()));
+    for (const AppliedForce& push : scene.motion->forces)
+      scene.bodies[static_cast<std::size_t>(push.body)].mass = Density{};
   }
   for (Body& body : scene.bodies) {
     std::visit([](auto& shape) { legalise(shape); }, body.shape);
@@ -72,7 +75,7 @@ Scene legal_scene(std::uint64_t seed) {
     body.material = {seed % 2 ? 1.0 : 5e-324, std::abs(body.material.friction)};
   }
   std::vector<bool> there(scene.bodies.size(), false);
-  for (Frame& frame : scene.frames) {
+  for (SequenceFrame& frame : scene.frames) {
     std::erase_if(frame, [&](const Placement& p) { return !p.X_WB && !there[static_cast<std::size_t>(p.body)]; });
     for (const Placement& p : frame) there[static_cast<std::size_t>(p.body)] = p.X_WB.has_value();
   }

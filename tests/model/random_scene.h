@@ -1,4 +1,4 @@
-// Scenes of random shape whose numbers are random bit patterns: every finite double, denormals and -0 among them.
+// Scenes with random shapes whose numbers are random bit patterns: any finite double, including denormals and -0.
 #pragma once
 
 #include <bit>
@@ -82,7 +82,7 @@ inline Mass random_mass(Bits& bits) {
 
 inline Velocity random_velocity(Bits& bits) { return {bits.vec3(), bits.vec3()}; }
 
-/// Well formed, but a valid scene only by luck.
+/// Well formed, but valid only by chance.
 inline Scene random_scene(std::uint64_t seed) {
   Bits bits(seed);
   Scene scene{bits.below(2) ? "" : "scene \"\\\n\u00e9", {}, bits.vec3()};
@@ -95,7 +95,7 @@ inline Scene random_scene(std::uint64_t seed) {
                             random_mass(bits)});
   }
   for (int i = bits.below(3); i > 0; --i) {
-    Frame& frame = scene.frames.emplace_back();
+    SequenceFrame& frame = scene.frames.emplace_back();
     for (int body = 0; body < static_cast<int>(scene.bodies.size()); ++body) {
       if (bits.below(3)) frame.push_back({body, bits.below(4) ? std::optional(random_pose(bits)) : std::nullopt});
     }
@@ -109,13 +109,13 @@ inline Scene random_scene(std::uint64_t seed) {
                     bits.below(99), bits.below(99) - 50, bits.below(99) - 50};
   }
   if (bits.below(2)) {
-    Flight& flight = scene.flight.emplace();
-    for (int i = bits.below(4); i >= 0; --i) flight.times.push_back(bits.finite());
-    if (bits.below(2)) flight.since.assign(scene.bodies.size(), bits.finite());
-    if (bits.below(2)) flight.envelope = bits.finite();
-    flight.law = static_cast<Law>(bits.below(3));
-    if (bits.below(2)) flight.force_bound = bits.finite();
-    for (int i = bits.below(3); i > 0; --i) flight.pushes.push_back({bits.finite(), bits.below(4), bits.vec3()});
+    Motion& motion = scene.motion.emplace();
+    for (int i = bits.below(4); i >= 0; --i) motion.sample_times.push_back(bits.finite());
+    if (bits.below(2)) motion.start_times.assign(scene.bodies.size(), bits.finite());
+    if (bits.below(2)) motion.envelope = bits.finite();
+    motion.law = static_cast<Law>(bits.below(3));
+    if (bits.below(2)) motion.force_bound = bits.finite();
+    for (int i = bits.below(3); i > 0; --i) motion.forces.push_back({bits.finite(), bits.below(4), bits.vec3()});
   }
   return scene;
 }

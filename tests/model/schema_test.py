@@ -12,7 +12,7 @@ HERE = pathlib.Path(__file__).parent
 
 
 def patched(document, patch):
-    """RFC 6902's add, replace and remove."""
+    """The operations add, replace and remove of RFC 6902."""
     root = {"": copy.deepcopy(document)}
     holder, key = root, ""
     for word in patch["path"].split("/")[1:]:

@@ -1,8 +1,8 @@
-// Each adapter that says when two bodies first meet, on flights whose truth is on paper. The bound is loose: what the
-// engines lose is for the properties to find.
+// Each adapter that answers time_of_impact, on motions with known answers. The bound is loose, since engines' errors
+// are for the properties to detect.
 #include <algorithm>
 
-#include "oracle/pipe.h"
+#include "oracle/process/pipe.h"
 #include "tests/catch.h"
 
 namespace touchstone::oracle {
@@ -18,10 +18,10 @@ Body body(Shape shape, const Vec3& p_WB, const Velocity& velocity = {}) {
   return made;
 }
 
-Scene flight(Body A, Body B, double time) {
+Scene motion_scene(Body A, Body B, double time) {
   Scene scene;
   scene.bodies = {std::move(A), std::move(B)};
-  scene.flight = Flight{{time}};
+  scene.motion = Motion{{time}};
   return scene;
 }
 
@@ -42,12 +42,12 @@ void expect(const Scene& scene, std::optional<double> time, const std::string& p
   CHECK(answered > 0);
 }
 
-/// Bullet's GJK cast sees boxes pass through each other.
+/// Bullet's GJK cast lets boxes pass through each other.
 const std::string blind = "bullet.gjk_cast";
 
 TEST_CASE("oracle: time of impact: boxes on a straight line, falling together") {
   Scene scene =
-      flight(body(Box{{1, 1, 1}}, {4, 0.25, 0.125}, {{-2, 0, 0}, {0, 0, 0}}), body(Box{{1, 1, 1}}, {0, 0, 0}), 4);
+      motion_scene(body(Box{{1, 1, 1}}, {4, 0.25, 0.125}, {{-2, 0, 0}, {0, 0, 0}}), body(Box{{1, 1, 1}}, {0, 0, 0}), 4);
   expect(scene, 1, blind);
   scene.gravity = {0, 0, -10};
   expect(scene, 1, blind);
@@ -55,17 +55,18 @@ TEST_CASE("oracle: time of impact: boxes on a straight line, falling together") 
 
 TEST_CASE("oracle: time of impact: balls that meet, and that pass") {
   const auto balls = [](double sideways) {
-    return flight(body(Sphere{1}, {4, 0, 0}, {{-2, sideways, 0}, {0, 0, 0}}), body(Sphere{1}, {0, 0, 0}), 4);
+    return motion_scene(body(Sphere{1}, {4, 0, 0}, {{-2, sideways, 0}, {0, 0, 0}}), body(Sphere{1}, {0, 0, 0}), 4);
   };
   expect(balls(0), 1);
   expect(balls(-2), {});
 }
 
-// A bar turns clockwise onto a ball: its face is 1/8 m off its axis, so the ball of 1/2 m at 5/2 m is met at the angle
-// whose sine is (1/8 + 1/2)/(5/2) before the quarter turn. Again more slowly, from the other side.
+// A bar rotates clockwise towards a ball. Its face is 1/8 m from its axis; so contact with the ball of 1/2 m at 5/2 m
+// occurs before the quarter turn, by the angle whose sine is (1/8 + 1/2)/(5/2). Then the same more slowly, from the
+// other side.
 TEST_CASE("oracle: time of impact: a bar that turns") {
   const Box bar{{0.125, 3, 1}};
-  Scene scene = flight(body(bar, {0, 0, 0}, {{0, 0, 0}, {0, 0, -1}}), body(Sphere{0.5}, {2.5, 0, 0}), 3);
+  Scene scene = motion_scene(body(bar, {0, 0, 0}, {{0, 0, 0}, {0, 0, -1}}), body(Sphere{0.5}, {2.5, 0, 0}), 3);
   for (Body& one : scene.bodies) one.mass = MassProperties{1, Vec3::Zero(), Mat3::Identity()};
   expect(scene, 1.3181161);
   scene.bodies[0].velocity.w_WB = {0, 0, 0.5};

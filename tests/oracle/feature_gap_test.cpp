@@ -1,4 +1,4 @@
-#include "oracle/feature_gap.h"
+#include "oracle/truth/feature_gap.h"
 
 #include "tests/catch.h"
 
@@ -22,7 +22,7 @@ const Body above = posed(Box{{1, 1, 1}}, {0.5, 0.25, 3});
 TEST_CASE("feature_gap: vertices, edges and faces, in any order of their vertices") {
   CHECK(*feature_gap(cube, {0, {4, 5, 6, 7}}, above, {0, {0, 1, 2, 3}}) == 1);
   CHECK(*feature_gap(cube, {0, {7, 4, 6, 5}}, above, {0, {0}}) == 1);                         // a vertex over the face
-  CHECK(*feature_gap(cube, {0, {5, 7}}, above, {0, {0, 1}}) == 1);                            // edges that cross
+  CHECK(*feature_gap(cube, {0, {5, 7}}, above, {0, {0, 1}}) == 1);                            // crossed edges
   CHECK(*feature_gap(cube, {0, {4, 5}}, above, {0, {0, 1}}) == Approx(std::hypot(1, 0.25)));  // parallel edges
   CHECK(*feature_gap(cube, {0, {7}}, above, {0, {0}}) == Approx(Vec3(1.5, 1.75, 1).norm()));
 }
@@ -34,7 +34,7 @@ TEST_CASE("feature_gap: hulls that cross are 0 apart; a sphere is its centre; po
   CHECK(*feature_gap(cube, {0, {4, 5, 6, 7}}, ball, {0, {0}}) == 4);
   const Body turned =
       posed(Compound{{{Pose{}, Sphere{1}}, {Pose{{2, 0, 0}, {}}, Sphere{1}}}}, {0, 0, 1}, {1, 0, -1, 0});
-  CHECK(*feature_gap(cube, {0, {4, 5, 6, 7}}, turned, {1, {0}}) == Approx(2));  // x turned to z: the part at (0, 0, 3)
+  CHECK(*feature_gap(cube, {0, {4, 5, 6, 7}}, turned, {1, {0}}) == Approx(2));  // x rotated to z: the part at (0, 0, 3)
 }
 
 TEST_CASE("feature_gap: long edges that cross at a hundred thousandth of a right angle do cross") {

@@ -1,4 +1,4 @@
-#include "oracle/grade.h"
+#include "oracle/judge/grade.h"
 
 #include "tests/catch.h"
 

@@ -1,11 +1,11 @@
 // Gift wrapping agrees with CGAL's hull (reference/validity.h) on faces and on what is refused.
-#include "oracle/hull_faces.h"
+#include "oracle/process/hull_faces.h"
 
 #include <random>
 
 #include "model/input_error.h"
-#include "oracle/orientation.h"
-#include "oracle/truth.h"
+#include "oracle/process/orientation.h"
+#include "oracle/truth/truth.h"
 #include "tests/catch.h"
 
 namespace touchstone::oracle {

@@ -1,11 +1,11 @@
-// The judge's own K and u, in long double, against the reference's, exact.
-#include "oracle/impact.h"
+// Compares the judge's own K and u, in long double, with the exact values of the reference.
+#include "oracle/truth/impact.h"
 
 #include <cmath>
 
 #include "oracle/subject.h"
-#include "oracle/tolerance_impulse.h"
-#include "oracle/truth.h"
+#include "oracle/tolerance/impulse.h"
+#include "oracle/truth/truth.h"
 #include "tests/catch.h"
 
 namespace touchstone::oracle {

@@ -1,22 +1,22 @@
-#include "oracle/minimise.h"
+#include "oracle/minimise/minimise.h"
 
 #include <cmath>
 
-#include "oracle/scene_edit.h"
-#include "oracle/smaller.h"
-#include "oracle/truth.h"
+#include "oracle/minimise/scene_edit.h"
+#include "oracle/minimise/shrink.h"
+#include "oracle/truth/truth.h"
 #include "tests/catch.h"
 
 namespace touchstone::oracle {
 namespace {
 
-/// A number in [-1, 1) that is a fixed function of its counter, with all its bits in use.
+/// A number in [-1, 1) that depends only on its counter and uses all bits of its mantissa.
 double number(int& counter) {
   const double x = std::sin(static_cast<double>(++counter) * 12.9898) * 43758.5453;
   return 2 * (x - std::floor(x)) - 1;
 }
 
-/// Points on a sphere, nearly: a hull of about `count` vertices.
+/// Points close to a sphere: a hull of about `count` vertices.
 Polytope ball(int count, int& counter) {
   std::vector<Vec3> points;
   while (static_cast<int>(points.size()) < count) {
@@ -26,7 +26,7 @@ Polytope ball(int count, int& counter) {
   return truth::convex_hull(points);
 }
 
-/// Two balls, turned and apart along a slanted line by about `gap`.
+/// Two rotated balls, separated by about `gap` along an oblique line.
 Scene balls(int count, double gap) {
   int counter = count;
   Scene scene;
@@ -63,7 +63,7 @@ Scene minimised(const Scene& scene, const std::function<bool(const Scene&)>& fai
   const Size size = size_of(smallest);
   INFO(size.bodies << " bodies, " << size.vertices_per_body_max << " vertices, " << size.significant_bits_max
                    << " bits, " << counted.asked << " asked");
-  CHECK(smaller::cost(smallest) <= smaller::cost(scene));
+  CHECK(shrink::cost(smallest) <= shrink::cost(scene));
   return smallest;
 }
 
@@ -175,33 +175,33 @@ TEST_CASE("A budget of nothing asks nothing; a failure that needs everything kee
             scene, [](const Scene&) { return false; }, 50) == scene);
 }
 
-/// What a removal that is forgotten shows: a body that was there with another, and is not any more.
+/// The sequence that shows a missed removal: two bodies of which one is removed.
 TEST_CASE("a film comes down to the shortest sequence that fails") {
-  Scene film;
-  film.bodies.resize(7);
-  for (Body& body : film.bodies) body.shape = Box{{1, 2, 3}};
+  Scene sequence;
+  sequence.bodies.resize(7);
+  for (Body& body : sequence.bodies) body.shape = Box{{1, 2, 3}};
   int counter = 0;
   for (int f = 0; f < 9; ++f) {
-    Frame& frame = film.frames.emplace_back();
+    SequenceFrame& frame = sequence.frames.emplace_back();
     for (int body = f % 3; body < 7; body += 2) {
       Pose X_WB{{number(counter), number(counter), number(counter)}, {number(counter), number(counter), 1, 0}};
       frame.push_back({body, f == 6 && body == 4 ? std::nullopt : std::optional(X_WB)});
     }
   }
   const auto goes = [](const Scene& s) {
-    for (const Frame& frame : s.frames) {
+    for (const SequenceFrame& frame : s.frames) {
       for (const Placement& placement : frame) {
         if (!placement.X_WB && s.bodies.size() > 1) return true;
       }
     }
     return false;
   };
-  const Scene smallest = minimised(film, goes);
+  const Scene smallest = minimised(sequence, goes);
   CHECK(smallest.bodies.size() == 2);
   REQUIRE(smallest.frames.size() == 2);
   REQUIRE(smallest.frames[0].size() == 1);
   CHECK(smallest.frames[0][0].X_WB == Pose{});
-  CHECK(smallest.frames[1] == Frame{{smallest.frames[0][0].body, {}}});
+  CHECK(smallest.frames[1] == SequenceFrame{{smallest.frames[0][0].body, {}}});
 }
 
 TEST_CASE("an impact comes down to plain numbers, its velocities with them") {
@@ -242,26 +242,27 @@ TEST_CASE("a flight comes down to the bodies, times and pushes that matter") {
     body.velocity = {{number(counter), number(counter), number(counter)}, {number(counter), 0, number(counter)}};
     body.material = {0.7, 0.3};
   }
-  Flight& flight = scene.flight.emplace();
-  flight.times = {1, 1.7, 2.1, 3};
-  flight.since = {0, 0.1, 0.2, 0.3};
-  flight.envelope = 1e-7;
-  flight.law = Law::stronge;
-  flight.force_bound = 10;
-  flight.pushes = {{0.1, 1, {1, 2, 3}}, {0.2, 3, {1.5, 0, 0}}, {0.3, 2, {0, 1, 0}}};
+  Motion& motion = scene.motion.emplace();
+  motion.sample_times = {1, 1.7, 2.1, 3};
+  motion.start_times = {0, 0.1, 0.2, 0.3};
+  motion.envelope = 1e-7;
+  motion.law = Law::stronge;
+  motion.force_bound = 10;
+  motion.forces = {{0.1, 1, {1, 2, 3}}, {0.2, 3, {1.5, 0, 0}}, {0.3, 2, {0, 1, 0}}};
   const auto pushed = [](const Scene& s) {
-    return s.flight && s.flight->times.back() > 1.5 && std::ranges::any_of(s.flight->pushes, [&](const Push& push) {
+    return s.motion && s.motion->sample_times.back() > 1.5 &&
+           std::ranges::any_of(s.motion->forces, [&](const AppliedForce& push) {
              return push.force_W.x() > 1.2 && s.bodies[static_cast<std::size_t>(push.body)].velocity.v_WBcm.x() != 0;
            });
   };
   const Scene smallest = minimised(scene, pushed);
   CHECK(smallest.bodies.size() == 1);
   CHECK(smallest.gravity == Vec3::Zero());
-  REQUIRE(smallest.flight->times.size() == 1);
-  REQUIRE(smallest.flight->pushes.size() == 1);
-  CHECK(smallest.flight->since.empty());
-  CHECK(!smallest.flight->envelope);
-  CHECK(smallest.flight->law == Law::poisson);
+  REQUIRE(smallest.motion->sample_times.size() == 1);
+  REQUIRE(smallest.motion->forces.size() == 1);
+  CHECK(smallest.motion->start_times.empty());
+  CHECK(!smallest.motion->envelope);
+  CHECK(smallest.motion->law == Law::poisson);
   CHECK(size_of(smallest).significant_bits_max <= 1);
 }
 

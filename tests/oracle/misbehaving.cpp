@@ -1,5 +1,4 @@
-// A subject that answers every scene with "1 m apart", but does what its first argument says when the scene's name is
-// "trap".
+// A subject that answers every scene with "1 m apart". For the scene named "trap" it does what its first argument says.
 #include <unistd.h>
 #include <xmmintrin.h>
 
@@ -14,8 +13,8 @@
 #include <string>
 #include <thread>
 
-#include "oracle/protocol.h"
-#include "oracle/serve.h"
+#include "oracle/process/protocol.h"
+#include "oracle/process/serve.h"
 
 namespace touchstone::oracle {
 namespace {
@@ -68,7 +67,7 @@ const std::map<std::string, std::function<Distance()>> tricks = {
     {"inf", [] { return apart(std::numeric_limits<double>::infinity()); }},
     {"fast_math", [] { return flush_denormals(), apart(1); }}};
 
-/// What a subject of another make may put on the wire in place of {"seq":SEQ,"result":…}.
+/// What a foreign subject may write in place of {"seq":SEQ,"result":…}.
 const std::map<std::string, std::string> texts = {{"wire_words", "hello\n"},
                                                   {"wire_empty", "\n"},
                                                   {"wire_array", "[1]\n"},
@@ -101,7 +100,8 @@ class Misbehaving : public Subject {
   explicit Misbehaving(std::function<Distance()> trick) : trick_(std::move(trick)) {}
   const Card& card() const override { return oracle::card; }
 
-  /// "count": how many questions this process was asked; "denormal": 1 if half of the least normal number is a number.
+  /// "count": the number of questions that this process has been asked; "denormal": 1 if half of the least normal
+  /// number is not flushed to zero.
   Answer<Distance> distance(const Scene& scene) override {
     ++asked_;
     if (scene.name == "count") return apart(asked_);

@@ -1,5 +1,5 @@
-// Whatever the other end does is a verdict, and the run goes on.
-#include "oracle/pipe.h"
+// Whatever the other process does becomes a verdict, and the run continues.
+#include "oracle/process/pipe.h"
 
 #include <sys/wait.h>
 
@@ -17,7 +17,7 @@ using Kind = Breaks::Kind;
 
 const std::string program = TOUCHSTONE_MISBEHAVING;
 
-/// One limit at a time, so that a loaded machine changes no verdict.
+/// One limit at a time, so that the load of the machine changes no verdict.
 const PipeLimits short_cpu{.cpu_seconds = 0.2, .wall_seconds = 60};
 const PipeLimits short_wall{.cpu_seconds = 60, .wall_seconds = 1};
 const PipeLimits short_line{.cpu_seconds = 60, .wall_seconds = 60, .longest_line = 1 << 20};

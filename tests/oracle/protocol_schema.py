@@ -1,4 +1,4 @@
-"""Says "ok" or "bad" of each line on stdin, by docs/protocol.schema.json. Its argument is the folder docs/."""
+"""Prints "ok" or "bad" for each line on stdin, by docs/protocol.schema.json. Its argument is the folder docs/."""
 import json
 import pathlib
 import sys

@@ -1,5 +1,5 @@
-// The published schema takes what is really said, in both directions, and nothing else.
-#include "oracle/protocol.h"
+// The published schema accepts the messages that are exchanged, in both directions, and nothing else.
+#include "oracle/process/protocol.h"
 
 #include <unistd.h>
 
@@ -8,8 +8,8 @@
 #include <fstream>
 
 #include "model/input_error.h"
-#include "oracle/child_process.h"
-#include "oracle/pipe.h"
+#include "oracle/process/child_process.h"
+#include "oracle/process/pipe.h"
 #include "tests/catch.h"
 
 namespace touchstone::oracle {
@@ -17,7 +17,7 @@ namespace {
 
 /// "ok" or "bad" for each line.
 std::vector<std::string> by_schema(const std::vector<std::string>& lines) {
-  const std::string file = "protocol_test_lines." + std::to_string(getpid()) + ".txt";  // CTest runs cases side by side
+  const std::string file = "protocol_test_lines." + std::to_string(getpid()) + ".txt";  // CTest runs cases in parallel
   {
     std::ofstream out(file);
     for (const std::string& line : lines) out << line << '\n';
@@ -45,7 +45,7 @@ Scene scene() {
   return made;
 }
 
-/// Both sides of a whole conversation, as lines.
+/// The lines of both sides of a complete conversation.
 std::vector<std::string> conversation(const std::vector<std::string>& command) {
   ChildProcess child(command);
   std::vector<std::string> lines;

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "oracle/child_process.h"
-#include "oracle/pipe.h"
+#include "oracle/process/child_process.h"
+#include "oracle/process/pipe.h"
 #include "tests/catch.h"
 
 namespace touchstone::oracle {
@@ -72,7 +72,7 @@ TEST_CASE("a subject's program answers a bad line and reads the next") {
       {ask("distance", body(unit)), 7, "scene.bodies: the query distance is about bodies 0 and 1: two are needed"},
       {ask("impulse", body(unit) + "," + body(unit)), 7, "scene.contact: missing"},
       {ask("pixel", body(unit)), 7, "scene.raster: missing"},
-      {ask("simulation", body(unit)), 7, "scene.flight: missing"}};
+      {ask("simulation", body(unit)), 7, "scene.motion: missing"}};
   Served served(name);
   for (const Line& line : lines) {
     CAPTURE(line.text);

@@ -1,9 +1,9 @@
-// Each adapter on scenes whose truth is plain: units, frames, half extents, which way a normal points. A mistake here
-// would slander an engine. (Engines' errors are found by the properties, not here: the bound is a loose 1e-5.)
+// Each adapter on scenes with obvious answers: units, frames, half extents, the direction of a normal. A mistake here
+// would blame an engine unjustly. Engines' errors are for the properties to detect, so the bound is a loose 1e-5.
 #include <algorithm>
 #include <limits>
 
-#include "oracle/pipe.h"
+#include "oracle/process/pipe.h"
 #include "tests/catch.h"
 
 namespace touchstone::oracle {
@@ -34,7 +34,7 @@ Scene swapped(Scene scene) {
   return scene;
 }
 
-/// The built subjects that claim a query.
+/// The built subjects that answer a query.
 std::vector<std::unique_ptr<Subject>> answering(const std::string& query) {
   std::vector<std::unique_ptr<Subject>> subjects;
   for (const std::string& name : subjects_beside(TOUCHSTONE_SUBJECTS)) {
@@ -53,7 +53,7 @@ T said(const Answer<T>& answer) {
   return std::get<T>(answer);
 }
 
-/// Engines that tell only whether are held to that.
+/// Checks only the verdict of engines that report no distance.
 void expect_distance(const Scene& scene, double distance, const Vec3& from_B_to_A) {
   for (const auto& subject : answering("distance")) {
     CAPTURE(subject->card().name);
@@ -120,8 +120,8 @@ TEST_CASE("hulls in each other") {
   expect_depth(swapped(scene), 0.25, {0, 1, 0}, "fcl.indep");
 }
 
-/// FCL's contact has a depth that is positive "when in collision" and a normal in the world; its own fcl::distance
-/// aborts on the depth that this solver gives (FCL issue 541). An adapter that turned it round would hide that.
+/// FCL's contact depth should be positive "when in collision", and its normal in the world frame; fcl::distance itself
+/// aborts on the depth that this solver returns (FCL issue 541). An adapter that corrected the sign would hide that.
 TEST_CASE("FCL's own solver negates the depth of hulls and leaves their normal in A's frame, and its adapter says so") {
   const Scene scene =
       pair(body(cube, {10.25, 4.25, 7.5}, quarter_turn_about_x), body(cube, {10, 6, 7}, quarter_turn_about_x));
@@ -139,7 +139,7 @@ TEST_CASE("spheres in each other") {
     CAPTURE(subject->card().name);
     const Penetration p = said(subject->penetration(scene));
     CHECK(p.verdict == Verdict::overlapping);
-    // EPA walks over a sphere by facets: its default tolerance shows.
+    // EPA approximates a sphere by facets: its default tolerance shows.
     CHECK(std::abs(p.depth.value() - 0.5) < 0.01);
     CHECK((p.nhat_BA_W.value() - Vec3(0, 1, 0)).norm() < 0.1);
   }
@@ -161,8 +161,8 @@ TEST_CASE("bounds of a sphere, a turned box and a turned tetrahedron") {
   }
 }
 
-/// FCL's managers whose own mistakes show on scenes as plain as these, also without our adapter
-/// (docs/design/broad_phase.md): the hash tells all pairs of a cell, the other two do not survive a removal.
+/// FCL's managers that err even on scenes as simple as these, also without our adapter (docs/design/broad_phase.md):
+/// the hash reports all pairs within a cell, and the other two fail after a removal.
 bool errs(const Subject& subject, bool removes) {
   const std::string& name = subject.card().name;
   return name == "fcl.spatial_hash" || (removes && (name == "fcl.sap" || name == "fcl.interval_tree"));
@@ -178,16 +178,16 @@ TEST_CASE("broad phase of a row of boxes") {
   }
 }
 
-/// The boxes come one after the other, one passes between two others, and one goes.
+/// The boxes are added one after the other, one passes between two others, and one is removed.
 TEST_CASE("a film of boxes: who comes, moves and goes") {
-  Scene film;
-  for (int i = 0; i < 3; ++i) film.bodies.push_back(body(Box{{1, 1, 1}}, {0, 0, 0}));
+  Scene sequence;
+  for (int i = 0; i < 3; ++i) sequence.bodies.push_back(body(Box{{1, 1, 1}}, {0, 0, 0}));
   const auto at = [](double x) { return Pose{{x, 0.25, 0.5}, {}}; };
-  film.frames = {{{1, at(0)}}, {{0, at(9)}}, {{0, at(1.5)}, {2, at(3)}}, {}, {{1, {}}}, {{1, at(4.5)}}};
+  sequence.frames = {{{1, at(0)}}, {{0, at(9)}}, {{0, at(1.5)}, {2, at(3)}}, {}, {{1, {}}}, {{1, at(4.5)}}};
   for (const auto& subject : answering("pair_history")) {
     CAPTURE(subject->card().name);
     if (errs(*subject, true)) continue;
-    const PairHistory history = said(subject->pair_history(film));
+    const PairHistory history = said(subject->pair_history(sequence));
     REQUIRE(history.size() == 6);
     CHECK(history[0].pairs.empty());
     CHECK(history[1].pairs.empty());
@@ -238,11 +238,11 @@ TEST_CASE("the reference abstains where no double holds the exact value") {
   CHECK(std::holds_alternative<Abstains>(reference->bounds(far_out)));
   CHECK(std::holds_alternative<Abstains>(reference->mass(far_out)));
   const Scene speck = pair(body(Box{Vec3::Constant(1e-150)}, {0, 0, 0}), body(Box{{1, 1, 1}}, {9, 0, 0}));
-  CHECK(std::holds_alternative<Abstains>(reference->mass(speck)));  // it would be 0
+  CHECK(std::holds_alternative<Abstains>(reference->mass(speck)));  // it would be rounded to 0
   CHECK(std::holds_alternative<Bounds>(reference->bounds(speck)));
 }
 
-/// A ball of mass 1 and inertia 1/2 that meets something at the origin, from above.
+/// A ball of mass 1 and inertia 1/2 that hits a body at the origin from above.
 Scene impact(const Vec3& v, Body other, double e, double mu) {
   Body ball = body(Sphere{1}, {0, 0, 1});
   MassProperties given;
@@ -255,7 +255,7 @@ Scene impact(const Vec3& v, Body other, double e, double mu) {
   return scene;
 }
 
-/// By each law that the subject restores by; the scenes are such that all three agree.
+/// By each law of restitution that the subject supports; in these scenes all three agree.
 void expect_impulse(const Scene& scene, const std::array<Velocity, 2>& after) {
   for (const auto& subject : answering("impulse")) {
     CAPTURE(subject->card().name);
@@ -291,7 +291,7 @@ TEST_CASE("oracle: impulse: head on, two balls part at e times their approach") 
   expect_impulse(impact({0, 0, -2}, other, 1, 0), {Velocity{{0, 0, 1}, {0, 0, 0}}, {{0, 0, -1}, {0, 0, 0}}});
 }
 
-// P_n = 3, and friction mu P_n = 3/4 against the slip, which 1 would stop: K_t = 1 + 1/(1/2).
+// P_n = 3. Friction mu P_n = 3/4 acts against the slip; stopping it would take 1, as K_t = 1 + 1/(1/2).
 TEST_CASE("oracle: impulse: friction is mu times the impulse, its moment spins the ball") {
   Body ground = body(Box{{4, 4, 1}}, {0, 0, -1});
   ground.mass = Fixed{};
@@ -307,7 +307,8 @@ TEST_CASE("oracle: impulse: masses by density, centres of mass off the origin") 
   Scene scene = impact({0, 0, -2}, ground, 1, 0);
   scene.bodies[0].mass = Density{2};
   expect_impulse(scene, {Velocity{{0, 0, 2}, {0, 0, 0}}, {}});
-  // m = 1, I = 1/2, C 1 to the left of the centre: K_nn = 1 + 1/(1/2), P_n = 4/3; the moment is about +y.
+  // m = 1, I = 1/2, and C is 1 to the left of the centre of mass: K_nn = 1 + 1/(1/2), P_n = 4/3; the moment is about
+  // +y.
   scene.bodies[0] = impact({0, 0, -2}, ground, 1, 0).bodies[0];
   std::get<MassProperties>(scene.bodies[0].mass).p_BBcm = {1, 0, 0};
   expect_impulse(scene, {Velocity{{0, 0, -2 + 4.0 / 3}, {0, 8.0 / 3, 0}}, {}});

@@ -1,12 +1,13 @@
-// The bounds are neither broken nor idle: a plain computation in binary32 is held against each, from both sides.
-#include "oracle/tolerance.h"
+// The bounds hold, and they are not far too large: a plain computation in binary32 is compared with each from both
+// sides.
+#include "oracle/tolerance/tolerance.h"
 
 #include <Eigen/Geometry>
 #include <cmath>
 #include <cstdint>
 
-#include "oracle/precision.h"
-#include "oracle/world_points.h"
+#include "oracle/tolerance/precision.h"
+#include "oracle/truth/world_points.h"
 #include "tests/catch.h"
 
 using namespace touchstone;
@@ -14,7 +15,8 @@ using oracle::Precision;
 
 namespace {
 
-// Numbers in (-1, 1) that are floats, the same on every machine (a linear congruence, its upper bits).
+// Numbers in (-1, 1) that floats represent exactly, the same on every machine: the upper bits of a linear congruential
+// generator.
 class Floats {
  public:
   double next() {
@@ -36,7 +38,7 @@ Scene of(Shape shape, const Pose& X_WB = {}) {
   return scene;
 }
 
-// As engines do: normalise, make a matrix, multiply, add.
+// As engines transform a point: normalise, make a matrix, multiply, add.
 Eigen::Vector3f placed(const Pose& X, const Vec3& p) {
   const Eigen::Quaternionf q(Eigen::Quaterniond(X.q_WB.w, X.q_WB.x, X.q_WB.y, X.q_WB.z).cast<float>());
   return q.normalized().toRotationMatrix() * p.cast<float>() + X.p_WB.cast<float>();
@@ -90,7 +92,8 @@ TEST_CASE("a tetrahedron's mass and centre in binary32, seen from its first vert
   for (int i = 0; i < 1000; ++i) {
     const Vec3 far = 1024 * random.point();
     std::vector<Vec3> v;
-    // Floats by their grid, not by a cast to float and back: g++ 12 leaves out that rounding where it vectorises.
+    // Rounds to a grid that floats represent, not by a cast to float and back: g++ 12 omits that rounding in vectorised
+    // code.
     for (int k = 0; k < 4; ++k) v.emplace_back((0x1p12 * (far + random.point())).array().round() * 0x1p-12);
     const double V = (v[1] - v[0]).dot((v[2] - v[0]).cross(v[3] - v[0])) / 6;
     if (V < 1e-3) continue;
@@ -103,7 +106,7 @@ TEST_CASE("a tetrahedron's mass and centre in binary32, seen from its first vert
     const oracle::tolerance::MassBound bound = oracle::tolerance::mass(body, Precision::binary32);
     CHECK(std::abs(static_cast<double>(volume) - V) < bound.mass);
     CHECK((centre.cast<double>() - exact).cwiseAbs().maxCoeff() < bound.centre);
-    CHECK(bound.mass < 1e-3);  // however far from its origin
+    CHECK(bound.mass < 1e-3);  // however far the body is from its origin
   }
 }
 

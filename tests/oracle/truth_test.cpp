@@ -1,4 +1,4 @@
-#include "oracle/truth.h"
+#include "oracle/truth/truth.h"
 
 #include "model/input_error.h"
 #include "tests/catch.h"

@@ -1,4 +1,4 @@
-// What each outcome of the bounds properties is, on answers by hand.
+// The outcomes of the bounds properties, for answers computed by hand.
 #include <cmath>
 #include <limits>
 
@@ -50,7 +50,7 @@ TEST_CASE("bounds.tight: rounding and the declared margin, no more") {
 TEST_CASE("bounds: one box a body") {
   CHECK(judged("bounds.tight", Bounds{grown(0)[0]}).defect == Defect::wrong_box);
   CHECK(judged("bounds.survives", Bounds{grown(-5)}).outcome == Outcome::fails);
-  CHECK(judged("bounds.alone", grown(0)).defect == Defect::relabelled);  // a constant cannot follow the bodies' order
+  CHECK(judged("bounds.alone", grown(0)).defect == Defect::relabelled);  // a constant cannot follow a change of order
 }
 
 TEST_CASE("bounds.survives: infinity is no fault where the exact box ends beyond the subject's numbers") {

@@ -1,4 +1,4 @@
-// What each outcome of the broad phase properties is, on answers by hand.
+// The outcomes of the broad phase properties, for answers computed by hand.
 #include "properties/property.h"
 #include "tests/catch.h"
 #include "tests/properties/fixed_subject.h"
@@ -25,7 +25,7 @@ const std::string apart = "cubes apart along y";  // by 0.25
 TEST_CASE("broad_phase.misses_none: boxes that only touch are a pair") {
   CHECK(judged("broad_phase.misses_none", touching, PairSet{{0, 1}}).outcome == Outcome::holds);
   CHECK(judged("broad_phase.misses_none", touching, PairSet{{1, 0}}).outcome ==
-        Outcome::holds);  // form is well_formed's
+        Outcome::holds);  // well_formed checks the form
   const auto missed = judged("broad_phase.misses_none", touching, PairSet{});
   CHECK(missed.outcome == Outcome::fails);
   CHECK(missed.defect == Defect::missed);

@@ -1,8 +1,8 @@
-// Each property catches a canary, each canary is caught, each clause is proved sharp, and nobody is accused who tells
-// the truth.
+// Each property detects a canary, each canary is detected, each clause is proved sharp, and no truthful subject is
+// accused.
 #include <algorithm>
 
-#include "oracle/subjects/canaries.h"
+#include "oracle/subjects/canaries/canaries.h"
 #include "properties/clause.h"
 #include "properties/property.h"
 #include "tests/catch.h"
@@ -19,7 +19,7 @@ void each_property_catches_a_canary() {
     INFO(property);
     CHECK_FALSE(caught.empty());
     caught.erase("canary.throws");
-    caught.erase("canary.nan");  // who gives no number at all is caught by anyone
+    caught.erase("canary.nan");  // every property detects an answer that is not a number
     CHECK((property.ends_with(".survives") || !caught.empty()));
   }
 }
@@ -49,7 +49,7 @@ void each_clause_is_proved_sharp(const properties::Clause& clause) {
 
 }  // namespace
 
-// One test, since each runs as a program of its own, and the runs behind the table cost seconds.
+// A single test case, since each case runs as a program of its own, and the runs behind the table take seconds.
 TEST_CASE("canaries prove every property and clause sharp, and the canaries' page is what they show") {
   each_property_catches_a_canary();
   each_canary_is_caught();
@@ -61,7 +61,7 @@ TEST_CASE("the reference keeps every property, and each property asks it somethi
   const auto reference = tests::truthful();
   for (const properties::Property& property : properties::all()) {
     int held = 0;
-    for (const Scene& scene : tests::scenes_of(property.stem)) {
+    for (const Scene& scene : tests::scenes_of(property.query)) {
       const oracle::Finding finding = property.check(scene, *reference);
       INFO(property.id << " on " << scene.name << ": " << name_of(finding.outcome) << ", " << name_of(finding.defect)
                        << ", " << finding.observed << " for " << finding.expected << ", " << finding.error << " of "

@@ -1,4 +1,4 @@
-// The clause reader: the form, and each way to break it.
+// The reader of clauses: the format, and each way to violate it.
 #include "properties/clause.h"
 
 #include "model/input_error.h"
@@ -27,7 +27,7 @@ TEST_CASE("a clause in the house's form") {
   REQUIRE(clauses.size() == 2);
   const properties::Clause& clause = clauses[1];
   CHECK(clause.id == "TS-X-1");
-  CHECK(clause.stem == "x");
+  CHECK(clause.query == "x");
   CHECK(clause.title == "Title of it");
   CHECK(clause.says == "The sentence goes on.");
   CHECK(clause.domain == "all.");

@@ -1,10 +1,10 @@
-// The corpus reads, names properties that exist, and its truths are those that a person finds by hand.
+// The corpus can be read and names existing properties, and its truths are those found by hand.
 #include <algorithm>
 #include <filesystem>
 #include <map>
 
 #include "oracle/case.h"
-#include "oracle/truth.h"
+#include "oracle/truth/truth.h"
 #include "properties/property.h"
 #include "tests/catch.h"
 
@@ -19,20 +19,20 @@ const fs::path corpus = fs::path(TOUCHSTONE_SOURCE_DIR) / "properties" / "corpus
 
 Scene scene_of(const std::string& name) { return oracle::read_case((corpus / (name + ".json")).string()).scene; }
 
-TEST_CASE("Every case of the corpus is whole: read, complete, under a property of its folder's stem") {
+TEST_CASE("Every case of the corpus is whole: read, complete, under a property of its folder's query") {
   std::map<std::string, int> count;
   for (const auto& entry : fs::recursive_directory_iterator(corpus)) {
     if (entry.path().extension() != ".json") continue;
     INFO(entry.path().string());
     const Case a_case = oracle::read_case(entry.path().string());
     CHECK(oracle::truth::completed(a_case.scene) == a_case.scene);
-    CHECK(find(a_case.property).stem == entry.path().parent_path().filename().string());
+    CHECK(find(a_case.property).query == entry.path().parent_path().filename().string());
     CHECK(a_case.subject.empty());
     CHECK(!a_case.note.empty());
-    ++count[find(a_case.property).stem];
+    ++count[find(a_case.property).query];
   }
-  for (const char* stem : {"mass", "bounds", "broad_phase", "distance", "penetration", "time_of_impact", "simulation"})
-    CHECK(count[stem] >= 3);
+  for (const char* query : {"mass", "bounds", "broad_phase", "distance", "penetration", "time_of_impact", "simulation"})
+    CHECK(count[query] >= 3);
 }
 
 TEST_CASE("An impact of the corpus goes on through restitution, though slip jams in it") {

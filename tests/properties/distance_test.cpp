@@ -1,8 +1,8 @@
-// What each outcome of the distance properties is, on answers by hand.
+// The outcomes of the distance properties, for answers computed by hand.
 #include <cmath>
 #include <limits>
 
-#include "oracle/grade.h"
+#include "oracle/judge/grade.h"
 #include "properties/property.h"
 #include "tests/catch.h"
 #include "tests/properties/fixed_subject.h"
@@ -122,10 +122,10 @@ TEST_CASE("distance.witnesses: any closest pair, but no other") {
   said.p_WCa = Vec3(0.5, 1, 0.25), said.p_WCb = Vec3(0.5, 1.25, 0.25);
   CHECK(judged("distance.witnesses_on_bodies", apart, said).outcome == Outcome::holds);
   CHECK(judged("distance.witnesses_apart", apart, said).outcome == Outcome::holds);
-  said.p_WCa = Vec3(-0.5, 1, 0.25);  // on A, too far from the other
+  said.p_WCa = Vec3(-0.5, 1, 0.25);  // on A, but too far from the other witness
   CHECK(judged("distance.witnesses_on_bodies", apart, said).outcome == Outcome::holds);
   CHECK(judged("distance.witnesses_apart", apart, said).outcome == Outcome::fails);
-  said.p_WCa = Vec3(0.5, 1.125, 0.25);  // between the bodies: 1/8 off A
+  said.p_WCa = Vec3(0.5, 1.125, 0.25);  // between the bodies: 1/8 away from A
   const auto off = judged("distance.witnesses_on_bodies", apart, said);
   CHECK(off.defect == Defect::wrong_witness);
   CHECK(off.error == Approx(0.125 / (S * 0x1p-53)));
@@ -141,8 +141,8 @@ TEST_CASE("distance.features: whole or in part, but a closest pair must be in th
   };
   CHECK(features({2, 3, 6, 7}, {0, 1, 4, 5}).outcome == Outcome::holds);
   CHECK(features({2, 3, 6, 7}, {0}).outcome == Outcome::holds);  // B's vertex (-0.5, 1.25, -0.75) is over A's face
-  CHECK(features({3, 7}, {0, 1}).outcome == Outcome::holds);     // crossing edges
-  CHECK(features({2, 3, 6, 7}, {1}).defect == Defect::wrong_feature);  // that vertex, (1.5, 1.25, -0.75), is not
+  CHECK(features({3, 7}, {0, 1}).outcome == Outcome::holds);     // crossed edges
+  CHECK(features({2, 3, 6, 7}, {1}).defect == Defect::wrong_feature);  // B's vertex (1.5, 1.25, -0.75) is not
   CHECK(features({2, 3}, {0, 1}).defect == Defect::wrong_feature);     // parallel edges, 0.25 apart in z as well
   CHECK(features({0}, {0}).defect == Defect::wrong_feature);
   CHECK(features({8}, {0}).defect == Defect::wrong_feature);

@@ -1,12 +1,13 @@
-// Canaries about whole motions are caught on scenes that a quick trial draws, not by scenes by hand alone.
+// Canaries about simulations and constraints are detected on scenes that a quick trial draws, not only on scenes made
+// by hand.
 #include <algorithm>
 #include <set>
 #include <string>
 #include <vector>
 
-#include "oracle/subjects/canaries.h"
-#include "properties/domain.h"
+#include "oracle/subjects/canaries/canaries.h"
 #include "properties/property.h"
+#include "properties/scenes/domain.h"
 #include "tests/catch.h"
 #include "tests/properties/kills.h"
 
@@ -14,7 +15,8 @@ using namespace touchstone;
 
 namespace {
 
-/// Who is caught by which property, on which draw with seed 1. Of the many that catch it, a cheap one.
+/// A canary, a property that detects it, and a scene drawn with seed 1 on which it does. Of the many such scenes this
+/// is a cheap one.
 struct Caught {
   const char* canary;
   const char* property;
@@ -22,7 +24,7 @@ struct Caught {
   std::uint64_t index;
 };
 
-constexpr std::uint64_t quick_runs = 30;  // drawn scenes of a stem of motion, in turn from its families
+constexpr std::uint64_t quick_runs = 30;  // scenes per query about motion, drawn from its families in turn
 
 const std::vector<Caught> caught = {
     {"canary.not_keyed_again", "simulation.flights", "runs.cradle", 0},
@@ -73,9 +75,9 @@ const properties::Family& family(const std::string& id) {
   return *std::ranges::find(properties::families(), id, &properties::Family::id);
 }
 
-std::uint64_t families_of(const std::string& stem) {
+std::uint64_t families_of(const std::string& query) {
   return static_cast<std::uint64_t>(std::ranges::count_if(properties::families(), [&](const properties::Family& f) {
-    return std::ranges::find(f.stems, stem) != f.stems.end();
+    return std::ranges::find(f.queries, query) != f.queries.end();
   }));
 }
 
@@ -93,7 +95,7 @@ TEST_CASE("each canary about simulations and constraints is caught on a drawn sc
   for (const Caught& row : caught) {
     INFO(row.canary << " by " << row.property << " on " << row.family << ' ' << row.index);
     const properties::Property& property = properties::find(row.property);
-    CHECK(row.index < quick_runs / families_of(property.stem));
+    CHECK(row.index < quick_runs / families_of(property.query));
     const auto subject = oracle::subjects::canary(row.canary).make(tests::truthful());
     const oracle::Outcome outcome = property.check(draw(family(row.family), 1, row.index), *subject).outcome;
     CHECK(outcome == oracle::Outcome::fails);

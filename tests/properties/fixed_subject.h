@@ -1,4 +1,4 @@
-// A subject that says one thing, whatever it is asked.
+// A subject that gives the same answer to every question.
 #pragma once
 
 #include "oracle/subject.h"
@@ -6,7 +6,7 @@
 namespace touchstone::tests {
 
 struct FixedSubject : oracle::Subject {
-  // Out of line: inlined, the variants' destructors make gcc 12 see members that are not initialised.
+  // Not inline: otherwise gcc 12 reports uninitialised members in the destructors of the variants.
   FixedSubject();
   ~FixedSubject() override;
 

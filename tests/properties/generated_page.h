@@ -1,4 +1,4 @@
-// A page of docs that a test makes: the committed copy must be what the test makes now.
+// A documentation page that a test generates: the committed copy must equal the generated page.
 #pragma once
 
 #include <cstdlib>
@@ -8,7 +8,7 @@
 
 namespace touchstone::tests {
 
-/// Reads docs/spec/<name>; with TOUCHSTONE_UPDATE set, writes `made` there first.
+/// Reads docs/spec/<name>. If TOUCHSTONE_UPDATE is set, writes `made` to it first.
 inline std::string committed_page(const std::string& name, const std::string& made) {
   const std::string path = std::string(TOUCHSTONE_SOURCE_DIR) + "/docs/spec/" + name;
   if (std::getenv("TOUCHSTONE_UPDATE") != nullptr) write_text(path, made);

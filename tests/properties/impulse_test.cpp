@@ -1,9 +1,9 @@
-// What each outcome of the impulse properties is, on answers by hand.
+// The outcomes of the impulse properties, for answers computed by hand.
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "oracle/impact.h"
-#include "oracle/truth.h"
+#include "oracle/truth/impact.h"
+#include "oracle/truth/truth.h"
 #include "properties/property.h"
 #include "tests/catch.h"
 #include "tests/properties/fixed_subject.h"
@@ -17,7 +17,7 @@ namespace {
 
 const Scene& skid() { return tests::scene("a ball that skids"); }
 
-// m = 1, I = 1/2, radius 1, e = 1/2, mu = 1/8, u = (3, 1, -1): P_n = 3/2, P_t = 3/16 against (3, 1)/√10, far from 0
+// m = 1, I = 1/2, radius 1, e = 1/2, mu = 1/8, u = (3, 1, -1): P_n = 3/2, P_t = 3/16 against (3, 1)/√10, far from zero
 // slip.
 Impulse skidding() {
   const Vec3 t = Vec3(3, 1, 0) / std::sqrt(10.0);

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "oracle/subjects/canaries.h"
-#include "oracle/subjects/touchstone_reference.h"
+#include "oracle/subjects/canaries/canaries.h"
+#include "oracle/subjects/touchstone/reference.h"
 #include "properties/clause.h"
 #include "properties/property.h"
 #include "tests/properties/scenes.h"
@@ -11,7 +11,7 @@
 namespace touchstone::tests {
 namespace {
 
-// The answers to questions that cost the reference milliseconds, asked once.
+// Computes each answer that costs the reference milliseconds only once.
 template <class T, class Ask>
 Answer<T> asked_once(const Scene& scene, Ask&& ask) {
   static std::vector<std::pair<Scene, Answer<T>>> asked;
@@ -20,7 +20,7 @@ Answer<T> asked_once(const Scene& scene, Ask&& ask) {
   return asked.emplace_back(scene, ask(scene)).second;
 }
 
-// The reference, which is slow where slip turns and where bodies fly.
+// The reference with remembered answers, since it is slow where the slip direction changes and for motions.
 class Truthful : public oracle::Subject {
  public:
   const oracle::Card& card() const override { return reference_->card(); }
@@ -48,16 +48,16 @@ class Truthful : public oracle::Subject {
   const std::unique_ptr<oracle::Subject> reference_ = oracle::subjects::make_reference();
 };
 
-// Properties of a stem ask its query; a film's frames are asked for as pair_history.
-bool lies_about(const oracle::subjects::Canary& canary, const std::string& stem) {
-  return std::ranges::any_of(canary.lies_about, [&](const std::string& query) {
-    return query == stem || (query == "pair_history" && stem == "broad_phase");
+// The properties of a query ask that query; those of broad_phase also ask pair_history, for sequences.
+bool lies_about(const oracle::subjects::Canary& canary, const std::string& query) {
+  return std::ranges::any_of(canary.lies_about, [&](const std::string& lie) {
+    return lie == query || (lie == "pair_history" && query == "broad_phase");
   });
 }
 
-// A fresh canary for each scene, as what it remembers is part of its lie.
+// Makes a new canary for each scene, since its memory is part of its lie.
 bool catches(const properties::Property& property, const oracle::subjects::Canary& canary) {
-  return std::ranges::any_of(scenes_of(property.stem), [&](const Scene& scene) {
+  return std::ranges::any_of(scenes_of(property.query), [&](const Scene& scene) {
     const auto subject = canary.make(truthful());
     const oracle::Outcome outcome = property.check(scene, *subject).outcome;
     return outcome == oracle::Outcome::fails || outcome == oracle::Outcome::breaks;
@@ -80,7 +80,7 @@ const std::map<std::string, std::set<std::string>>& kills() {
     for (const properties::Property& property : properties::all()) {
       std::set<std::string>& caught = found[property.id];
       for (const auto& canary : oracle::subjects::canaries()) {
-        if (lies_about(canary, property.stem) && catches(property, canary)) caught.insert(canary.id);
+        if (lies_about(canary, property.query) && catches(property, canary)) caught.insert(canary.id);
       }
     }
     return found;
@@ -114,7 +114,7 @@ std::string clause_index() {
       "\"clauses' page\"`.\n\n"
       "| clause | title | checked by | proved sharp by |\n|---|---|---|---|\n";
   for (const properties::Clause& clause : properties::clauses()) {
-    page += "| [" + clause.id + "](" + clause.stem + ".md) | " + clause.title + " | " + list(clause.checked_by) +
+    page += "| [" + clause.id + "](" + clause.query + ".md) | " + clause.title + " | " + list(clause.checked_by) +
             " | " + list(clause.sharp_by) + " |\n";
   }
   return page;

@@ -1,4 +1,4 @@
-// Which property catches which canary, on the scenes by hand.
+// Which property detects which canary, on the scenes made by hand.
 #pragma once
 
 #include <map>
@@ -10,16 +10,16 @@
 
 namespace touchstone::tests {
 
-/// The reference, asked once where its answers cost milliseconds: canaries lie on top of it.
+/// The reference with remembered answers where they cost milliseconds; canaries change its answers.
 std::unique_ptr<oracle::Subject> truthful();
 
-/// Property → canaries that it catches: at least one scene on which it fails or breaks.
+/// For each property the canaries that it detects: those for which it fails or breaks on at least one scene.
 const std::map<std::string, std::set<std::string>>& kills();
 
-/// The table, as docs/spec/canaries.md has it.
+/// The table in docs/spec/canaries.md.
 std::string kill_table();
 
-/// The clauses with their properties, as docs/spec/clauses.md has them.
+/// The clauses with their properties, as in docs/spec/clauses.md.
 std::string clause_index();
 
 }  // namespace touchstone::tests

@@ -1,4 +1,4 @@
-// What each outcome of the mass properties is, on answers by hand.
+// The outcomes of the mass properties, for answers computed by hand.
 #include <limits>
 
 #include "properties/property.h"

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "oracle/truth.h"
+#include "oracle/truth/truth.h"
 #include "tests/properties/scenes.h"
 
 namespace touchstone::tests {
@@ -29,7 +29,7 @@ Body with(Body body, double e, double mu) {
   return body;
 }
 
-/// With moments that differ.
+/// The body with the given principal moments of inertia.
 Body top(Body body, const Vec3& moments) {
   MassProperties given;
   given.mass = 2;
@@ -43,58 +43,62 @@ Scene scene_of(const std::string& name, std::vector<Body> bodies, std::vector<do
   scene.name = name;
   scene.bodies = std::move(bodies);
   scene.gravity = gravity;
-  scene.flight.emplace();
-  scene.flight->times = std::move(times);
+  scene.motion.emplace();
+  scene.motion->sample_times = std::move(times);
   return oracle::truth::completed(scene);
 }
 
-Scene flight(const std::string& name, Body a, Body b, double end, const Vec3& gravity = still) {
+Scene moving_pair(const std::string& name, Body a, Body b, double end, const Vec3& gravity = still) {
   return scene_of(name, {std::move(a), std::move(b)}, {end}, gravity);
 }
 
 Scene since(Scene scene, double a, double b) {
-  scene.flight->since = {a, b};
+  scene.motion->start_times = {a, b};
   return scene;
 }
 
-Scene pushed(Scene scene, double bound, std::vector<Push> pushes) {
-  scene.flight->force_bound = bound;
-  scene.flight->pushes = std::move(pushes);
+Scene pushed(Scene scene, double bound, std::vector<AppliedForce> pushes) {
+  scene.motion->force_bound = bound;
+  scene.motion->forces = std::move(pushes);
   return scene;
 }
 
 const Body floor_box = unmoved(body(Box{Vec3(8, 8, 1)}, {0, 0, -1}));
 const Vec3 down(0, 0, -8);
 
-std::vector<Scene> build_flights() {
+std::vector<Scene> build_motion_scenes() {
   const Body ball = body(Sphere{1}, {0, 0, 8});
   return {
-      flight("a cube that comes along y", moving(body(cube, {0, 0, 0}), {0, 4, 0}), body(cube, {0.5, 8, 0.25}), 4),
-      flight("a cube that comes along y, the other way", moving(body(cube, {0.5, 8, 0.25}), {0, -4, 0}),
-             body(cube, {0, 0, 0}), 4),
-      flight("cubes that turn and meet", moving(body(cube, {0, 0, 0}, skew), {3, 0, 0}, {1, 2, -1}),
-             moving(body(cube, {8, 1, 0.5}), {-1, 0, 0}, {0, 0, 2}), 4),
-      flight("a ball thrown at a table", moving(ball, {1, 0, 2}, {0, 3, 0}), floor_box, 4, down),
-      flight("balls in common gravity", moving(ball, {1, 0, -4}, {0, 1, 2}),
-             moving(body(Sphere{2}, {2, 0, 0}), {0, 0, 1}), 2, down),
-      flight("a shot through a thin plate", moving(body(Sphere{0.25}, {-16, 0.5, 0}), {512, 0, 0}),
-             body(Box{Vec3(0x1p-8, 4, 4)}, {0, 0, 0}), 1),
-      flight("cubes that touch and part", body(cube, {0, 0, 0}), moving(body(cube, {2, 0.5, 0}), {3, 1, 0}), 2),
-      flight("cubes that touch and approach", body(cube, {0, 0, 0}), moving(body(cube, {2, 0.5, 0}), {-3, 1, 0}), 2),
-      flight("a ball thrown off a table, and back", moving(body(Sphere{1}, {0, 0, 1}), {1, 0, 4}), floor_box, 2, down),
-      flight("tops that meet", moving(top(body(brick, {0, 0, 0}), {2, 3, 4}), {32, 0, 0}, {1, 2, 1}),
-             body(cube, {6, 1.5, 0}), 0.25),
-      flight("a ball that passes", moving(body(Sphere{1}, {-8, 2.25, 0}), {4, 0, 0}), body(Sphere{1}, {0, 0, 0}), 4),
-      flight("balls that fly apart", moving(body(Sphere{1}, {-2, 0, 0}), {-4, 0, 0}), body(Sphere{1}, {2, 1, 0}), 2),
-      flight("an arm that turns", moving(unmoved(body(Box{Vec3(6, 0.5, 0.5)}, {0, 0, 0})), {0.5, 0, 0}, {0, 0, 1}),
-             body(Sphere{0.5}, {0, 4, 0}), 4),
-      since(flight("cubes from times of their own", moving(body(cube, {0, 0, 0}), {0, 4, 0}),
-                   moving(body(brick, {0.5, 9, 0.25}), {0, -1, 0}), 4),
+      moving_pair("a cube that comes along y", moving(body(cube, {0, 0, 0}), {0, 4, 0}), body(cube, {0.5, 8, 0.25}), 4),
+      moving_pair("a cube that comes along y, the other way", moving(body(cube, {0.5, 8, 0.25}), {0, -4, 0}),
+                  body(cube, {0, 0, 0}), 4),
+      moving_pair("cubes that turn and meet", moving(body(cube, {0, 0, 0}, skew), {3, 0, 0}, {1, 2, -1}),
+                  moving(body(cube, {8, 1, 0.5}), {-1, 0, 0}, {0, 0, 2}), 4),
+      moving_pair("a ball thrown at a table", moving(ball, {1, 0, 2}, {0, 3, 0}), floor_box, 4, down),
+      moving_pair("balls in common gravity", moving(ball, {1, 0, -4}, {0, 1, 2}),
+                  moving(body(Sphere{2}, {2, 0, 0}), {0, 0, 1}), 2, down),
+      moving_pair("a shot through a thin plate", moving(body(Sphere{0.25}, {-16, 0.5, 0}), {512, 0, 0}),
+                  body(Box{Vec3(0x1p-8, 4, 4)}, {0, 0, 0}), 1),
+      moving_pair("cubes that touch and part", body(cube, {0, 0, 0}), moving(body(cube, {2, 0.5, 0}), {3, 1, 0}), 2),
+      moving_pair("cubes that touch and approach", body(cube, {0, 0, 0}), moving(body(cube, {2, 0.5, 0}), {-3, 1, 0}),
+                  2),
+      moving_pair("a ball thrown off a table, and back", moving(body(Sphere{1}, {0, 0, 1}), {1, 0, 4}), floor_box, 2,
+                  down),
+      moving_pair("tops that meet", moving(top(body(brick, {0, 0, 0}), {2, 3, 4}), {32, 0, 0}, {1, 2, 1}),
+                  body(cube, {6, 1.5, 0}), 0.25),
+      moving_pair("a ball that passes", moving(body(Sphere{1}, {-8, 2.25, 0}), {4, 0, 0}), body(Sphere{1}, {0, 0, 0}),
+                  4),
+      moving_pair("balls that fly apart", moving(body(Sphere{1}, {-2, 0, 0}), {-4, 0, 0}), body(Sphere{1}, {2, 1, 0}),
+                  2),
+      moving_pair("an arm that turns", moving(unmoved(body(Box{Vec3(6, 0.5, 0.5)}, {0, 0, 0})), {0.5, 0, 0}, {0, 0, 1}),
+                  body(Sphere{0.5}, {0, 4, 0}), 4),
+      since(moving_pair("cubes from times of their own", moving(body(cube, {0, 0, 0}), {0, 4, 0}),
+                        moving(body(brick, {0.5, 9, 0.25}), {0, -1, 0}), 4),
             0.25, 0.75),
-      pushed(
-          flight("a push that turns it back", moving(body(cube, {0, 0, 0}), {4, 0, 0}), body(cube, {-8, 0.5, 0.25}), 4),
-          64, {{0, 0, {-32, 0, 0}}}),
-      flight("a wedge that falls", moving(body(wedge, {-4, -1, 4}, skew), {0, 1, -1}), floor_box, 2, down),
+      pushed(moving_pair("a push that turns it back", moving(body(cube, {0, 0, 0}), {4, 0, 0}),
+                         body(cube, {-8, 0.5, 0.25}), 4),
+             64, {{0, 0, {-32, 0, 0}}}),
+      moving_pair("a wedge that falls", moving(body(wedge, {-4, -1, 4}, skew), {0, 1, -1}), floor_box, 2, down),
   };
 }
 
@@ -109,7 +113,7 @@ std::vector<Scene> build_runs() {
       scene_of("a cube and a ball at rest",
                {with(floor_box, 0.5, 0.5), body(cube, {-3, 0, 1 + 0x1p-12}), body(Sphere{1}, {3, 0, 1 + 0x1p-12})},
                {1, 2}, still);
-  resting.flight->envelope = 0x1p-11;
+  resting.motion->envelope = 0x1p-11;
   return {
       scene_of("balls that rub",
                {with(moving(body(Sphere{1}, {0, 0, 0}), {3, 0, 0}, {0, 0, 4}), 0.5, 0.25),
@@ -148,8 +152,8 @@ std::vector<Scene> build_runs() {
 
 }  // namespace
 
-const std::vector<Scene>& flights() {
-  static const std::vector<Scene> all = build_flights();
+const std::vector<Scene>& motion_scenes() {
+  static const std::vector<Scene> all = build_motion_scenes();
   return all;
 }
 

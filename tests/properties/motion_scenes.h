@@ -1,4 +1,4 @@
-// Flights and runs by hand: a few of each kind, for the properties about motion.
+// Motions made by hand, a few of each kind, for the properties about motion.
 #pragma once
 
 #include <vector>
@@ -7,10 +7,10 @@
 
 namespace touchstone::tests {
 
-/// For time_of_impact: two bodies.
-const std::vector<Scene>& flights();
+/// For time_of_impact: scenes of two bodies.
+const std::vector<Scene>& motion_scenes();
 
-/// For simulation: each over within a few impacts.
+/// For simulation: scenes that end after a few impacts.
 const std::vector<Scene>& runs();
 
 }  // namespace touchstone::tests

@@ -1,8 +1,7 @@
-// Motions lose no bit, and say so where they would.
-#include "properties/motion.h"
-
-#include "properties/body_motion.h"
-#include "properties/exact_sum.h"
+// Transforms of scenes are exact, and return nothing where they would have to round.
+#include "properties/transforms/body.h"
+#include "properties/transforms/exact_sum.h"
+#include "properties/transforms/scene.h"
 #include "tests/catch.h"
 #include "tests/properties/scenes.h"
 

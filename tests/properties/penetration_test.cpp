@@ -1,4 +1,4 @@
-// What each outcome of the penetration properties is, on answers by hand.
+// The outcomes of the penetration properties, for answers computed by hand.
 #include "properties/property.h"
 #include "tests/catch.h"
 #include "tests/properties/fixed_subject.h"
@@ -20,7 +20,7 @@ Penetration deep(double depth, const Vec3& nhat_BA_W = -Vec3::UnitY()) {
   return {Verdict::overlapping, depth, nhat_BA_W};
 }
 
-const std::string overlap = "cubes overlapping along y";  // B at (0.25, 1.5, 0.5): 0.5 deep, A has to go to -y
+const std::string overlap = "cubes overlapping along y";  // B at (0.25, 1.5, 0.5): depth 0.5, A separates towards -y
 
 }  // namespace
 
@@ -36,7 +36,7 @@ TEST_CASE("penetration.depth: shallow, overdeep, and 0 unless overlapping") {
 TEST_CASE("penetration.separates: only a move that clears the bodies") {
   CHECK(judged("penetration.separates", overlap, deep(0.5)).outcome == Outcome::holds);
   CHECK(judged("penetration.separates", overlap, deep(1.75, -Vec3::UnitX())).outcome ==
-        Outcome::holds);  // far, but clear
+        Outcome::holds);  // a long move, but it separates the bodies
   CHECK(judged("penetration.separates", overlap, deep(0.5, Vec3::UnitY())).defect == Defect::wrong_normal);
   CHECK(judged("penetration.separates", overlap, deep(0.4)).defect == Defect::wrong_normal);
   CHECK(judged("penetration.separates", "cubes apart along y", deep(0)).outcome == Outcome::outside);
@@ -57,7 +57,7 @@ TEST_CASE("penetration.consistent: no depth without overlap") {
 
 TEST_CASE("penetration: the depth of compounds is nobody's business") {
   for (const properties::Property& property : properties::all()) {
-    if (property.stem != "penetration") continue;
+    if (property.query != "penetration") continue;
     CHECK(judged(property.id, "two parts around a sphere", deep(1)).outcome == Outcome::outside);
   }
 }

@@ -1,10 +1,10 @@
-// What each outcome of the pixel properties is, on answers by hand.
+// The outcomes of the pixel properties, for answers computed by hand.
 #include <limits>
 
-#include "oracle/minimise.h"
-#include "oracle/truth.h"
-#include "properties/pixel_motion.h"
+#include "oracle/minimise/minimise.h"
+#include "oracle/truth/truth.h"
 #include "properties/property.h"
+#include "properties/transforms/raster.h"
 #include "tests/catch.h"
 #include "tests/properties/fixed_subject.h"
 #include "tests/properties/scenes.h"
@@ -28,7 +28,7 @@ Pixels truth(const std::string& scene = cubes) { return oracle::truth::pixel(tes
 }  // namespace
 
 TEST_CASE("pixel: the scene by hand") {
-  // [-1, 1]² and [0, 2] × [-1, 1], centres at -2, -1, 0, 1, 2, 3; B's mask one to the right.
+  // [-1, 1]² and [0, 2] × [-1, 1], pixel centres at -2, -1, 0, 1, 2, 3; B's mask is shifted right by one.
   const Mask row = {"000000", "011100", "011100", "011100", "000000", "000000"};
   CHECK(truth().sampled[0] == row);
   CHECK(truth().overlap == MaskOverlap{3, std::pair{3, 1}});
@@ -48,7 +48,7 @@ TEST_CASE("pixel.sampled: not one pixel more or less") {
 }
 
 TEST_CASE("pixel.conservative and pixel.narrow: nothing left out, and one pixel too many at most") {
-  Pixels said = truth();  // of A: columns 1 to 3 and rows 1 to 3; lines are at halves, so no square is met from outside
+  Pixels said = truth();  // A: columns and rows 1 to 3. Grid lines are at halves, so no other square overlaps
   CHECK(said.conservative[0][2] == "011100");
   said.conservative[0][2] = "111110";
   CHECK(judged("pixel.conservative", said).outcome == Outcome::holds);
@@ -65,7 +65,7 @@ TEST_CASE("pixel.overlap and pixel.counts: the truth's, and one's own masks'") {
   CHECK(judged("pixel.overlap", said).defect == Defect::phantom);
   CHECK(judged("pixel.counts", said).defect == Defect::inconsistent);
   said = truth();
-  said.sampled[0][1] = "011000";  // its own masks then have two
+  said.sampled[0][1] = "011000";  // then its own masks have two in common
   said.overlap = {2, std::pair{3, 2}};
   CHECK(judged("pixel.counts", said).outcome == Outcome::holds);
   CHECK(judged("pixel.overlap", said).defect == Defect::missed);
@@ -103,7 +103,7 @@ TEST_CASE("pixel laws: a constant cannot follow what moves") {
     INFO(law);
     CHECK(judged(law, truth()).outcome == Outcome::fails);
   }
-  CHECK(judged("pixel.translated", truth()).outcome == Outcome::holds);  // what does not change is not to follow
+  CHECK(judged("pixel.translated", truth()).outcome == Outcome::holds);  // a constant answer is right here
 }
 
 TEST_CASE("motions of rasters are exact or none") {

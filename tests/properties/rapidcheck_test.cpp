@@ -1,26 +1,26 @@
-// Laws over all families, shrunk by the minimiser's steps when one breaks.
+// Laws over all families; a counterexample is shrunk by the minimiser's steps.
 #include <rapidcheck.h>
 
 #include "model/json.h"
-#include "oracle/minimise.h"
-#include "oracle/truth.h"
-#include "properties/motion.h"
-#include "properties/rapidcheck_domain.h"
+#include "oracle/minimise/minimise.h"
+#include "oracle/truth/truth.h"
+#include "properties/scenes/rapidcheck_domain.h"
+#include "properties/transforms/scene.h"
 #include "tests/catch.h"
 
 namespace touchstone::properties {
 namespace {
 
-/// Runs a law over scenes of a stem; of a failure RapidCheck's text, which ends with the shrunk scene as JSON.
+/// Checks a law on scenes for a query. Returns the shrunk counterexample as JSON, or an empty string.
 template <class Law>
-std::string counterexample(const std::string& stem, int runs, Law&& law) {
+std::string counterexample(const std::string& query, int runs, Law&& law) {
   rc::detail::TestParams params;
   params.seed = 20;
   params.maxSuccess = runs;
   std::string smallest;
   const auto result = rc::detail::checkTestable(
       [&] {
-        const Scene scene = *scene_for(stem);
+        const Scene scene = *scene_for(query);
         if (law(scene)) return;
         smallest = text_of(json_of(scene));
         RC_FAIL("the law does not hold");

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "oracle/truth.h"
+#include "oracle/truth/truth.h"
 #include "tests/properties/motion_scenes.h"
 
 namespace touchstone::tests {
@@ -13,7 +13,7 @@ const Box cube{Vec3(1, 1, 1)};
 const Box brick{Vec3(1, 2, 0.5)};
 const Polytope tetrahedron{{{0, 0, 0}, {2, 0, 0}, {0, 3, 0}, {0, 0, 4}}, {}};
 const Polytope octahedron{{{1, 0, 0}, {-1, 0, 0}, {0, 2, 0}, {0, -2, 0}, {0, 0, 1}, {0, 0, -1}}, {}};
-const Polytope wedge{{{3, 1, 1}, {5, 1, 1}, {3, 2, 1}, {3, 1, 4}, {5, 2, 3}}, {}};  // off its origin, no symmetry
+const Polytope wedge{{{3, 1, 1}, {5, 1, 1}, {3, 2, 1}, {3, 1, 4}, {5, 2, 3}}, {}};  // off its origin, without symmetry
 const Polytope needle{{{0, 0, 0}, {1024, 1, 0}, {1024, 0, 1}, {1025, 1, 1}}, {}};
 const Quaternion about_x{2, 1, 0, 0};  // cos = 3/5, sin = 4/5
 const Quaternion about_y{2, 0, 1, 0};
@@ -42,7 +42,7 @@ Body unmoved(Body body) {
 
 Pose at(double x, double y, double z) { return {{x, y, z}, {}}; }
 
-Scene film(const std::string& name, const std::vector<Shape>& shapes, std::vector<Frame> frames) {
+Scene sequence(const std::string& name, const std::vector<Shape>& shapes, std::vector<SequenceFrame> frames) {
   Scene scene;
   scene.name = name;
   for (const Shape& shape : shapes) scene.bodies.push_back(body(shape, {0, 0, 0}));
@@ -65,14 +65,14 @@ Body heavy(Body body, double mass, const Vec3& moments) {
 
 const Body ground = unmoved(body(Box{Vec3(8, 8, 1)}, {0, 0, -1}));
 
-/// The bodies meet at C, the normal up.
+/// An impact of the bodies at C, with the normal upward.
 Scene impact(const std::string& name, Body a, Body b, const Vec3& p_WC, Law law, double e, double mu) {
   Scene scene = pair(name, std::move(a), std::move(b));
   scene.contact = Contact{p_WC, {0, 0, 1}, law, e, mu};
   return scene;
 }
 
-/// Met at r from its centre, by a body that nothing moves: K of literature's planar examples.
+/// A rod in contact at r from its centre, with a body that is fixed: K as in the planar examples of the literature.
 Body rod(const Vec3& r, double moment, const Vec3& v) {
   return moving(heavy(body(cube, -r), 1, Vec3::Constant(moment)), v, {0, 0, 0});
 }
@@ -96,7 +96,8 @@ std::vector<Scene> build_impacts() {
              1, 1),
       impact("a rod in Painlevé's range", rod({-3, 0, -6}, 15, {-100, 0, -1}), ground, {0, 0, 0}, Law::poisson, 0.5, 2),
       impact("boxes that meet off their centres", left, right, between, Law::poisson, 0.5, 0.5),
-      impact("boxes that meet off their centres, by Stronge's law", turned_left, right, between, Law::stronge, 0.5, 0.25),
+      impact("boxes that meet off their centres, by Stronge's law", turned_left, right, between, Law::stronge, 0.5,
+             0.25),
       impact("boxes without friction", left, right, between, Law::poisson, 0.5, 0),
       impact("boxes that stay together", left, right, between, Law::newton, 0, 0.5),
       impact("boxes by Newton's law", left, right, between, Law::newton, 0.5, 0.125),
@@ -139,35 +140,35 @@ std::vector<Scene> build() {
       many("solids of several densities",
            {dense(body(tetrahedron, {1, 2, 3}, skew), 3), dense(body(wedge, {-4, 0, 0}, about_x), 0.5),
             unmoved(body(cube, {0, 0, 9}))}),
-      film("boxes that come, touch, part and go", {cube, cube, brick},
-           {{{0, at(0, 0, 0)}, {1, at(4, 0, 0)}},
-            {{1, at(2, 0, 0)}, {2, at(0, 0, 1.5)}},
-            {},
-            {{0, at(-3, 0, 0)}, {1, at(2, 0, 0)}},
-            {{0, {}}, {2, at(2, 0, 8)}},
-            {{0, at(2, 2, 0)}, {2, at(2, 0, 1.5)}},
-            {{1, {}}, {2, {}}}}),
-      film("boxes in boxes that pass", {cube, Box{Vec3::Constant(4)}, Box{Vec3::Constant(0.25)}, Sphere{1}},
-           {{{0, at(0, 0, 0)}, {1, at(9, 0, 1)}, {2, at(0, 0, -6)}, {3, at(0, 9, 0)}},
-            {{1, at(1, 0, 0)}, {2, at(0, 0, 0)}, {3, at(0, -2, 0)}},
-            {{1, at(-9, 0, 0)}, {2, at(0, 0, 6)}, {3, at(0, -1, 9)}},
-            {{1, at(0, 0, -9)}, {0, at(0, 0, -9)}, {3, at(2, 0, -9)}}}),
-      film("a row that one passes", {cube, cube, cube, cube},
-           {{{0, at(0, 0, 0)}, {1, at(3, 0, 0)}, {2, at(6, 0, 0)}, {3, at(-4, 0, 0)}},
-            {{3, at(-2, 0, 0)}},
-            {{3, at(4.5, 0, 0)}},
-            {{3, at(8, 0, 0)}, {0, at(0, 0, 0)}},
-            {{3, at(8, 0, 2)}, {1, at(6, 0, 2)}}}),
+      sequence("boxes that come, touch, part and go", {cube, cube, brick},
+               {{{0, at(0, 0, 0)}, {1, at(4, 0, 0)}},
+                {{1, at(2, 0, 0)}, {2, at(0, 0, 1.5)}},
+                {},
+                {{0, at(-3, 0, 0)}, {1, at(2, 0, 0)}},
+                {{0, {}}, {2, at(2, 0, 8)}},
+                {{0, at(2, 2, 0)}, {2, at(2, 0, 1.5)}},
+                {{1, {}}, {2, {}}}}),
+      sequence("boxes in boxes that pass", {cube, Box{Vec3::Constant(4)}, Box{Vec3::Constant(0.25)}, Sphere{1}},
+               {{{0, at(0, 0, 0)}, {1, at(9, 0, 1)}, {2, at(0, 0, -6)}, {3, at(0, 9, 0)}},
+                {{1, at(1, 0, 0)}, {2, at(0, 0, 0)}, {3, at(0, -2, 0)}},
+                {{1, at(-9, 0, 0)}, {2, at(0, 0, 6)}, {3, at(0, -1, 9)}},
+                {{1, at(0, 0, -9)}, {0, at(0, 0, -9)}, {3, at(2, 0, -9)}}}),
+      sequence("a row that one passes", {cube, cube, cube, cube},
+               {{{0, at(0, 0, 0)}, {1, at(3, 0, 0)}, {2, at(6, 0, 0)}, {3, at(-4, 0, 0)}},
+                {{3, at(-2, 0, 0)}},
+                {{3, at(4.5, 0, 0)}},
+                {{3, at(8, 0, 0)}, {0, at(0, 0, 0)}},
+                {{3, at(8, 0, 2)}, {1, at(6, 0, 2)}}}),
       under({-2.5, -2.5, 1, 6, 6, 1, 0},
             pair("cubes with sides through centres, one on the other", body(cube, {0, 0, 0}), body(cube, {1, 0, 2}))),
       under({-3, -3, 0.5, 14, 12, 0, -1},
             pair("cubes apart, one above the other", body(cube, {0, 0, 0}), body(cube, {0.5, 0.25, 4}))),
       under({0, 0, 1, 66, 3, 3, 0}, pair("bars across a word's end", body(Box{Vec3(40, 1, 1)}, {30, 1, 0}),
                                          body(Box{Vec3(20, 2, 1)}, {40, 1, 0.5}))),
-      under({-4, -4, 0.75, 12, 12, -2, 1},
-            pair("turned bodies under a raster", body(octahedron, {0, 0, 0}, skew), body(tetrahedron, {-1, -1, -0.5}, about_y))),
-      under({-2, -2, 0.25, 20, 18, 0, 2},
-            pair("a ball in a corner, under a raster", body(Sphere{1}, {1, 2, 0.5}), body(corner(), {0, 0, 0}, about_x))),
+      under({-4, -4, 0.75, 12, 12, -2, 1}, pair("turned bodies under a raster", body(octahedron, {0, 0, 0}, skew),
+                                                body(tetrahedron, {-1, -1, -0.5}, about_y))),
+      under({-2, -2, 0.25, 20, 18, 0, 2}, pair("a ball in a corner, under a raster", body(Sphere{1}, {1, 2, 0.5}),
+                                               body(corner(), {0, 0, 0}, about_x))),
       under({-2.25, -2.25, 0.5, 9, 9, 0, 0},
             pair("diamonds, one on the other", body(octahedron, {0, 0, 0}), body(octahedron, {0, 0, 2}))),
       many("a needle", {dense(body(needle, {1, 2, 3}, about_x), 2)}),
@@ -195,15 +196,15 @@ const std::vector<Scene>& impacts() {
   return all;
 }
 
-const std::vector<Scene>& scenes_of(const std::string& stem) {
-  if (stem == "impulse") return impacts();
-  if (stem == "constraint") return tables();
-  if (stem == "time_of_impact") return flights();
-  return stem == "simulation" ? runs() : scenes();
+const std::vector<Scene>& scenes_of(const std::string& query) {
+  if (query == "impulse") return impacts();
+  if (query == "constraint") return tables();
+  if (query == "time_of_impact") return motion_scenes();
+  return query == "simulation" ? runs() : scenes();
 }
 
 const Scene& scene(const std::string& name) {
-  for (const auto* some : {&scenes(), &impacts(), &flights(), &runs(), &tables()}) {
+  for (const auto* some : {&scenes(), &impacts(), &motion_scenes(), &runs(), &tables()}) {
     const auto found = std::ranges::find(*some, name, &Scene::name);
     if (found != some->end()) return *found;
   }

@@ -1,4 +1,4 @@
-// A few scenes by hand, each there for a reason: all that the canaries need to show their lies.
+// A few scenes made by hand, each for a reason: together they show the lies of all canaries.
 #pragma once
 
 #include <string>
@@ -8,15 +8,15 @@
 
 namespace touchstone::tests {
 
-/// Completed and valid; names say what they are.
+/// Completed and valid scenes; their names describe them.
 const std::vector<Scene>& scenes();
-/// Two bodies that meet.
+/// Impacts of two bodies.
 const std::vector<Scene>& impacts();
 /// Balls on tables.
 const std::vector<Scene>& tables();
-/// Those that a stem's properties are shown on: impacts for "impulse", scenes for the others.
-const std::vector<Scene>& scenes_of(const std::string& stem);
-/// Of all of them.
+/// The scenes for the properties of a query, e.g. impacts for "impulse".
+const std::vector<Scene>& scenes_of(const std::string& query);
+/// The scene of that name among all of them.
 const Scene& scene(const std::string& name);
 
 Body body(Shape shape, const Vec3& p_WB, const Quaternion& q_WB = {});

@@ -1,5 +1,5 @@
-// Balls on tables, each there for a lie that it shows.
-#include "oracle/truth.h"
+// Balls on tables, each for the lie that it shows.
+#include "oracle/truth/truth.h"
 #include "tests/properties/scenes.h"
 
 namespace touchstone::tests {
@@ -18,7 +18,7 @@ Scene on_tables(const std::string& name, const Vec3& place, const Velocity& velo
   scene.gravity = Vec3(0, 0, -g);
   scene.bodies = {{"ball", Sphere{0.25}, {place, {}}, velocity, {1, 16}, Density{2}}};
   for (Body& body : tables) scene.bodies.push_back(std::move(body));
-  scene.flight = Flight{.times = std::move(times)};
+  scene.motion = Motion{.sample_times = std::move(times)};
   return oracle::truth::completed(scene);
 }
 

@@ -1,4 +1,4 @@
-// What each outcome of the simulation properties is, on a trajectory by hand.
+// The outcomes of the simulation properties, for a trajectory computed by hand.
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -18,7 +18,7 @@ const Scene& wall() { return tests::scene("a ball against a wall"); }
 
 State ball_at(const Vec3& p, const Vec3& v) { return {{p, {}}, {v, {0, 0, 0}}}; }
 
-// Radius 1, 7 m from the wall at 8 m/s, elastic: it turns back after 7/8 s.
+// Radius 1, 7 m from the wall at 8 m/s, elastic: it reverses after 7/8 s.
 Trajectory turned_back() {
   const State still{wall().bodies[1].X_WB, {}};
   Event impact;
@@ -150,7 +150,7 @@ TEST_CASE("simulation: impacts too early, too late, and not at all") {
 TEST_CASE("simulation: impacts in lockstep are counted, and both ends of the envelope are inside") {
   Trajectory said = turned_back();
   CHECK(judged("lockstep", said).impacts == 1);
-  event_of(said).time -= 0x1p-34;  // by half the envelope, at 8 m/s
+  event_of(said).time -= 0x1p-34;  // half the envelope, at 8 m/s
   CHECK(judged("lockstep", said).error == 0);
 }
 

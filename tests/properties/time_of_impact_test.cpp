@@ -1,4 +1,4 @@
-// What each outcome of the properties of time_of_impact is, on answers by hand.
+// The outcomes of the time_of_impact properties, for answers computed by hand.
 #include <cmath>
 
 #include "properties/property.h"
@@ -13,7 +13,7 @@ using Meeting = TimeOfImpact::Meeting;
 
 namespace {
 
-// 7 m up, thrown at 2 m/s, g = 8 m/s².
+// 7 m high, thrown upward at 2 m/s, g = 8 m/s².
 const double falls = (2 + std::sqrt(116.0)) / 8;
 
 TimeOfImpact hit(double time) { return {Meeting::hit, time, {}, {}}; }
@@ -83,6 +83,6 @@ TEST_CASE("time_of_impact: a scene without a flight, or with overlap at the star
   subject.said_meeting = hit(0);
   scene.bodies[0].X_WB.p_WB.z() = 0.5;
   CHECK(properties::find("time_of_impact.agrees").check(scene, subject).outcome == Outcome::outside);
-  scene.flight.reset();
+  scene.motion.reset();
   CHECK(properties::find("time_of_impact.agrees").check(scene, subject).outcome == Outcome::outside);
 }

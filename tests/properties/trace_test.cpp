@@ -1,10 +1,10 @@
-// Clause ↔ property ↔ canary, both ways: nothing in the specification without a test, nothing tested that it does not
-// say.
+// Clause ↔ property ↔ canary, in both directions: every clause of the specification has a test, and every property
+// tests a clause.
 #include <algorithm>
 #include <set>
 
 #include "model/input_error.h"
-#include "oracle/subjects/canaries.h"
+#include "oracle/subjects/canaries/canaries.h"
 #include "properties/clause.h"
 #include "properties/property.h"
 #include "tests/catch.h"
@@ -31,22 +31,22 @@ TEST_CASE("ids are unique") {
 }
 
 TEST_CASE("ids say where they belong") {
-  for (const Property& property : properties::all()) CHECK(property.id.starts_with(property.stem + "."));
+  for (const Property& property : properties::all()) CHECK(property.id.starts_with(property.query + "."));
   for (const Clause& clause : properties::clauses()) {
-    std::string stem = clause.stem;
-    std::ranges::transform(stem, stem.begin(),
+    std::string query = clause.query;
+    std::ranges::transform(query, query.begin(),
                            [](char c) { return c == '_' ? '-' : static_cast<char>(std::toupper(c)); });
-    CHECK(clause.id.starts_with("TS-" + stem + "-"));
+    CHECK(clause.id.starts_with("TS-" + query + "-"));
   }
 }
 
-TEST_CASE("every clause is checked by properties that cite it, of its stem") {
+TEST_CASE("every clause is checked by properties that cite it, of its query") {
   for (const Clause& clause : properties::clauses()) {
     INFO(clause.id);
     CHECK_FALSE(clause.checked_by.empty());
     for (const std::string& id : clause.checked_by) {
       const Property& property = properties::find(id);
-      CHECK(property.stem == clause.stem);
+      CHECK(property.query == clause.query);
       CHECK(holds(property.clauses, clause.id));
     }
   }

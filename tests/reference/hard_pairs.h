@@ -56,13 +56,13 @@ inline Scene pair(Body A, Body B) {
 
 /// Between braces C++ evaluates from left to right, between parentheses in any order: draws that share an expression
 /// stand in braces, so that every compiler makes the same scenes.
-struct Placed {
+struct PlacedBody {
   Shape shape;
   Vec3 p_WB = Vec3::Zero();
   Quaternion q_WB = {};
 };
 
-inline Scene pair_of(const std::vector<Placed>& both) {
+inline Scene pair_of(const std::vector<PlacedBody>& both) {
   return pair(body(both[0].shape, both[0].p_WB, both[0].q_WB), body(both[1].shape, both[1].p_WB, both[1].q_WB));
 }
 

@@ -6,7 +6,7 @@
 
 namespace touchstone::tests {
 
-struct Blow {
+struct ImpactProblem {
   double mass = 1;
   Mat3 I = Mat3::Identity();
   Vec3 r = Vec3(0, 0, -1);  ///< from the centre of mass to C
@@ -18,18 +18,21 @@ struct Blow {
 };
 
 /// The normal is W's z.
-inline Scene scene(const Blow& blow) {
+inline Scene scene(const ImpactProblem& problem) {
   Body moved = body(Box{Vec3(1, 1, 1)});
   MassProperties properties;
-  properties.mass = blow.mass;
-  properties.I_BBcm_B = blow.I;
+  properties.mass = problem.mass;
+  properties.I_BBcm_B = problem.I;
   moved.mass = properties;
-  moved.velocity = {blow.v, blow.w};
+  moved.velocity = {problem.v, problem.w};
   Body wall = body(Box{Vec3(1, 1, 1)}, Vec3(0, 0, -2));
   wall.mass = Fixed{};
   Scene result = pair(moved, wall);
-  result.contact =
-      Contact{.p_WC = blow.r, .nhat_BA_W = Vec3(0, 0, 1), .law = blow.law, .restitution = blow.e, .friction = blow.mu};
+  result.contact = Contact{.p_WC = problem.r,
+                           .nhat_BA_W = Vec3(0, 0, 1),
+                           .law = problem.law,
+                           .restitution = problem.e,
+                           .friction = problem.mu};
   return result;
 }
 
@@ -44,7 +47,7 @@ inline Scene newton_paradox(Law law = Law::newton) {
 }
 
 /// A rod at tan φ = 2: K = [[17/5, −6/5], [−6/5, 8/5]] in its plane.
-inline Blow rod(const Vec3& v, double mu) {
+inline ImpactProblem rod(const Vec3& v, double mu) {
   return {.I = diagonal(15, 15, 15), .r = {-3, 0, -6}, .v = v, .e = 0.5, .mu = mu};
 }
 

@@ -179,18 +179,18 @@ ExactVec3 u_after(const ImpulseTruth& t) {
   return u;
 }
 
-tests::Blow turning(Dice& dice) {
-  tests::Blow blow;
+tests::ImpactProblem turning(Dice& dice) {
+  tests::ImpactProblem problem;
   const double x = 0.1 + dice.unit();
   const double y = 0.1 + dice.unit();
   const double z = 0.1 + dice.unit();
-  blow.I = tests::diagonal(y + z, x + z, x + y);
-  blow.r = dice.in_cube();
-  blow.w = dice.in_cube();
-  blow.v = 2 * dice.in_cube();
-  blow.e = dice.unit();
-  blow.mu = dice.unit();
-  return blow;
+  problem.I = tests::diagonal(y + z, x + z, x + y);
+  problem.r = dice.in_cube();
+  problem.w = dice.in_cube();
+  problem.v = 2 * dice.in_cube();
+  problem.e = dice.unit();
+  problem.mu = dice.unit();
+  return problem;
 }
 
 bool turns_throughout(const ImpulseTruth& t) {
@@ -202,10 +202,10 @@ TEST_CASE("impulse: the hodograph, in 80 digits, ends where the series do") {
   Dice dice(51);
   int compared = 0;
   while (compared < 8) {
-    const tests::Blow blow = turning(dice);
-    const ImpulseTruth t = impulse(tests::scene(blow));
+    const tests::ImpactProblem problem = turning(dice);
+    const ImpulseTruth t = impulse(tests::scene(problem));
     if (!turns_throughout(t)) continue;
-    const Equations e = equations(t, blow.mu);
+    const Equations e = equations(t, problem.mu);
     const Planar before = tangential(t.u0_W);
     const Planar after = tangential(u_after(t));
     const Real s0 = sqrt(before.x * before.x + before.y * before.y);
@@ -222,7 +222,7 @@ TEST_CASE("impulse: the hodograph, in 80 digits, ends where the series do") {
     const Hodograph::End fine = hodograph.integrate(from, to, s0, 36);
     if (abs(coarse.p - fine.p) > Real("1e-50")) continue;
     ++compared;
-    CAPTURE(compared, blow.mu, blow.e);
+    CAPTURE(compared, problem.mu, problem.e);
     CHECK(abs(fine.s - s1) < Real("1e-45"));
     CHECK(abs(fine.p - real(t.p_f)) < Real("1e-45"));
   }
@@ -235,11 +235,11 @@ TEST_CASE("impulse: the hodograph, in 80 digits, until slip stops") {
   Dice dice(53);
   int compared = 0;
   while (compared < 1) {
-    tests::Blow blow = turning(dice);
-    blow.law = Law::stronge;
-    const ImpulseTruth t = impulse(tests::scene(blow));
+    tests::ImpactProblem problem = turning(dice);
+    problem.law = Law::stronge;
+    const ImpulseTruth t = impulse(tests::scene(problem));
     if (!t.modes.slip_stops_in_compression || !t.modes.sticks || t.modes.straight) continue;
-    const Equations e = equations(t, blow.mu);
+    const Equations e = equations(t, problem.mu);
     const Planar before = tangential(t.u0_W);
     const Real s0 = sqrt(before.x * before.x + before.y * before.y);
     const Real from = atan2(before.y, before.x);
@@ -268,9 +268,9 @@ TEST_CASE("impulse: the hodograph, in 80 digits, until slip stops") {
     const Real T0 = (inverse_00 * u[0] * u[0] + inverse_11 * u[1] * u[1] + inverse_22 * u[2] * u[2]) / 2 +
                     inverse_01 * u[0] * u[1] + inverse_02 * u[0] * u[2] + inverse_12 * u[1] * u[2];
     const Real W_c = -T0 + e.mu * fine.D;
-    CAPTURE(compared, blow.mu, blow.e);
+    CAPTURE(compared, problem.mu, problem.e);
     CHECK(abs(real(t.p_c) - p_c) < Real("1e-45"));
-    CHECK(abs(real(t.p_f) - (p_c + blow.e * sqrt(-2 * W_c * inverse_22))) < Real("1e-45"));
+    CHECK(abs(real(t.p_f) - (p_c + problem.e * sqrt(-2 * W_c * inverse_22))) < Real("1e-45"));
   }
 }
 
@@ -321,11 +321,11 @@ TEST_CASE("impulse: the equations in p, by Runge-Kutta, end where the series do"
   Dice dice(52);
   int compared = 0;
   while (compared < 100) {
-    tests::Blow blow = turning(dice);
-    const ImpulseTruth t = impulse(tests::scene(blow));
+    tests::ImpactProblem problem = turning(dice);
+    const ImpulseTruth t = impulse(tests::scene(problem));
     if (!turns_throughout(t)) continue;
     Direct direct{};
-    direct.mu = blow.mu;
+    direct.mu = problem.mu;
     for (std::size_t i = 0; i < 3; ++i) {
       direct.u0[i] = t.u0_W[i].nearest();
       for (std::size_t j = 0; j < 3; ++j) direct.K[i][j] = t.K_W[i][j].nearest();
@@ -335,7 +335,7 @@ TEST_CASE("impulse: the equations in p, by Runge-Kutta, end where the series do"
     const Long own_error = std::hypot(end[0] - half[0], end[1] - half[1]);
     if (own_error > 1e-11L) continue;  // slip nearly stopped: the equation is stiff there
     ++compared;
-    CAPTURE(compared, blow.mu, blow.e);
+    CAPTURE(compared, problem.mu, problem.e);
     const auto at_p_c = direct.u(direct.until(static_cast<Long>(t.p_c.nearest()), 4000));
     CHECK(std::abs(at_p_c[2]) < 1e-13L + own_error);
     for (std::size_t i = 0; i < 2; ++i) {

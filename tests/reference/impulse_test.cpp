@@ -11,8 +11,8 @@
 namespace touchstone::reference {
 namespace {
 
-using tests::Blow;
 using tests::diagonal;
+using tests::ImpactProblem;
 
 Rational fraction(const char* text) { return Rational(std::string(text)); }
 
@@ -149,21 +149,21 @@ TEST_CASE("impulse: friction without limit holds at once") {
   CHECK(u_after(t)[1] == Rational(0));
   CHECK(t.P_A_W[2] == t.p_f);
   // What is held at p_c would be u = 0 altogether: P = −K⁻¹ u0, so K P_c = −u0 with P_c on the line to P_f.
-  tests::Blow blow = tests::rod({-1, 2, -1}, INFINITY);
-  blow.r = Vec3(-3, 1, -6);
-  blow.e = 0;
-  const ImpulseTruth held = impulse(tests::scene(blow));
+  tests::ImpactProblem problem = tests::rod({-1, 2, -1}, INFINITY);
+  problem.r = Vec3(-3, 1, -6);
+  problem.e = 0;
+  const ImpulseTruth held = impulse(tests::scene(problem));
   CHECK(u_after(held) == ExactVec3{});
   CHECK(held.p_f == t.p_c);
 }
 
 TEST_CASE("impulse: without friction, and separating") {
-  tests::Blow blow = tests::rod({-1, 2, -1}, 0);
-  const ImpulseTruth t = impulse(tests::scene(blow));
+  tests::ImpactProblem problem = tests::rod({-1, 2, -1}, 0);
+  const ImpulseTruth t = impulse(tests::scene(problem));
   CHECK(t.modes.frictionless);
   CHECK(t.P_A_W == ExactVec3{Rational(0), Rational(0), fraction("15/16")});  // (1 + e) |u_n|/K_nn
-  blow.v = Vec3(1, 0, 0);
-  const ImpulseTruth leaves = impulse(tests::scene(blow));
+  problem.v = Vec3(1, 0, 0);
+  const ImpulseTruth leaves = impulse(tests::scene(problem));
   CHECK(leaves.modes.separating);
   CHECK(leaves.after[0].v_WBcm == ExactVec3{Rational(1), Rational(0), Rational(0)});
 }
@@ -191,21 +191,21 @@ TEST_CASE("impulse: an oblique normal that no double can make a unit vector") {
 }
 
 /// Any K, by a body whose centre is far off or near; some Painlevé, some nearly sticking.
-tests::Blow any_blow(tests::Dice& dice) {
-  tests::Blow blow;
+tests::ImpactProblem any_impact(tests::Dice& dice) {
+  tests::ImpactProblem problem;
   const double x = 0.02 + dice.unit();
   const double y = 0.02 + dice.unit();
   const double z = 0.02 + dice.unit();
-  blow.I = diagonal(y + z, x + z, x + y);
-  blow.r = std::ldexp(1, dice.between(0, 4)) * dice.in_cube();
-  blow.v = 2 * dice.in_cube();
-  if (dice.between(0, 3) == 0) blow.v *= 0x1p-30;
-  blow.w = dice.in_cube() / 8;
-  blow.v.z() -= 1;
-  blow.e = dice.between(0, 4) == 0 ? dice.between(0, 1) : dice.unit();
-  blow.mu = dice.unit() * dice.between(1, 4);
-  blow.law = static_cast<Law>(dice.between(0, 2));
-  return blow;
+  problem.I = diagonal(y + z, x + z, x + y);
+  problem.r = std::ldexp(1, dice.between(0, 4)) * dice.in_cube();
+  problem.v = 2 * dice.in_cube();
+  if (dice.between(0, 3) == 0) problem.v *= 0x1p-30;
+  problem.w = dice.in_cube() / 8;
+  problem.v.z() -= 1;
+  problem.e = dice.between(0, 4) == 0 ? dice.between(0, 1) : dice.unit();
+  problem.mu = dice.unit() * dice.between(1, 4);
+  problem.law = static_cast<Law>(dice.between(0, 2));
+  return problem;
 }
 
 /// (K⁻¹)_nn, the normal being z.
@@ -221,25 +221,25 @@ TEST_CASE("impulse: the theorems hold") {
   int stopped = 0;
   int diverged = 0;
   for (int i = 0; i < 200; ++i) {
-    const tests::Blow blow = any_blow(dice);
-    const ImpulseTruth t = impulse(tests::scene(blow));
+    const tests::ImpactProblem problem = any_impact(dice);
+    const ImpulseTruth t = impulse(tests::scene(problem));
     if (t.modes.separating) continue;
-    CAPTURE(i, blow.mu, blow.e, static_cast<int>(blow.law));
+    CAPTURE(i, problem.mu, problem.e, static_cast<int>(problem.law));
     stopped += t.modes.slip_stops_in_compression || t.modes.slip_stops_in_restitution;
     diverged += t.modes.diverges;
     const ExactVec3 u = u_after(t);
-    const Rational e(blow.e);
+    const Rational e(problem.e);
     CHECK(u[2].nearest() >= -slack);
-    const Rational cone = Rational(blow.mu) * t.P_A_W[2];
+    const Rational cone = Rational(problem.mu) * t.P_A_W[2];
     CHECK((t.P_A_W[0] * t.P_A_W[0] + t.P_A_W[1] * t.P_A_W[1] - cone * cone).nearest() <= slack);
     CHECK(near(t.P_A_W[2], t.p_f, slack));
     const Rational dT = energy_change(t);
-    if (blow.law == Law::newton) {
+    if (problem.law == Law::newton) {
       CHECK(near(u[2], -e * t.u0_W[2], slack));
       continue;
     }
     CHECK(dT.nearest() <= slack);
-    if (blow.law == Law::stronge || t.modes.recompressed) continue;
+    if (problem.law == Law::stronge || t.modes.recompressed) continue;
     CHECK(near(t.p_f, (Rational(1) + e) * t.p_c, slack));
     const Rational bound = (e - Rational(1)) / (e + Rational(1)) * t.p_f * t.p_f / inverse_nn(t.K_W) / Rational(2);
     CHECK((dT - bound).nearest() <= slack);
@@ -252,7 +252,7 @@ TEST_CASE("impulse: the theorems hold") {
 TEST_CASE("impulse: two moving bodies, turned any way, the same impact seen from either") {
   tests::Dice dice(62);
   for (int i = 0; i < 10; ++i) {
-    Scene scene = tests::scene(any_blow(dice));
+    Scene scene = tests::scene(any_impact(dice));
     scene.bodies[1].mass = Density{2};
     scene.bodies[1].velocity = {dice.in_cube(), dice.in_cube()};
     scene.bodies[0].X_WB.q_WB = tests::integer_quaternion(dice);
@@ -276,9 +276,9 @@ Rational energy(const std::array<ExactVec3, 3>& K, const ExactVec3& P) { return 
 TEST_CASE("impulse: some digits are the first of many, within what is stated, however slender the bodies") {
   tests::Dice dice(63);
   for (int i = 0; i < 160; ++i) {
-    tests::Blow blow = any_blow(dice);
-    blow.r *= std::ldexp(1, i % 4 * 6);
-    const Scene scene = tests::scene(blow);
+    tests::ImpactProblem problem = any_impact(dice);
+    problem.r *= std::ldexp(1, i % 4 * 6);
+    const Scene scene = tests::scene(problem);
     const ImpulseTruth some = impulse(scene, Digits::some);
     const ImpulseTruth many = impulse(scene);
     CAPTURE(i, some.error, many.error);
@@ -331,7 +331,7 @@ TEST_CASE("impulse: nearly every impact is proved, most to 45 digits") {
   int digits = 0;
   constexpr int all = 60;
   for (int i = 0; i < all; ++i) {
-    const ImpulseTruth t = impulse(tests::scene(any_blow(dice)));
+    const ImpulseTruth t = impulse(tests::scene(any_impact(dice)));
     proved += t.certified;
     digits += t.error <= 1e-45 * std::sqrt(1 + energy(t.K_W, t.P_A_W).nearest());
   }
@@ -340,15 +340,15 @@ TEST_CASE("impulse: nearly every impact is proved, most to 45 digits") {
 }
 
 TEST_CASE("impulse: without a contact there is no question") {
-  Scene scene = tests::scene(Blow{});
+  Scene scene = tests::scene(ImpactProblem{});
   scene.contact.reset();
   CHECK_THROWS_AS(impulse(scene), InputError);
 }
 
 TEST_CASE("impulse: an inertia that is positive definite only within rounding") {
-  tests::Blow blow;
-  blow.I << 1, 1, 0, 1, std::nextafter(1.0, 0), 0, 0, 0, 2;
-  CHECK_THROWS_AS(impulse(tests::scene(blow)), InputError);
+  tests::ImpactProblem problem;
+  problem.I << 1, 1, 0, 1, std::nextafter(1.0, 0), 0, 0, 0, 2;
+  CHECK_THROWS_AS(impulse(tests::scene(problem)), InputError);
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 #include "reference/distance.h"
 #include "reference/validity.h"
 #include "tests/catch.h"
-#include "tests/reference/flights.h"
+#include "tests/reference/moving_scenes.h"
 
 namespace touchstone::tests {
 namespace {
@@ -29,15 +29,15 @@ Body floor() {
   return b;
 }
 
-Scene looked_at(std::vector<Body> bodies, std::vector<double> times) {
+Scene sampled_at(std::vector<Body> bodies, std::vector<double> times) {
   Scene scene;
   scene.bodies = std::move(bodies);
-  scene.flight = Flight{.times = std::move(times)};
+  scene.motion = Motion{.sample_times = std::move(times)};
   return scene;
 }
 
 TEST_CASE("A ball that bounces: impacts at the times of its parabolas") {
-  Scene scene = looked_at({ball(0.5, Vec3(0, 0, 1.5), Vec3::Zero(), 0.5), floor()}, {0.25, 1, 1.25});
+  Scene scene = sampled_at({ball(0.5, Vec3(0, 0, 1.5), Vec3::Zero(), 0.5), floor()}, {0.25, 1, 1.25});
   scene.gravity = Vec3(0, 0, -8);
   const Trajectory said = simulation(scene);
   REQUIRE(!said.complete_until);
@@ -54,11 +54,11 @@ TEST_CASE("A ball that bounces: impacts at the times of its parabolas") {
 }
 
 TEST_CASE("A bouncing ball piles up its impacts, and the reference says where it stops") {
-  Scene scene = looked_at({ball(0.5, Vec3(0, 0, 1.5), Vec3::Zero(), 0.5), floor()}, {1, 4});
+  Scene scene = sampled_at({ball(0.5, Vec3(0, 0, 1.5), Vec3::Zero(), 0.5), floor()}, {1, 4});
   scene.gravity = Vec3(0, 0, -8);
   const Trajectory said = simulation(scene, {.impacts = 100});
   REQUIRE(said.complete_until);
-  // 1/2 (1 + e)/(1 − e) = 3/2, and some hops within the envelope, of √(2ε/g) each.
+  // 1/2 (1 + e)/(1 − e) = 3/2, and some micro-bounces within the envelope, of √(2ε/g) each.
   CHECK(*said.complete_until == Approx(1.5).margin(1e-3));
   CHECK(said.states.size() == 1);
 }
@@ -66,7 +66,7 @@ TEST_CASE("A bouncing ball piles up its impacts, and the reference says where it
 TEST_CASE("Newton's cradle with gaps passes the motion on") {
   std::vector<Body> row;
   for (int i = 0; i < 5; ++i) row.push_back(ball(0.5, Vec3(1.25 * i, 0, 0), Vec3(i == 0 ? 1 : 0, 0, 0)));
-  const Trajectory said = simulation(looked_at(row, {8}));
+  const Trajectory said = simulation(sampled_at(row, {8}));
   REQUIRE(!said.complete_until);
   CHECK(said.events->size() == 4);
   for (int i = 0; i < 5; ++i) {
@@ -94,7 +94,7 @@ TEST_CASE("Hulls in a box: energy and momentum through impacts, and nobody in an
     hull.velocity = {Vec3(2 - 2.0 * i, 0, 0) + 0.25 * dice.in_cube(), dice.in_cube()};
     scene.bodies.push_back(hull);
   }
-  scene.flight = Flight{.times = {0.5, 1, 1.5, 2, 3}};
+  scene.motion = Motion{.sample_times = {0.5, 1, 1.5, 2, 3}};
   const Trajectory said = simulation(scene);
   REQUIRE(!said.complete_until);
   REQUIRE(said.events->size() >= 2);
@@ -128,7 +128,7 @@ TEST_CASE("Hulls in a box: energy and momentum through impacts, and nobody in an
 TEST_CASE("A box that falls flat rattles on its corners and goes on") {
   Body box = body(Box{Vec3(1, 1, 0.5)}, Vec3(0, 0, 1.5));
   box.material.restitution = 1;
-  Scene scene = looked_at({box, floor()}, {0.25, 0.75});
+  Scene scene = sampled_at({box, floor()}, {0.25, 0.75});
   scene.gravity = Vec3(0, 0, -8);
   const Trajectory said = simulation(scene);
   CHECK(!said.complete_until);
@@ -137,10 +137,10 @@ TEST_CASE("A box that falls flat rattles on its corners and goes on") {
 }
 
 TEST_CASE("A push is an event of its own") {
-  Scene scene = looked_at({ball(0.5, Vec3(0, 0, 0), Vec3(1, 0, 0))}, {1, 2});
+  Scene scene = sampled_at({ball(0.5, Vec3(0, 0, 0), Vec3(1, 0, 0))}, {1, 2});
   scene.bodies[0].mass = round_mass(2);
-  scene.flight->force_bound = 4;
-  scene.flight->pushes = {{0, 0, Vec3(0, 0, 4)}, {1, 0, Vec3::Zero()}};
+  scene.motion->force_bound = 4;
+  scene.motion->forces = {{0, 0, Vec3(0, 0, 4)}, {1, 0, Vec3::Zero()}};
   const Trajectory said = simulation(scene);
   REQUIRE(said.events->size() == 1);
   CHECK((*said.events)[0].kind == Event::Kind::push);
@@ -151,7 +151,7 @@ TEST_CASE("A push is an event of its own") {
 TEST_CASE("A body that tumbles for long keeps its energy") {
   Body block = body(Box{Vec3(1, 2, 3)});
   block.velocity.w_WB = Vec3(1, 8, 2);
-  const Trajectory said = simulation(looked_at({block}, {0.5, 1, 1024}));
+  const Trajectory said = simulation(sampled_at({block}, {0.5, 1, 1024}));
   CHECK(!said.complete_until);
   REQUIRE(said.states.size() == 3);
   const auto twice_energy = [](const Quaternion& q, const Vec3& w) {  // of a mass of 3
@@ -159,14 +159,14 @@ TEST_CASE("A body that tumbles for long keeps its energy") {
     return Vec3(13, 10, 5).dot(w_B.cwiseAbs2());
   };
   const double before = twice_energy(block.X_WB.q_WB, block.velocity.w_WB);
-  for (const std::vector<State>& look : said.states) {
-    CHECK(twice_energy(look[0].X_WB.q_WB, look[0].velocity.w_WB) == Approx(before).epsilon(1e-14));
+  for (const std::vector<State>& sample : said.states) {
+    CHECK(twice_energy(sample[0].X_WB.q_WB, sample[0].velocity.w_WB) == Approx(before).epsilon(1e-14));
   }
 }
 
 TEST_CASE("Bodies that overlap at the start are refused") {
   CHECK_THROWS_AS(
-      simulation(looked_at({ball(1, Vec3::Zero(), Vec3::Zero()), ball(1, Vec3(1, 0, 0), Vec3::Zero())}, {1})),
+      simulation(sampled_at({ball(1, Vec3::Zero(), Vec3::Zero()), ball(1, Vec3(1, 0, 0), Vec3::Zero())}, {1})),
       InputError);
 }
 

@@ -5,13 +5,13 @@
 #include <cmath>
 
 #include "model/input_error.h"
+#include "reference/ballistic_motion.h"
 #include "reference/distance.h"
-#include "reference/flight.h"
 #include "reference/rational.h"
 #include "reference/validity.h"
 #include "tests/catch.h"
-#include "tests/reference/fine_flight.h"
-#include "tests/reference/flights.h"
+#include "tests/reference/fine_motion.h"
+#include "tests/reference/moving_scenes.h"
 
 namespace touchstone::tests {
 namespace {
@@ -49,7 +49,7 @@ Scene two_balls(Dice& dice, double offset) {
   scene.bodies[0].velocity.w_WB = dice.in_cube();
   scene.bodies[1].velocity.v_WBcm = scene.bodies[0].velocity.v_WBcm - (2 + dice.unit()) * p / 4;
   scene.gravity = Vec3(0, 0, -9.8125);
-  return flight_of(scene, 8);
+  return moving_scene(scene, 8);
 }
 
 TEST_CASE("Balls meet when their quadratic says so, exactly") {
@@ -77,7 +77,7 @@ TEST_CASE("Balls that graze are told apart to the last bit of their offset") {
     for (const double side : {-1.0, 1.0}) {
       Scene scene = pair(ball(1, Vec3(-4, 1.5 + side * std::ldexp(1, -k), 0), Vec3(1, 0, 0)),
                          ball(0.5, Vec3::Zero(), Vec3::Zero()));
-      const TimeOfImpactTruth truth = time_of_impact(flight_of(scene, 8));
+      const TimeOfImpactTruth truth = time_of_impact(moving_scene(scene, 8));
       CAPTURE(k, side);
       CHECK(truth.meeting == (side < 0 ? Meeting::hit : Meeting::miss));
       if (truth.meeting != Meeting::hit) continue;
@@ -86,17 +86,17 @@ TEST_CASE("Balls that graze are told apart to the last bit of their offset") {
     }
   }
   const Scene touching = pair(ball(1, Vec3(-4, 1.5, 0), Vec3(1, 0, 0)), ball(0.5, Vec3::Zero(), Vec3::Zero()));
-  const TimeOfImpactTruth truth = time_of_impact(flight_of(touching, 8));
+  const TimeOfImpactTruth truth = time_of_impact(moving_scene(touching, 8));
   CHECK(truth.meeting == Meeting::undecided);
   CHECK(truth.time.lo < 4);
   CHECK(truth.time.lo > 4 - 1e-9);
   CHECK(truth.gap < 1e-18);
 }
 
-/// The 76 digits of fine_flight.h share no code with the reference, and neither does the test for a separating
+/// The 76 digits of fine_motion.h share no code with the reference, and neither does the test for a separating
 /// axis.
 void hold_to_fine_poses(const Scene& scene, const TimeOfImpactTruth& truth) {
-  const FineFlight A(scene, 0), B(scene, 1);
+  const FineMotion A(scene, 0), B(scene, 1);
   CAPTURE(truth.time.lo, truth.time.hi);
   CHECK(greatest_gap(A, B, truth.time.lo) > 0);
   if (truth.meeting == Meeting::hit) CHECK(greatest_gap(A, B, truth.time.hi) <= 0);
@@ -147,12 +147,12 @@ TEST_CASE("Hulls that graze, by bisection of their offset") {
 /// Mirtich's bound in plain doubles: no point of the two comes nearer along d* faster than |v| + Σ |ω| ρ. Same gravity.
 double conservative_advancement(Scene scene, double near) {
   double t = 0;
-  for (int i = 0; i < 100000 && t < scene.flight->times.back(); ++i) {
+  for (int i = 0; i < 100000 && t < scene.motion->sample_times.back(); ++i) {
     double speed = 0;
     Scene now = scene;
     for (std::size_t k = 0; k < 2; ++k) {
-      const FineFlight flight(scene, k);
-      now.bodies[k].X_WB = flight.pose(t);
+      const FineMotion fine(scene, k);
+      now.bodies[k].X_WB = fine.pose(t);
       speed += scene.bodies[k].velocity.w_WB.norm();
     }
     const reference::DistanceTruth d = reference::distance(now);
@@ -176,7 +176,7 @@ TEST_CASE("Conservative advancement comes to the same time") {
       CHECK(t >= 2);
     } else {
       CHECK(t <= truth.time.hi + 1e-13);
-      CHECK(greatest_gap(FineFlight(scene, 0), FineFlight(scene, 1), t) < 1e-8);
+      CHECK(greatest_gap(FineMotion(scene, 0), FineMotion(scene, 1), t) < 1e-8);
       CHECK(t > truth.time.lo - 1e-6);
     }
   }
@@ -186,7 +186,7 @@ TEST_CASE("Conservative advancement comes to the same time") {
 Scene touching_boxes(const Velocity& of_A) {
   Scene scene = pair(body(Box{Vec3(1, 1, 1)}), body(Box{Vec3(1, 1, 1)}, Vec3(2, 0.5, 0)));
   scene.bodies[0].velocity = of_A;
-  return flight_of(scene, 4);
+  return moving_scene(scene, 4);
 }
 
 TEST_CASE("Contact at the start counts if the two approach there") {
@@ -214,7 +214,7 @@ TEST_CASE("Contact at the start counts if the two approach there") {
       Scene scene = pair(body(shape), body(Box{Vec3(1, 1, 1)}, Vec3(2, 0, 0)));
       scene.bodies[0].velocity = {Vec3(-1, 0, 0), Vec3(1, 0.25, -0.125)};
       scene.bodies[1].velocity = {Vec3(0, 0.5, 0), Vec3(0.25, 0, 0.5)};
-      scene = flight_of(scene, 0.25);
+      scene = moving_scene(scene, 0.25);
       CHECK(time_of_impact(scene).meeting == Meeting::miss);
       std::swap(scene.bodies[0].velocity, scene.bodies[1].velocity);
       const TimeOfImpactTruth meets = time_of_impact(scene);
@@ -228,7 +228,7 @@ TEST_CASE("Balls that touch and part come back") {
   Scene scene = pair(ball(1, Vec3(0, 0, 2), Vec3(0, 0, 1)), ball(1, Vec3::Zero(), Vec3::Zero()));
   scene.bodies[1].mass = Fixed{};
   scene.gravity = Vec3(0, 0, -2);
-  const TimeOfImpactTruth truth = time_of_impact(flight_of(scene, 4));
+  const TimeOfImpactTruth truth = time_of_impact(moving_scene(scene, 4));
   CHECK(truth.meeting == Meeting::hit);
   CHECK(truth.time.lo <= 1);
   CHECK(truth.time.hi >= 1);
@@ -239,14 +239,14 @@ TEST_CASE("Overlap at the start is bad input, with the pair and the depth") {
   Scene scene = pair(ball(1, Vec3::Zero(), Vec3::Zero()), ball(1, Vec3(1.5, 0, 0), Vec3::Zero()));
   scene.bodies[0].name = "left";
   scene.bodies[1].name = "right";
-  scene = flight_of(scene, 1);
+  scene = moving_scene(scene, 1);
   CHECK_THROWS_WITH(time_of_impact(scene), Catch::Contains("\"left\" and \"right\"") && Catch::Contains("0.5"));
   CHECK(time_of_distance(scene, 0.25).at_start);
 
   // The left one began sooner, where it was still apart.
   scene.bodies[0].X_WB.p_WB.x() = -4;
   scene.bodies[0].velocity.v_WBcm.x() = 4;
-  scene.flight->since = {0, 1};
+  scene.motion->start_times = {0, 1};
   CHECK_THROWS_WITH(time_of_impact(scene), Catch::Contains("0.5 m"));
 }
 
@@ -277,7 +277,7 @@ TEST_CASE("Parts of a compound: the first to meet") {
   dumbbell.parts.push_back({{}, Box{Vec3(2, 0.25, 0.25)}});
   Scene scene = pair(body(dumbbell, Vec3(0, 0, 8)), body(Box{Vec3(0.5, 0.5, 0.5)}));
   scene.bodies[0].velocity.v_WBcm = Vec3(0, 0, -1);
-  scene.flight = Flight{.times = {16}};
+  scene.motion = Motion{.sample_times = {16}};
   const TimeOfImpactTruth bar = time_of_impact(scene);
   CHECK(bar.time.lo <= 7.25);
   CHECK(bar.time.hi >= 7.25);
@@ -289,10 +289,10 @@ TEST_CASE("Parts of a compound: the first to meet") {
 }
 
 TEST_CASE("Each body flies from its own start") {
-  Scene scene = flight_of(pair(ball(1, Vec3(-8, 0, 0), Vec3(2, 0, 0)), ball(1, Vec3(8, 0, 0), Vec3(-1, 0, 0))), 8);
+  Scene scene = moving_scene(pair(ball(1, Vec3(-8, 0, 0), Vec3(2, 0, 0)), ball(1, Vec3(8, 0, 0), Vec3(-1, 0, 0))), 8);
   const TimeOfImpactTruth whole = time_of_impact(scene);
   scene.bodies[0].X_WB.p_WB.x() = -4;
-  scene.flight->since = {2, 0};
+  scene.motion->start_times = {2, 0};
   const TimeOfImpactTruth later = time_of_impact(scene);
   for (const TimeOfImpactTruth& truth : {whole, later}) {
     CHECK(truth.meeting == Meeting::hit);
@@ -303,7 +303,7 @@ TEST_CASE("Each body flies from its own start") {
 }
 
 TEST_CASE("The time of a distance comes before that of an impact") {
-  Scene scene = flight_of(pair(ball(1, Vec3(-8, 0, 0), Vec3(2, 0, 0)), ball(1, Vec3(8, 0, 0), Vec3::Zero())), 8);
+  Scene scene = moving_scene(pair(ball(1, Vec3(-8, 0, 0), Vec3(2, 0, 0)), ball(1, Vec3(8, 0, 0), Vec3::Zero())), 8);
   const TimeOfImpactTruth near = time_of_distance(scene, 2);
   CHECK(near.time.lo <= 6);
   CHECK(near.time.hi >= 6);
@@ -311,14 +311,14 @@ TEST_CASE("The time of a distance comes before that of an impact") {
 }
 
 TEST_CASE("A push is felt for the whole flight") {
-  Scene scene = flight_of(pair(ball(1, Vec3(-8, 0, 0), Vec3::Zero()), ball(1, Vec3(8, 0, 0), Vec3::Zero())), 8);
+  Scene scene = moving_scene(pair(ball(1, Vec3(-8, 0, 0), Vec3::Zero()), ball(1, Vec3(8, 0, 0), Vec3::Zero())), 8);
   scene.bodies[0].mass = round_mass(2);
-  scene.flight->force_bound = 8;
-  scene.flight->pushes = {{0, 0, Vec3(8, 0, 0)}};
+  scene.motion->force_bound = 8;
+  scene.motion->forces = {{0, 0, Vec3(8, 0, 0)}};
   const TimeOfImpactTruth truth = time_of_impact(scene);
   CHECK(truth.time.lo <= std::sqrt(7.0));
   CHECK(truth.time.hi >= std::sqrt(7.0) * (1 - 1e-15));
-  scene.flight->pushes.push_back({1, 0, Vec3::Zero()});
+  scene.motion->forces.push_back({1, 0, Vec3::Zero()});
   CHECK_THROWS_AS(time_of_impact(scene), InputError);
 }
 

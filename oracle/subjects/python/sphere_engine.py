@@ -2,7 +2,7 @@
 """A complete Touchstone subject in Python: the distance of two spheres, and of a sphere and a box.
 
 Speaks the protocol of docs/protocol.md on stdin and stdout; try it with
-    touchstone check --subjects exec:'python3 oracle/subjects/python/sphere_engine.py' --stems distance
+    touchstone check --subjects exec:'python3 oracle/subjects/python/sphere_engine.py' --queries distance
 """
 import json
 import math
@@ -34,7 +34,7 @@ def rotated(q, v, sign=1):
 
 
 def nearest_on(body, p_WQ):
-    """The point nearest to Q of a box, or of a sphere's centre; and the radius around it."""
+    """For a box: its point nearest to Q, and 0. For a sphere: its centre, and its radius."""
     shape, pose = body["shape"], body["X_WB"]
     if shape["type"] == "sphere":
         return pose["p"], shape["radius"]

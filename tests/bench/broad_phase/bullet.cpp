@@ -1,4 +1,4 @@
-// Bullet in single precision, as it is packaged for most users.
+// Bullet in single precision, as most users get it from packages.
 #include <BulletCollision/BroadphaseCollision/btAxisSweep3.h>
 #include <BulletCollision/BroadphaseCollision/btDbvtBroadphase.h>
 

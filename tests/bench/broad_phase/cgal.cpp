@@ -9,7 +9,7 @@ using Box = CGAL::Box_intersection_d::Box_d<double, 3>;
 
 Box boxed(Aabb box) { return {box.lo.data(), box.hi.data()}; }
 
-/// It keeps nothing between frames.
+/// CGAL keeps no state between frames.
 class Cgal final : public Contestant {
  public:
   explicit Cgal(const std::vector<Aabb>& boxes) {

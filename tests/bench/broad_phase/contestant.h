@@ -1,4 +1,5 @@
-// Who runs in the comparison of broad phases: takes the frame's changed boxes, gives the number of overlapping pairs.
+// A contestant in the comparison of broad phases: takes a frame's changed boxes and returns the number of overlapping
+// pairs.
 #pragma once
 
 #include <cstddef>
@@ -21,14 +22,14 @@ class Contestant {
  public:
   virtual ~Contestant() = default;
 
-  /// What a user does in a frame: tell the boxes that changed, have the pairs brought up to date, look at each once.
+  /// What a user does in a frame: pass the changed boxes, update the pairs, visit each pair once.
   virtual std::size_t pairs_after(const Frame& frame) = 0;
 };
 
 struct Entrant {
   std::string name;
-  bool peer = false;  ///< another library's
-  std::string law;    ///< how a frame's cost is claimed to grow at fixed density; of peers not known
+  bool peer = false;  ///< from another library
+  std::string law;    ///< claimed growth of a frame's cost at fixed density; empty for other libraries
   std::function<std::unique_ptr<Contestant>(const std::vector<Aabb>& boxes, const Aabb& world)> enter;
 };
 

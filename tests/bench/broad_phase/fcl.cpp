@@ -68,7 +68,7 @@ Entrant entrant(const std::string& name) {
           [](const auto& boxes, const Aabb&) { return std::make_unique<Fcl>(std::make_unique<M>(), boxes); }};
 }
 
-/// Its cell is for the user to choose: twice the mean extent.
+/// The user chooses the cell size: here twice the mean extent.
 std::unique_ptr<Contestant> spatial_hash(const std::vector<Aabb>& boxes, const Aabb& world) {
   double mean = 0;
   for (const Aabb& box : boxes) mean += (box.hi - box.lo).mean() / static_cast<double>(boxes.size());
@@ -78,7 +78,7 @@ std::unique_ptr<Contestant> spatial_hash(const std::vector<Aabb>& boxes, const A
 
 }  // namespace
 
-/// Not entered: the naive manager, and SaPCollisionManager, whose update() does not come back on the coherent film.
+/// Omits the naive manager, and SaPCollisionManager, whose update() does not return on the coherent workload.
 std::vector<Entrant> fcl_managers() {
   return {entrant<::fcl::DynamicAABBTreeCollisionManagerd>("fcl.dynamic_tree"),
           entrant<::fcl::DynamicAABBTreeCollisionManager_Array<double>>("fcl.dynamic_tree_array"),

@@ -20,7 +20,7 @@ struct Round {
   double pairs_per_body = 0;
 };
 
-/// Of the one thread: with a limit set, the clock of the process goes by ticks.
+/// CPU time of the only thread: with RLIMIT_CPU set, the clock of the process has the resolution of a tick.
 double cpu_seconds() {
   timespec now{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
@@ -29,11 +29,12 @@ double cpu_seconds() {
 
 class Player {
  public:
-  Player(const Entrant& entrant, const Film& film) : film_(film), contestant_(entrant.enter(film.start, film.world)) {}
+  Player(const Entrant& entrant, const FrameSequence& sequence)
+      : sequence_(sequence), contestant_(entrant.enter(sequence.start, sequence.world)) {}
 
   void play_frame() {
-    const std::size_t frames = film_.forward.size();
-    const Frame& frame = at_ < frames ? film_.forward[at_] : film_.backward[2 * frames - 1 - at_];
+    const std::size_t frames = sequence_.forward.size();
+    const Frame& frame = at_ < frames ? sequence_.forward[at_] : sequence_.backward[2 * frames - 1 - at_];
     pairs_ += static_cast<double>(contestant_->pairs_after(frame));
     at_ = (at_ + 1) % (2 * frames);
     ++played_;
@@ -41,10 +42,10 @@ class Player {
 
   Round play_round() {
     const double start = cpu_seconds();
-    const double bodies = static_cast<double>(film_.start.size());
+    const double bodies = static_cast<double>(sequence_.start.size());
     double used = 0;
     double frames = 0;
-    while (frames < static_cast<double>(2 * film_.forward.size()) && used < slice_seconds) {
+    while (frames < static_cast<double>(2 * sequence_.forward.size()) && used < slice_seconds) {
       play_frame();
       ++frames;
       used = cpu_seconds() - start;
@@ -53,19 +54,19 @@ class Player {
   }
 
  private:
-  const Film& film_;
+  const FrameSequence& sequence_;
   std::unique_ptr<Contestant> contestant_;
   std::size_t at_ = 0;
   double played_ = 0;
   double pairs_ = 0;
 };
 
-[[noreturn]] void live(const Entrant& entrant, const Film& film, unsigned budget, int in, int out) {
+[[noreturn]] void live(const Entrant& entrant, const FrameSequence& sequence, unsigned budget, int in, int out) {
   const rlimit limit{budget, budget};
   const rlimit no_core{0, 0};
   setrlimit(RLIMIT_CPU, &limit);
   setrlimit(RLIMIT_CORE, &no_core);
-  Player player(entrant, film);
+  Player player(entrant, sequence);
   player.play_frame();
   Round round;
   char word = 0;
@@ -76,7 +77,7 @@ class Player {
 
 }  // namespace
 
-Seat::Seat(const Entrant& entrant, const Film& film, unsigned budget) : entrant_(entrant) {
+Seat::Seat(const Entrant& entrant, const FrameSequence& sequence, unsigned budget) : entrant_(entrant) {
   std::signal(SIGPIPE, SIG_IGN);
   std::array<int, 2> down{};
   std::array<int, 2> up{};
@@ -86,7 +87,7 @@ Seat::Seat(const Entrant& entrant, const Film& film, unsigned budget) : entrant_
   if (child_ == 0) {
     close(down[1]);
     close(up[0]);
-    live(entrant, film, budget, down[0], up[1]);
+    live(entrant, sequence, budget, down[0], up[1]);
   }
   close(down[0]);
   close(up[1]);
@@ -97,8 +98,8 @@ Seat::Seat(const Entrant& entrant, const Film& film, unsigned budget) : entrant_
 }
 
 Seat::~Seat() {
-  const ssize_t told = write(to_child_, "q", 1);
-  static_cast<void>(told);  // a dead child needs no telling
+  const ssize_t written = write(to_child_, "q", 1);
+  static_cast<void>(written);  // the child may have ended already
   close(to_child_);
   close(from_child_);
   waitpid(child_, nullptr, 0);

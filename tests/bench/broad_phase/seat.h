@@ -1,4 +1,4 @@
-// A contestant in a process of its own, so that one that never comes back can be ended and the others go on.
+// Runs a contestant in a process of its own, so that one that hangs can be killed while the others continue.
 #pragma once
 
 #include <sys/types.h>
@@ -11,12 +11,13 @@
 
 namespace touchstone::bench {
 
-/// Plays its film forward and backward without end, a round at a time: one film's length there and back, or as many
-/// frames as fit a slice of CPU time.
+/// Plays its sequence forward and backward in an endless loop, one round at a time: a round is the sequence there and
+/// back, or as many frames as fit in a slice of CPU time.
 class Seat {
  public:
-  /// Returns once it has entered and played a frame. The system ends it when it has used `budget` CPU seconds.
-  Seat(const Entrant& entrant, const Film& film, unsigned budget);
+  /// Returns when the contestant has been set up and has played a frame. The system kills it when it has used `budget`
+  /// CPU seconds.
+  Seat(const Entrant& entrant, const FrameSequence& sequence, unsigned budget);
   ~Seat();
   Seat(const Seat&) = delete;
   Seat& operator=(const Seat&) = delete;
@@ -25,7 +26,7 @@ class Seat {
 
   const Entrant& entrant() const { return entrant_; }
   bool left_out() const { return left_out_; }
-  double ns_per_body_and_frame() const;  ///< median of the rounds
+  double ns_per_body_and_frame() const;  ///< median over the rounds
   double pairs_per_body() const { return pairs_per_body_; }
 
  private:

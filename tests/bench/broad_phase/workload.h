@@ -1,4 +1,4 @@
-// The six worlds in which broad phases are compared. Each is a film that is played forward and backward.
+// The six workloads on which broad phases are compared. Each is a sequence that is played forward and backward.
 #pragma once
 
 #include <string>
@@ -8,17 +8,17 @@
 
 namespace touchstone::bench {
 
-struct Film {
+struct FrameSequence {
   std::vector<Aabb> start;
-  std::vector<Frame> forward;   ///< frame i leads from picture i to i + 1
-  std::vector<Frame> backward;  ///< frame i leads from picture i + 1 back to i
-  Aabb world;                   ///< holds every box of every picture
+  std::vector<Frame> forward;   ///< frame i leads from snapshot i to i + 1
+  std::vector<Frame> backward;  ///< frame i leads from snapshot i + 1 back to i
+  Aabb world;                   ///< contains every box of every snapshot
 };
 
 /// coherent, settled, ratio, clustered, teleport, still.
 const std::vector<std::string>& workloads();
 
 /// A pure function of its arguments.
-Film shoot(const std::string& workload, std::size_t bodies, std::size_t frames);
+FrameSequence shoot(const std::string& workload, std::size_t bodies, std::size_t frames);
 
 }  // namespace touchstone::bench

@@ -22,13 +22,13 @@ btTransform transform(const Pose& X) {
   return btTransform(btQuaternion(q.x, q.y, q.z, q.w), btVector3(X.p_WB.x(), X.p_WB.y(), X.p_WB.z()));
 }
 
-/// btGjkPairDetector, double precision, margin 0. It starts anew each time, from (0, 1, 0).
+/// btGjkPairDetector in double precision, margin 0. It starts from (0, 1, 0) every time.
 class Bullet : public Contestant {
  public:
   Bullet(const Polytope& A, const Polytope& B)
       : A_(hull(A)), B_(hull(B)), detector_(A_.get(), B_.get(), &simplex_, &epa_) {}
 
-  double distance(const Film::Poses& poses) override {
+  double distance(const FrameSequence::Poses& poses) override {
     btGjkPairDetector::ClosestPointInput input;
     input.m_transformA = transform(poses.X_WA);
     input.m_transformB = transform(poses.X_WB);
@@ -48,7 +48,8 @@ class Bullet : public Contestant {
 }  // namespace
 
 std::vector<Entrant> bullet() {
-  return {{"Bullet double", "peer", [](const Polytope& A, const Polytope& B) { return std::make_unique<Bullet>(A, B); }}};
+  return {
+      {"Bullet double", "peer", [](const Polytope& A, const Polytope& B) { return std::make_unique<Bullet>(A, B); }}};
 }
 
 }  // namespace touchstone::bench

@@ -1,4 +1,4 @@
-// Who runs in the comparison of distance queries.
+// A contestant in the comparison of distance queries.
 #pragma once
 
 #include <functional>
@@ -14,8 +14,8 @@ class Contestant {
  public:
   virtual ~Contestant() = default;
 
-  /// The distance of the two bodies in these poses; whatever may be kept from the frame before is kept.
-  virtual double distance(const Film::Poses& poses) = 0;
+  /// The distance of the two bodies in these poses. A contestant may use what it has kept from the previous frame.
+  virtual double distance(const FrameSequence::Poses& poses) = 0;
 };
 
 struct Entrant {

@@ -23,7 +23,7 @@ fcl::Transform3d transform(const Pose& X) {
   return T;
 }
 
-/// fcl::distance with witness points, from its cached direction of the query before.
+/// fcl::distance with witness points, starting from the cached direction of the previous query.
 class Fcl : public Contestant {
  public:
   Fcl(const Polytope& A, const Polytope& B, fcl::GJKSolverType solver) : A_(convex(A)), B_(convex(B)) {
@@ -31,7 +31,7 @@ class Fcl : public Contestant {
     request_.gjk_solver_type = solver;
   }
 
-  double distance(const Film::Poses& poses) override {
+  double distance(const FrameSequence::Poses& poses) override {
     fcl::DistanceResultd result;
     return fcl::distance(A_.get(), transform(poses.X_WA), B_.get(), transform(poses.X_WB), request_, result);
   }

@@ -34,7 +34,7 @@ void support(const void* object, const ccd_vec3_t* direction, ccd_vec3_t* farthe
   ccdVec3Set(farthest, p.x(), p.y(), p.z());
 }
 
-/// ccdGJKIntersect: whether, not how far; libccd has no distance of its own.
+/// ccdGJKIntersect: whether the bodies overlap; libccd has no distance query.
 class Libccd : public Contestant {
  public:
   Libccd(const Polytope& A, const Polytope& B) : A_(A), B_(B) {
@@ -42,7 +42,7 @@ class Libccd : public Contestant {
     ccd_.support1 = ccd_.support2 = support;
   }
 
-  double distance(const Film::Poses& poses) override {
+  double distance(const FrameSequence::Poses& poses) override {
     const CcdBody A = body(A_, poses.X_WA);
     const CcdBody B = body(B_, poses.X_WB);
     return ccdGJKIntersect(&A, &B, &ccd_) ? 0 : std::numeric_limits<double>::quiet_NaN();

@@ -6,15 +6,15 @@ namespace {
 
 using namespace fast::lin_canny;
 
-/// Poses come in and a certified enclosure goes out: rotations are computed in the query. `tracks`: from the features
-/// of the frame before, else from the first two vertices.
+/// From poses to a certified enclosure: the query includes computing the rotations. With `tracks` it starts from the
+/// closest features of the previous frame, otherwise from the first two vertices.
 class LinCanny : public Contestant {
  public:
   LinCanny(const Polytope& A, const Polytope& B, bool tracks) : A_(Shape(A)), B_(Shape(B)), tracks_(tracks) {}
 
-  double distance(const Film::Poses& poses) override {
+  double distance(const FrameSequence::Poses& poses) override {
     if (!tracks_) memory_ = {};
-    return proximity(A_.parts()[0], Station(poses.X_WA), B_.parts()[0], Station(poses.X_WB), memory_).distance;
+    return proximity(A_.parts()[0], CachedPose(poses.X_WA), B_.parts()[0], CachedPose(poses.X_WB), memory_).distance;
   }
 
  private:

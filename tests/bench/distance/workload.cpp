@@ -10,7 +10,7 @@
 namespace touchstone::bench {
 namespace {
 
-/// The engine alone is the same everywhere, the distributions of <random> are not.
+/// The engine of <random> gives the same numbers everywhere; its distributions do not.
 class Dice {
  public:
   explicit Dice(unsigned seed) : engine_(seed) {}
@@ -48,9 +48,9 @@ Turn any_turn(Dice& dice) { return Turn(Eigen::AngleAxisd(std::numbers::pi * dic
 
 std::vector<std::string> workloads() { return {"coherent", "cold"}; }
 
-Film shoot(const std::string& workload, int vertices, std::size_t frames) {
+FrameSequence shoot(const std::string& workload, int vertices, std::size_t frames) {
   Dice dice(static_cast<unsigned>(vertices));
-  Film film{ball(dice, vertices), ball(dice, vertices), {}};
+  FrameSequence sequence{ball(dice, vertices), ball(dice, vertices), {}};
   const Turn spin_A(Eigen::AngleAxisd(std::numbers::pi / 18, dice.direction()));
   const Turn spin_B(Eigen::AngleAxisd(std::numbers::pi / 18, dice.direction()));
   const Vec3 p_WA = dice.direction();
@@ -59,7 +59,7 @@ Film shoot(const std::string& workload, int vertices, std::size_t frames) {
   Vec3 apart = 2.5 * dice.direction();
   const bool coherent = workload == "coherent";
   for (std::size_t i = 0; i < frames; ++i) {
-    film.frames.push_back({{p_WA, as_model(q_A)}, {p_WA + apart, as_model(q_B)}});
+    sequence.frames.push_back({{p_WA, as_model(q_A)}, {p_WA + apart, as_model(q_B)}});
     q_A = coherent ? (spin_A * q_A).normalized() : any_turn(dice);
     q_B = coherent ? (spin_B * q_B).normalized() : any_turn(dice);
     Vec3 next;
@@ -69,15 +69,15 @@ Film shoot(const std::string& workload, int vertices, std::size_t frames) {
     } while (next.norm() < nearest || next.norm() > farthest);
     apart = next;
   }
-  return film;
+  return sequence;
 }
 
-Scene scene_of(const Film& film, const Film::Poses& poses) {
+Scene scene_of(const FrameSequence& sequence, const FrameSequence::Poses& poses) {
   Scene scene;
   scene.bodies.resize(2);
-  scene.bodies[0].shape = film.A;
+  scene.bodies[0].shape = sequence.A;
   scene.bodies[0].X_WB = poses.X_WA;
-  scene.bodies[1].shape = film.B;
+  scene.bodies[1].shape = sequence.B;
   scene.bodies[1].X_WB = poses.X_WB;
   return scene;
 }

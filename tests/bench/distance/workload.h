@@ -1,4 +1,4 @@
-// Pairs of bodies followed through time: what the distance benchmark asks.
+// Sequences of poses of two bodies: the workloads of the distance benchmark.
 #pragma once
 
 #include <cstddef>
@@ -9,10 +9,10 @@
 
 namespace touchstone::bench {
 
-/// Two polytopes of n vertices on the unit sphere, never nearer than 0.05, and their poses frame by frame.
-///   coherent  each turns by 10 degrees a frame about an axis of its own, B wanders by 5 % of the radius a frame
-///   cold      poses that have nothing to do with those of the frame before
-struct Film {
+/// Two polytopes of n vertices on the unit sphere, never closer than 0.05, and their poses frame by frame.
+///   coherent  each rotates by 10 degrees per frame about its own axis, B moves by 5 % of the radius per frame
+///   cold      poses are unrelated to those of the previous frame
+struct FrameSequence {
   Polytope A;
   Polytope B;
   struct Poses {
@@ -23,8 +23,8 @@ struct Film {
 };
 
 std::vector<std::string> workloads();
-Film shoot(const std::string& workload, int vertices, std::size_t frames);
+FrameSequence shoot(const std::string& workload, int vertices, std::size_t frames);
 
-Scene scene_of(const Film& film, const Film::Poses& poses);
+Scene scene_of(const FrameSequence& sequence, const FrameSequence::Poses& poses);
 
 }  // namespace touchstone::bench

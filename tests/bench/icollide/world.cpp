@@ -10,7 +10,7 @@
 namespace touchstone::bench {
 namespace {
 
-constexpr int shapes = 40;  // a hull each for 3,000 bodies would only cost memory
+constexpr int shapes = 40;  // one hull per body would only use memory, with 3,000 bodies
 
 Vec3 direction(tests::Dice& dice) {
   while (true) {

@@ -29,7 +29,7 @@ Slip slip_at(const Impact& i, const Impulse3& P) {
 
 double normal_speed(const Impact& i, const Impulse3& P) { return i.un + i.k1 * P[0] + i.k2 * P[1] + i.b * P[2]; }
 
-/// dP/dp, and dP/dtau.
+/// dP/dp and dP/dtau.
 Impulse3 rate_in_p(const Impact& i, const Impulse3& P) {
   const Slip u = slip_at(i, P);
   if (u.size == 0) return {0, 0, 1};
@@ -46,7 +46,7 @@ double speeds(const Impact& i) { return std::abs(i.u1) + std::abs(i.u2) + std::a
 
 struct Trial {
   Impulse3 next;
-  double error = 0;  ///< m/s; of a fixed step: none
+  double error = 0;  ///< m/s; 0 for a fixed step
 };
 
 using Step = Trial (*)(const Impact&, const Impulse3&, double);
@@ -61,7 +61,7 @@ Trial runge_kutta(const Impact& i, const Impulse3& P, double x) {
   return {next, 0};
 }
 
-/// Dormand & Prince 1980, "A family of embedded Runge-Kutta formulae": order 5, error by order 4.
+/// Dormand & Prince 1980, "A family of embedded Runge-Kutta formulae": order 5, error estimate of order 4.
 template <Rate rate>
 Trial dormand_prince(const Impact& i, const Impulse3& P, double x) {
   static constexpr double a[6][6] = {{1.0 / 5, 0, 0, 0, 0, 0},
@@ -87,9 +87,9 @@ Trial dormand_prince(const Impact& i, const Impulse3& P, double x) {
 
 struct Method {
   Step step;
-  double first = 0;          ///< step
-  double allowed = 0;        ///< error a step, m/s; 0: steps are fixed
-  double stopped_below = 0;  ///< slip, m/s: below, its direction is noise, and adaptive steps would shrink for ever
+  double first = 0;          ///< initial step
+  double allowed = 0;        ///< error per step, m/s; 0: fixed steps
+  double stopped_below = 0;  ///< slip, m/s, below which its direction is noise and adaptive steps would shrink forever
 };
 
 constexpr int most_steps = 200000;
@@ -129,7 +129,7 @@ class Integration {
       if (method_.allowed > 0) resize(trial.error);
     }
     const Restart from = restart(i_);
-    Course at{0, from.c, from.d, P_[0], P_[1], P_[2], 0};
+    ImpactState at{0, from.c, from.d, P_[0], P_[1], P_[2], 0};
     go_straight(i_, from.line, goal, at);
     P_ = {at.P1, at.P2, at.p};
     return true;
@@ -139,7 +139,7 @@ class Integration {
     x_ *= std::clamp(0.9 * std::pow(method_.allowed / std::max(error, 1e-300), 0.2), 0.2, 5.0);
   }
 
-  /// Fixed steps: linear between a step's ends. Else the step's length is bisected.
+  /// Where a step reaches the goal. Fixed steps: by linear interpolation; adaptive steps: by bisection of the step.
   Impulse3 meeting(const Goal& goal, const Impulse3& next) const {
     const double start = off(goal, P_), end = off(goal, next);
     if (method_.allowed == 0) {
@@ -171,7 +171,7 @@ Outcome with_steps(const Impact& i, double steps) {
 template <Rate rate>
 Outcome adaptive(const Impact& i, double tolerance) {
   const double allowed = tolerance * speeds(i);
-  const double pace = std::max(rate(i, {})[2], 1e-300);  // dp a unit of time
+  const double pace = std::max(rate(i, {})[2], 1e-300);  // dp per unit of the parameter
   return Integration(i, {dormand_prince<rate>, -i.un / i.b / 16 / pace, allowed, 20 * allowed}).run();
 }
 

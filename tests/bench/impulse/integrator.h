@@ -1,4 +1,4 @@
-// How an impact is usually integrated: what the closed forms and series are set against.
+// The usual numerical integration of an impact, for comparison with the closed forms and series.
 #pragma once
 
 #include <string>
@@ -8,17 +8,17 @@
 
 namespace touchstone::bench {
 
-/// A method at one effort.
+/// A method with one setting.
 struct Integrator {
   std::string name;
   std::string effort;  ///< 1 is the cheapest
   fast::impulse::Outcome (*solve)(const fast::impulse::Impact& impact, double parameter);
-  double parameter = 0;  ///< steps until u_n would be 0 without friction, or the tolerance relative to |u|
+  double parameter = 0;  ///< number of steps until u_n would be 0 without friction, or tolerance relative to |u|
 };
 
-/// Poisson's law, finite friction. All of them know what happens once slip has stopped (fast/impulse/restart.h); what
-/// differs is how they get there. In p (the normal impulse) the direction of slip turns at a rate that is infinite at
-/// slip 0; in tau, with d tau = dp/|u_t|, nothing is.
+/// Poisson's law, finite friction. All methods use the closed form once slip has stopped (fast/impulse/restart.h); they
+/// differ before that. In p (the normal impulse) the direction of slip changes at a rate that is infinite at zero slip;
+/// in tau, with d tau = dp/|u_t|, all rates are finite.
 std::vector<Integrator> integrators();
 
 }  // namespace touchstone::bench

@@ -16,11 +16,11 @@
 namespace touchstone::bench {
 namespace {
 
-constexpr rlim_t most_seconds = 5;    // of a process
-constexpr double most_spent = 0.2;    // s, on figures that one run is too short for
+constexpr rlim_t most_seconds = 5;    // per process
+constexpr double most_spent = 0.2;    // s, for repeating runs that are too short to measure
 constexpr double long_enough = 0.05;  // s
 
-/// What the child writes whole.
+/// The child writes it in one piece.
 struct Report {
   double seconds = 0, error = 0, impacts = -1, changes = -1;
   std::array<char, 200> left_out{};
@@ -36,13 +36,13 @@ std::string why_none(const app::MotionScene& motion, const Answer<Trajectory>& a
   if (const auto* abstains = std::get_if<Abstains>(&answer)) return "abstains: " + abstains->why;
   if (const auto* breaks = std::get_if<Breaks>(&answer)) return "broke: " + breaks->how;
   const auto& trajectory = std::get<Trajectory>(answer);
-  const double end = motion.scene.flight->times.back();
+  const double end = motion.scene.motion->sample_times.back();
   if (trajectory.complete_until) return fmt::format("gave up at {:.3g} s of {:.3g} s", *trajectory.complete_until, end);
-  if (trajectory.states.size() != motion.scene.flight->times.size()) return "did not answer all looks";
+  if (trajectory.states.size() != motion.scene.motion->sample_times.size()) return "did not answer all looks";
   return std::isfinite(motion.error(trajectory)) ? "" : "answered a number that is not finite";
 }
 
-/// The clock ticks in milliseconds on some machines: as many runs as are long enough for it.
+/// The clock has a resolution of milliseconds on some machines, so the query is repeated until the time is measurable.
 double seconds_a_run(oracle::Subject& subject, Query query, const Scene& scene, int rounds) {
   double best = INFINITY, spent = 0;
   for (int round = 0, count = 1; round < rounds && spent < most_spent;) {

@@ -1,11 +1,11 @@
-// One run of one simulator, in a process of its own: it may crash and hang.
+// One run of a simulator in a process of its own, since it may crash or hang.
 #pragma once
 
 #include <functional>
 #include <memory>
 #include <string>
 
-#include "app/motion_scenes.h"
+#include "app/motion/motion_scenes.h"
 #include "oracle/subject.h"
 
 namespace touchstone::bench {
@@ -14,15 +14,15 @@ using Maker = std::function<std::unique_ptr<oracle::Subject>()>;
 using Query = Answer<Trajectory> (oracle::Subject::*)(const Scene&);
 
 struct Outcome {
-  double seconds = 0;    ///< CPU time of a run
-  double error = 0;      ///< as the scene says
-  double impacts = -1;   ///< −1: it tells no events
-  double changes = -1;   ///< of contacts' modes: contacts and releases; −1 likewise
-  std::string left_out;  ///< why there is no figure; else empty
-  bool ends = true;      ///< within its time
+  double seconds = 0;    ///< CPU time of one run
+  double error = 0;      ///< as the scene defines it
+  double impacts = -1;   ///< −1: it reports no events
+  double changes = -1;   ///< changes of contact modes: contacts and releases; −1 likewise
+  std::string left_out;  ///< why there is no result; otherwise empty
+  bool ends = true;      ///< finishes within its time
 };
 
-/// A short run is repeated, `rounds` times long enough for the clock; the fastest counts.
+/// A short run is repeated in `rounds` measurements that are long enough for the clock; the fastest counts.
 Outcome trial(const app::MotionScene& motion, const Maker& maker, Query query, int rounds);
 
 }  // namespace touchstone::bench

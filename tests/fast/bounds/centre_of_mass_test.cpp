@@ -1,4 +1,4 @@
-// The centre that a free body turns about, of a density: against the exact reference, also for thin, far and tiny solids.
+// The centre of mass of bodies with a density against the exact reference, including thin, distant and tiny solids.
 #include "fast/bounds/centre_of_mass.h"
 
 #include <cmath>
@@ -17,7 +17,7 @@ using reference::Rational;
 using tests::body;
 using tests::Dice;
 
-/// The reference encloses the centre within a few ulps; the computed one, ± its error, must not miss that enclosure.
+/// The reference encloses the centre within a few ulps; the computed one, ± its error, must overlap that enclosure.
 void check_centre(const Body& b) {
   Scene scene;
   scene.bodies = {b};
@@ -67,7 +67,8 @@ TEST_CASE("centre of mass: fixed bodies have none, and faces are needed") {
   CHECK(outward::centre_of_mass(b).value().p_BBcm == Vec3::Zero());
   b.mass = Fixed{};
   CHECK_FALSE(outward::centre_of_mass(b).has_value());
-  CHECK_THROWS_AS(outward::centre_of_mass(body(Polytope{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {}})), InputError);
+  CHECK_THROWS_AS(outward::centre_of_mass(body(Polytope{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {}})),
+                  InputError);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Boxes of bodies that turn from frame to frame: the climb finds what a scan of all vertices finds, from every start.
+// Boxes of bodies that rotate from frame to frame: climbing finds what a scan of all vertices finds, from every start.
 #include <array>
 #include <memory>
 #include <tuple>
@@ -22,14 +22,14 @@ using tests::body;
 using tests::Dice;
 using tests::round_hull;
 
-/// Many edges lie level, many vertices tie.
+/// Many edges are level and many vertices tie.
 Polytope lattice_hull(Dice& dice) {
   std::vector<Vec3> points = {{-2, -2, -2}, {2, 2, -2}, {2, -2, 2}, {-2, 2, 2}};
   for (int i = 0; i < 12; ++i) points.push_back(dice.lattice(3));
   return reference::convex_hull(points);
 }
 
-/// Edges so short that their ends' rounded heights say nothing about which is higher.
+/// Edges so short that the rounded heights of their ends do not tell which is higher.
 Polytope hull_with_tiny_edges(Dice& dice) {
   std::vector<Vec3> points;
   for (int i = 0; i < 8; ++i) {
@@ -83,7 +83,7 @@ TEST_CASE("climb: equals the scan over all vertices from every start") {
   for (int i = 0; i < 20; ++i) check_climb(hull_with_tiny_edges(dice), any_turn(dice));
 }
 
-/// `box` holds the exact one, and is at most this much wider a side.
+/// Checks that `box` contains the exact one and is at most `allowed` wider on each side.
 void check_box(const Aabb& box, const Body& b, const Rational& allowed) {
   const reference::ExactBox exact = reference::box(b);
   for (int axis = 0; axis < 3; ++axis) {

@@ -1,4 +1,4 @@
-// Truth for the algorithms, not only for their output: swaps, insertions, allocations.
+// Tests the algorithms, not only their results: swaps, insertions, allocations.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -17,7 +17,7 @@ namespace {
 using tests::Dice;
 using tests::World;
 
-/// The end points of one axis, in their last order, and the inversions that sorting them again must undo.
+/// The end points of one axis in their last order, and the number of inversions that sorting them again must undo.
 class EndPoints {
  public:
   explicit EndPoints(int axis) : axis_(axis) {}
@@ -29,7 +29,7 @@ class EndPoints {
         order_.push_back({0, id, true});
       }
     }
-    // Who is gone waits behind all others, each at a place of its own.
+    // The end points of a removed body wait behind all others, each at a place of its own.
     for (Point& p : order_) {
       const auto box = boxes.find(p.body);
       p.value = box == boxes.end() ? 1e302 * (1 + p.body) : p.is_end ? box->second.hi[axis_] : box->second.lo[axis_];
@@ -62,7 +62,7 @@ class EndPoints {
         merged.push_back(order_[i++]);
       } else {
         merged.push_back(order_[j++]);
-        count += middle - i;  // all that are left of the first half stand above it
+        count += middle - i;  // all that are left of the first half precede it
       }
     }
     std::copy(merged.begin(), merged.end(), order_.begin() + static_cast<std::ptrdiff_t>(first));
@@ -125,7 +125,7 @@ TEST_CASE("hierarchical hash: at most 8 (1 + ceil log2 R) entries a body") {
   }
 }
 
-/// Bodies that go back and forth between two frames, so that both have been seen.
+/// Bodies that alternate between two frames, so that both frames have occurred before.
 TEST_CASE("broad phase: a steady frame allocates nothing") {
   for (const Strategy& strategy : strategies()) {
     Dice dice(91);

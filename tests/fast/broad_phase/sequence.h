@@ -1,4 +1,4 @@
-// Random lives of a broad phase: what is inserted, moved, removed, and the truth beside it.
+// Random sequences of broad-phase operations (insert, move, remove), with the true pairs.
 #pragma once
 
 #include <map>
@@ -19,7 +19,7 @@ inline std::vector<fast::BodyPair> true_pairs(const std::map<fast::BodyId, Aabb>
   return pairs;
 }
 
-/// Kinds of worlds: each finds what the others miss.
+/// Kinds of worlds: each finds errors that the others miss.
 enum class World { lattice, spread, sizes, flat, points, cluster, far };
 inline constexpr World worlds[] = {World::lattice, World::spread,  World::sizes, World::flat,
                                    World::points,  World::cluster, World::far};
@@ -53,7 +53,7 @@ inline Aabb box_in(World world, Dice& dice) {
   return {};
 }
 
-/// A little step of the lattice's kind or of the others'.
+/// A small step, of the lattice's kind or of the others'.
 inline Aabb stepped(World world, const Aabb& box, Dice& dice) {
   const double step = world == World::lattice || world == World::points ? 1 : 0.05;
   const Vec3 by = step * dice.lattice(1);

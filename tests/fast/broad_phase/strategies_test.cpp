@@ -1,4 +1,4 @@
-// Each strategy against all pairs, after every frame of random lives.
+// Each strategy against all pairs, after every frame of random sequences.
 #include "fast/broad_phase/strategies.h"
 
 #include <algorithm>
@@ -26,7 +26,7 @@ Pairs difference(const Pairs& a, const Pairs& b) {
   return only_a;
 }
 
-/// A broad phase and, beside it, what it has been told.
+/// A broad phase and, in parallel, the boxes that it was given.
 struct Life {
   explicit Life(const Strategy& strategy) : on_trial(strategy.make()) {}
 
@@ -57,8 +57,8 @@ struct Life {
   Pairs before;
 };
 
-/// One frame: 0 a still one, 1 a few steps, 2 all step, 3 teleports, 4 insertions, 5 removals, 6 a body that leaves and
-/// comes back within the frame, and one that only visits.
+/// One frame: 0 nothing moves, 1 a few steps, 2 all step, 3 teleports, 4 insertions, 5 removals, 6 a body that is
+/// removed and inserted again within the frame, and one that is inserted and removed.
 void live(Life& life, World world, int kind, BodyId bodies, Dice& dice) {
   for (BodyId id = 0; id < bodies; ++id) {
     const bool chosen = dice.between(0, 5) == 0;
@@ -115,7 +115,7 @@ TEST_CASE("broad phase: many bodies, long lives") {
       for (int frame = 0; frame < 40; ++frame) {
         INFO(strategy.name << ", world " << static_cast<int>(world) << ", frame " << frame);
         REQUIRE(life.end_frame());
-        // Few, then more, then all: both ways of the incremental strategies, and the change between them.
+        // Few, then more, then all: both branches of the incremental strategies, and the switch between them.
         const int one_in = frame < 30 ? 50 : 2;
         for (BodyId id = 0; id < 700; ++id)
           if (dice.between(1, one_in) == 1)
@@ -125,7 +125,7 @@ TEST_CASE("broad phase: many bodies, long lives") {
   }
 }
 
-/// Steps so short that a grid may keep what it found for several frames, until many bodies leave at once.
+/// Steps so short that a grid may keep its results for several frames, until many bodies leave their boxes at once.
 TEST_CASE("broad phase: slow drift, and now and then a body that jumps, goes or comes") {
   for (const Strategy& strategy : strategies()) {
     for (const World world : {World::spread, World::sizes, World::cluster}) {

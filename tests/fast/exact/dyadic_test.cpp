@@ -1,4 +1,4 @@
-// Exact numbers: against integers that fit, against laws, and where doubles end.
+// Exact numbers: against integers that fit, against algebraic laws, and beyond the range of doubles.
 #include "fast/exact/dyadic.h"
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// The exact route by itself, from bad guesses too, against the reference's exact distance.
+// The exact route alone, from bad guesses too, against the reference's exact distance.
 #include "fast/exact/nearest.h"
 
 #include <cmath>

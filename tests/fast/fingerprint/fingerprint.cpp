@@ -1,4 +1,4 @@
-// Prints one number a scene file: all bits of what fast's simulation says of it.
+// Prints one number per scene file: a hash of all bits of fast's simulation of it.
 #include <bit>
 #include <cstdint>
 #include <cstdio>

@@ -28,7 +28,7 @@ FAST = ["bounds.cpp", "bounds/centre_of_mass.cpp", "bounds/displacement.cpp", "b
         "time_of_impact.cpp", "time_of_impact/*.cpp"]
 PROJECT = ["-std=c++20", "-ffp-contract=off", "-DEIGEN_DONT_VECTORIZE",  # cmake/flags.cmake says why
            *(["-fno-tree-slp-vectorize"] if COMPILER == "g++" else [])]
-READING = ["files", "json_answers", "json_motion", "json_node", "json_scene", "json_text", "limits"]
+READING = ["files", "json_answers", "json_motion", "json_node", "json_scene", "json_text", "limits", "source_text"]
 
 
 def compiled(files, options, folder):

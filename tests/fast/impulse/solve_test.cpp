@@ -1,4 +1,4 @@
-// The solver by itself: impacts whose exact impulse is known, and the theorems that bound all others.
+// The solver alone: impacts whose exact impulse is known, and the theorems that bound all others.
 #include "fast/impulse/solve.h"
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 namespace touchstone::fast::impulse {
 namespace {
 
-/// Of (u_n, u_1) in the plane of axes 1 and n.
+/// Relative velocity after the impact, and the change of kinetic energy.
 struct After {
   double u1, u2, un, energy;
 };
@@ -25,7 +25,7 @@ After after(const Impact& i, const Outcome& out) {
   return {i.u1 + v1, i.u2 + v2, i.un + vn, energy};
 }
 
-// A uniform rod of mass 1 and half-length 1 at 45°, where Newton's law creates energy (docs/design/impulse.md).
+// A uniform rod of mass 1 and half-length 1 at 45°, where Newton's law adds energy (docs/design/impulse.md).
 Impact rod_at_45(Law law) { return {2.5, 1, -1.5, 0, 2.5, 0.6, 0, -1, law, 1, 1}; }
 
 TEST_CASE("a rod at 45 degrees: Newton creates 9/80 J, Poisson loses 9/125, Stronge 9/200") {
@@ -129,7 +129,7 @@ void any_impact(std::uint64_t seed, int count) {
 
 TEST_CASE("any impact: in the cone, no approach left, energy within the theorems") { any_impact(1, 20000); }
 
-// For people: touchstone_tests_fast "[.soak]"
+// Run by hand: touchstone_tests_fast "[.soak]"
 TEST_CASE("ten million impacts: in the cone, no approach left, energy within the theorems", "[.soak]") {
   any_impact(2, 10'000'000);
 }
@@ -180,17 +180,18 @@ TEST_CASE("a micro-collision within the cone turns u round and keeps the energy;
 }
 
 TEST_CASE("a block that friction holds on a ramp does not creep: each hop brings it back") {
-  // Gravity pulls down the ramp and onto it; between micro-collisions it flies. mu above the slope's tangent.
-  const double down = 0.3, onto = 1, hop = 1e-3;
-  double speed = down * hop / 2, place = 0;  // half a pull to begin with: the scheme is symmetric in time
+  // Gravity acts down the ramp and onto it; between micro-collisions the block is in ballistic motion. mu exceeds the
+  // slope's tangent.
+  const double down = 0.3, onto = 1, interval = 1e-3;
+  double speed = down * interval / 2, place = 0;  // starts with half a step of acceleration: symmetric in time
   for (int k = 0; k < 100000; ++k) {
-    const Impact i{1, 1, 0, 0, 1, speed, 0, -onto * hop / 2, Law::poisson, 0, 0.5};
+    const Impact i{1, 1, 0, 0, 1, speed, 0, -onto * interval / 2, Law::poisson, 0, 0.5};
     const Outcome out = micro_collision(i);
     speed += out.P1;
-    place += speed * hop + down * hop * hop / 2;
-    speed += down * hop;
+    place += speed * interval + down * interval * interval / 2;
+    speed += down * interval;
   }
-  CHECK(std::abs(place) <= 1e-11);  // rounding alone: 1e5 hops of some 1e-7
+  CHECK(std::abs(place) <= 1e-11);  // rounding alone: 1e5 micro-bounces of some 1e-7
 }
 
 }  // namespace

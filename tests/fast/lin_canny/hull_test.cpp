@@ -1,4 +1,4 @@
-// A hull's neighbourhoods hang together, its faces are maximal, and what is no solid is refused.
+// A hull's adjacency is consistent, its faces are maximal, and what is not a solid is refused.
 #include "fast/lin_canny/hull.h"
 
 #include <Eigen/Geometry>
@@ -75,7 +75,7 @@ TEST_CASE("coplanar neighbours are one face, and corners that are none go") {
   CHECK(cube.face_count() == 6);
   check_neighbourhoods(cube);
 
-  Polytope with_midpoint = cube_of_triangles();  // edge 0-1 is cut at 8, in both faces that meet there
+  Polytope with_midpoint = cube_of_triangles();  // edge 0-1 is split at 8, in both faces at it
   with_midpoint.vertices.emplace_back(0, -1, -1);
   std::vector<std::vector<int>> faces;
   for (const std::vector<int>& f : with_midpoint.faces) {
@@ -115,7 +115,7 @@ TEST_CASE("what is no solid is refused, with its place") {
   refused([](Polytope& p) { p.faces[0][0] = 99; });
   refused([](Polytope& p) { p.faces[0] = {0, 4}; });
   refused([](Polytope& p) { p.faces.push_back(p.faces[0]); });
-  refused([](Polytope& p) { p.vertices[0] = Vec3(0.5, 0.5, 0.5); });  // not convex any more
+  refused([](Polytope& p) { p.vertices[0] = Vec3(0.5, 0.5, 0.5); });  // no longer convex
   refused([](Polytope& p) {
     for (auto& f : p.faces) std::swap(f[0], f[1]);  // inside out
   });

@@ -1,5 +1,5 @@
-// Verdict, enclosure, witnesses and width against the exact reference, where it is hard; and what a query costs in
-// memory.
+// Verdict, enclosure, witnesses and width against the exact reference in hard cases, and the memory that a query
+// allocates.
 #include "fast/lin_canny/proximity.h"
 
 #include <algorithm>
@@ -92,10 +92,10 @@ TEST_CASE("compounds: the nearest parts, one body's parts in many poses") {
   }
 }
 
-/// Generic pairs, 2.1 to 3 radii apart. By bracket.h, with ρ = 1, turn_error = 18u and shift error u|Δt|: lo is off by
-/// at most 50u + 9u|Δt|, hi by 64u + 3u|Δt| + 4u|Δt|, together 114u + 16u|Δt| < 162u; and the witnesses are at most
-/// another 8u too far apart. The scene's scale is |Δt|/2 + ρ here, or less: in its ulps (2^-52 of it) the width is at
-/// most 85/(1.05 + 1/√3) < 53.
+/// Generic pairs, 2.1 to 3 radii apart. By bracket.h, with ρ = 1, turn_error = 18u and shift error u|Δt|, the error of
+/// lo is at most 50u + 9u|Δt|, that of hi 64u + 3u|Δt| + 4u|Δt|, together 114u + 16u|Δt| < 162u; and the witnesses are
+/// at most another 8u too far apart. The scene's scale is |Δt|/2 + ρ here, or less: in its ulps (2^-52 of it) the width
+/// is at most 85/(1.05 + 1/√3) < 53.
 TEST_CASE("the width of generic enclosures") {
   Dice dice(25);
   std::vector<double> widths;
@@ -125,8 +125,8 @@ TEST_CASE("clear overlap is proved in doubles, by a point of both; contact and g
     const Solid A(scene.bodies[0].shape);
     const Solid B(scene.bodies[1].shape);
     const Vec3& p_WA = scene.bodies[0].X_WB.p_WB;
-    const Placed placed_A = placed(A.parts()[0], Station(scene.bodies[0].X_WB), p_WA);
-    const Placed placed_B = placed(B.parts()[0], Station(scene.bodies[1].X_WB), p_WA);
+    const PosedHull placed_A = posed_hull(A.parts()[0], CachedPose(scene.bodies[0].X_WB), p_WA);
+    const PosedHull placed_B = posed_hull(B.parts()[0], CachedPose(scene.bodies[1].X_WB), p_WA);
     const std::optional<Vec3> common = common_point(placed_A, placed_B);
     const reference::DistanceTruth truth = reference::distance(scene);
     overlapping += truth.certificate.cores == Verdict::overlapping;
@@ -151,7 +151,7 @@ TEST_CASE("a tracked query asks for no memory") {
   const std::size_t before = tests::allocations();
   for (int frame = 0; frame < 200; ++frame) {
     const Pose X{Vec3(2.5, 0.01 * frame, 0), {1, 0.02 * frame, 0, 0.01 * frame}};
-    sum += proximity(A.parts()[0], Station(X), B.parts()[0], Station(Pose{}), memory).distance;
+    sum += proximity(A.parts()[0], CachedPose(X), B.parts()[0], CachedPose(Pose{}), memory).distance;
   }
   CHECK(tests::allocations() == before);
   CHECK(sum > 0);

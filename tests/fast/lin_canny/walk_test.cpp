@@ -1,4 +1,4 @@
-// The walk: from every seed to one answer, always nearer, and each of its branches on a scene made for it.
+// The walk: from every start to the same result, ever closer, and each of its branches on a scene made for it.
 #include "fast/lin_canny/walk.h"
 
 #include <algorithm>
@@ -28,19 +28,19 @@ struct Pair {
   explicit Pair(const Scene& scene)
       : solid_A(scene.bodies[0].shape),
         solid_B(scene.bodies[1].shape),
-        station_A(scene.bodies[0].X_WB),
-        station_B(scene.bodies[1].X_WB) {}
+        cached_A(scene.bodies[0].X_WB),
+        cached_B(scene.bodies[1].X_WB) {}
 
   const Convex& A() const { return solid_A.parts()[0]; }
   const Convex& B() const { return solid_B.parts()[0]; }
-  Placed placed_A() const { return placed(A(), station_A, station_A.X_WB.p_WB); }
-  Placed placed_B() const { return placed(B(), station_B, station_A.X_WB.p_WB); }
-  Proximity from(FeaturePair seed) const { return proximity(A(), station_A, B(), station_B, seed); }
+  PosedHull placed_A() const { return posed_hull(A(), cached_A, cached_A.X_WB.p_WB); }
+  PosedHull placed_B() const { return posed_hull(B(), cached_B, cached_A.X_WB.p_WB); }
+  Proximity from(FeaturePair seed) const { return proximity(A(), cached_A, B(), cached_B, seed); }
 
   Solid solid_A;
   Solid solid_B;
-  Station station_A;
-  Station station_B;
+  CachedPose cached_A;
+  CachedPose cached_B;
 };
 
 Scene small_round_pair(Dice& dice, double reach) {
@@ -50,22 +50,22 @@ Scene small_round_pair(Dice& dice, double reach) {
                          {tests::round_hull(dice, dice.between(4, 8)), apart, tests::integer_quaternion(dice)}});
 }
 
-/// How many pairs a walk may visit. There are |A|·|B| pairs at most, each once; what is asked here is linear, which is
-/// what Lin and Canny found and no theorem says.
+/// How many pairs a walk may visit. There are at most |A|·|B| pairs, each visited once. The bound tested here is
+/// linear: Lin and Canny observed it, but no theorem guarantees it.
 std::size_t step_bound(const Hull& A, const Hull& B) { return features(A).size() + features(B).size(); }
 
 TEST_CASE("from every seed one answer, nearer at each step, in few steps") {
   Dice dice(5);
   std::size_t walks = 0;
-  std::size_t anew = 0;
+  std::size_t restarts = 0;
   int separated = 0;
   for (int i = 0; i < 1000; ++i) {
     const Scene scene = i % 3 == 0 ? tests::hard_pair(i % 6, dice) : small_round_pair(dice, 4);
     const Pair pair(scene);
     const reference::DistanceTruth truth = reference::distance(scene);
     separated += truth.verdict == Verdict::separated;
-    const Placed A = pair.placed_A();
-    const Placed B = pair.placed_B();
+    const PosedHull A = pair.placed_A();
+    const PosedHull B = pair.placed_B();
     for (const FeatureId& a : features(*A.hull)) {
       for (const FeatureId& b : features(*B.hull)) {
         std::vector<Closest> visited;
@@ -73,8 +73,8 @@ TEST_CASE("from every seed one answer, nearer at each step, in few steps") {
         ++walks;
         int ascents = 0;
         for (std::size_t k = 1; k < visited.size(); ++k) ascents += !(visited[k].squared < visited[k - 1].squared);
-        REQUIRE(ascents == (walked.has_started_anew ? 1 : 0));
-        anew += walked.has_started_anew;
+        REQUIRE(ascents == (walked.has_restarted ? 1 : 0));
+        restarts += walked.has_restarted;
         REQUIRE(visited.size() <= step_bound(*A.hull, *B.hull));
         if (truth.verdict != Verdict::separated || truth.distance.lo < 1e-9) continue;
         REQUIRE_FALSE(walked.inside);
@@ -84,7 +84,7 @@ TEST_CASE("from every seed one answer, nearer at each step, in few steps") {
   }
   CHECK(walks > 400'000);
   CHECK(separated > 600);
-  CHECK(anew > 100);  // the far side was met, and left
+  CHECK(restarts > 100);  // the far side was reached, and left
 }
 
 TEST_CASE("from every seed the same verdict, and enclosures that hold the exact distance") {
@@ -118,7 +118,7 @@ TEST_CASE("warm or cold, the answer is compatible") {
       scene.bodies[1].X_WB.p_WB += 0.05 * dice.in_cube();
       const Pair pair(scene);
       const Proximity cold = pair.from({});
-      const Proximity warm = proximity(pair.A(), pair.station_A, pair.B(), pair.station_B, memory);
+      const Proximity warm = proximity(pair.A(), pair.cached_A, pair.B(), pair.cached_B, memory);
       REQUIRE(warm.verdict == cold.verdict);
       REQUIRE(warm.enclosure.lo <= cold.enclosure.hi);
       REQUIRE(cold.enclosure.lo <= warm.enclosure.hi);
@@ -211,9 +211,9 @@ TEST_CASE("marks: ways from kind to kind") {
     INFO(step);
     CHECK(steps.count(step) == 1);
   }
-  // A face at the far side sees the other from below: the face that sees it best takes over.
+  // From a face on the far side, the other body is below it: the face that sees it best takes over.
   CHECK(trail(cube_and_point(Vec3(0.1, 0.2, 4)), {bottom, v0}) == "FV");
-  // Seeds of two faces, of an edge and a face.
+  // Starts at two faces, and at an edge and a face.
   CHECK(trail(cubes(Vec3(0.1, 0.2, 4)), {top, bottom}).substr(0, 2) != "FF");
   CHECK(trail(cubes(Vec3(0.1, 0.2, 4)), {{Kind::edge, 0}, bottom}).substr(0, 2) != "EF");
 }
@@ -222,26 +222,26 @@ TEST_CASE("marks: degenerate exits") {
   const FeatureId v0{Kind::vertex, 0};
   const Hull cube(Box{Vec3(1, 1, 1)});
   const FeatureId top{Kind::face, face_towards(cube, Vec3::UnitZ())};
-  // A vertex inside: said by the walk, proved by the exact route.
+  // A vertex inside: found by the walk, proved by the exact route.
   CHECK(trail(cubes(Vec3(0.5, 0.5, 0.5)), {top, v0}) == " inside");
   CHECK(Pair(cubes(Vec3(0.5, 0.5, 0.5))).from({top, v0}).verdict == Verdict::overlapping);
   // An edge through a face, no vertex inside.
   const Scene cross = tests::pair_of({{Box{Vec3(3, 1, 1)}}, {Box{Vec3(1, 3, 1)}, Vec3(0, 0, 0.5)}});
   CHECK(Pair(cross).from({{Kind::edge, edge_between(cube, 0, 1)}, top}).verdict == Verdict::overlapping);
-  // Parallel edges, parallel faces: a pair among the closest, settled in doubles.
+  // Parallel edges, parallel faces: the result is among the closest pairs, and doubles decide.
   for (const Vec3& apart : {Vec3(0.5, 3, 3), Vec3(0.5, 0.5, 3), Vec3(2, 2, 3), Vec3(2, 5, 5)}) {
     const Proximity found = Pair(cubes(apart)).from({v0, v0});
     CHECK(found.verdict == Verdict::separated);
     CHECK(found.exact_vertices_A.empty());
   }
-  // Exact contact of each kind: settled exactly.
+  // Exact contact of each kind: decided exactly.
   for (const Vec3& apart : {Vec3(2, 2, 2), Vec3(2, 2, 0.5), Vec3(2, 0.5, 0.5), Vec3(2, 2, 0), Vec3(2, 0, 0)}) {
     const Proximity found = Pair(cubes(apart)).from({v0, v0});
     CHECK(found.verdict == Verdict::touching);
     CHECK_FALSE(found.exact_vertices_A.empty());
     CHECK(found.enclosure == Interval{0, 0});
   }
-  // One ulp apart, one ulp in.
+  // One ulp apart, one ulp of overlap.
   CHECK(Pair(cubes(Vec3(2 + 0x1p-51, 0.5, 0.5))).from({v0, v0}).verdict == Verdict::separated);
   CHECK(Pair(cubes(Vec3(2 - 0x1p-52, 0.5, 0.5))).from({v0, v0}).verdict == Verdict::overlapping);
   // Lengths that doubles cannot multiply.

@@ -1,10 +1,10 @@
-// Two bodies that set out far from each other: the impact is told where the reference encloses it, or the run stops.
+// Two bodies that start far from each other: the impact is at a time that the reference encloses, or the run stops.
 #include <cmath>
 
 #include "fast/simulation.h"
 #include "fast/time_of_impact.h"
 #include "model/limits.h"
-#include "properties/flight_case.h"
+#include "properties/cases/time_of_impact_case.h"
 #include "tests/catch.h"
 #include "tests/fast/simulation/scenes.h"
 
@@ -12,19 +12,20 @@ namespace touchstone::fast {
 namespace {
 
 using Kind = Event::Kind;
-using properties::FlightCase;
+using properties::MotionCase;
 
-/// The second comes from `way`, past the first by `beside`, in a flight of 1 s whose middle is where they are nearest.
+/// The second body starts at `way` and passes the first one at a distance of `beside`, halfway through a motion of 1 s.
 Scene apart(Body first, Body second, const Vec3& way, const Vec3& beside, const Vec3& gravity = Vec3::Zero()) {
   second.X_WB.p_WB = way + beside;
   second.velocity.v_WBcm = -2 * way;
-  return flight({std::move(first), std::move(second)}, gravity, {1});
+  return moving_scene({std::move(first), std::move(second)}, gravity, {1});
 }
 
-/// Told within the reference's enclosure, widened by the envelope and by what rounding makes of the places
-/// (tolerance::meeting); where that is more than a thousandth of a body the run may stop instead, before the two meet.
-void check_told(const Scene& scene) {
-  const FlightCase truth(scene, oracle::Precision::binary64);
+/// The impact must be in the reference's enclosure, widened by the envelope and by the rounding of the positions
+/// (oracle::tolerance::moving_distance). If the rounding exceeds a thousandth of a body, the run may stop instead,
+/// before the two touch.
+void check_reported(const Scene& scene) {
+  const MotionCase truth(scene, oracle::Precision::binary64);
   const auto near = oracle::truth::time_of_distance(scene, envelope(scene) + truth.slack);
   REQUIRE(truth.truth.meeting == TimeOfImpact::Meeting::hit);
   const Simulated done = simulate(scene);
@@ -55,14 +56,14 @@ TEST_CASE("two balls 2^4 to 2^60 radii apart are told to meet where the referenc
     const double far = std::ldexp(1, k);
     for (const double e : {1.0, 0.5}) {
       for (const Vec3& gravity : {Vec3(0, 0, 0), Vec3(0, 0, -8)}) {
-        // |(3, 4, 12)| = 13, and (4, -3, 0) is across it: all numbers are exact while 2^k and 1 fit one double.
+        // |(3, 4, 12)| = 13, and (4, -3, 0) is orthogonal to it: all numbers are exact while a double holds 2^k + 1.
         for (const Vec3& way : {Vec3(1, 0, 0), Vec3(3, 4, 12)}) {
           for (const double beside : {0.0, 1.0}) {
             if (beside > 0 && k > 44) continue;
             INFO("2^" << k << " radii, e " << e << ", way " << way.transpose() << ", beside " << beside);
             const Body one = ball(13, Vec3::Zero(), Vec3::Zero(), {e, 0});
             const Vec3 across = way.z() > 0 ? Vec3(4, -3, 0) : Vec3(0, 5, 0);
-            check_told(apart(one, one, (way.z() > 0 ? 1 : 13) * far * way, beside * across, gravity));
+            check_reported(apart(one, one, (way.z() > 0 ? 1 : 13) * far * way, beside * across, gravity));
           }
         }
       }
@@ -77,8 +78,8 @@ TEST_CASE("so are a ball and a wall, and two cubes") {
     Body wall = brick(Vec3(1, 2, 3), Vec3::Zero(), {1, 0});
     wall.mass = Fixed{};
     const Body cube = brick(Vec3::Ones(), Vec3::Zero(), {1, 0});
-    check_told(apart(wall, ball(1, Vec3::Zero(), Vec3::Zero(), {1, 0}), way, Vec3(0, 0.5, 0)));
-    check_told(apart(cube, cube, way, Vec3(0, 0.5, 0)));
+    check_reported(apart(wall, ball(1, Vec3::Zero(), Vec3::Zero(), {1, 0}), way, Vec3(0, 0.5, 0)));
+    check_reported(apart(cube, cube, way, Vec3(0, 0.5, 0)));
   }
 }
 
@@ -95,13 +96,13 @@ TEST_CASE("a ball that comes from far past another one misses it") {
 TEST_CASE("a ball may be as slow as doubles allow") {
   for (const double speed : {1e-100, 1e-200, 1e-290}) {
     const Scene scene =
-        flight({ball(1, Vec3::Zero(), Vec3::Zero(), {1, 0}), ball(1, Vec3(4, 0, 0), Vec3(-speed, 0, 0), {1, 0})},
-               Vec3::Zero(), {4 / speed});
+        moving_scene({ball(1, Vec3::Zero(), Vec3::Zero(), {1, 0}), ball(1, Vec3(4, 0, 0), Vec3(-speed, 0, 0), {1, 0})},
+                     Vec3::Zero(), {4 / speed});
     INFO(speed << " m/s");
     const Simulated done = simulate(scene);
     const std::vector<Event> impacts = of_kind(done, Kind::impact);
     REQUIRE(impacts.size() == 1);
-    CHECK(std::abs(impacts[0].time * speed - 2) < 0x1p-44);  // as far as clearance() leaves them apart: 272u
+    CHECK(std::abs(impacts[0].time * speed - 2) < 0x1p-44);  // up to the distance that clearance() leaves: 272u
   }
 }
 
@@ -109,7 +110,7 @@ TEST_CASE("numbers whose squares doubles cannot hold are refused by their place"
   const Body one = ball(1, Vec3::Zero(), Vec3::Zero(), {1, 0});
   const auto said = [&](const auto& change) {
     Body other = ball(1, Vec3(4, 0, 0), Vec3(-1, 0, 0), {1, 0});
-    Scene scene = flight({one, other}, Vec3::Zero(), {4});
+    Scene scene = moving_scene({one, other}, Vec3::Zero(), {4});
     change(scene);
     try {
       simulate(scene);
@@ -141,10 +142,10 @@ TEST_CASE("numbers whose squares doubles cannot hold are refused by their place"
          }),
          "bodies[0].shape");
   begins(said([](Scene& s) {
-           s.flight->force_bound = 1e160;
-           s.flight->pushes.push_back({1, 1, Vec3(1e160, 0, 0)});
+           s.motion->force_bound = 1e160;
+           s.motion->forces.push_back({1, 1, Vec3(1e160, 0, 0)});
          }),
-         "flight.pushes[0].force_W");
+         "motion.forces[0].force_W");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Bodies that meet in a face or an edge and lose all or some of their approach: the run goes on to its end.
+// Inelastic collisions in a face or an edge, without gravity: the run reaches its end.
 #include <cmath>
 #include <string>
 #include <utility>
@@ -28,11 +28,11 @@ Body turned_by_45_degrees(Body body) {
   return body;
 }
 
-std::vector<Named> meetings() {
+std::vector<Named> collisions() {
   const Vec3 one = Vec3::Ones(), to(1, 0, 0), back(-1, 0, 0), still = Vec3::Zero();
   const Body left = box(one, {-3, 0, 0}, to), right = box(one, {3, 0, 0}, back);
-  Body slab = box({1, 8, 8}, {1, 0, 0}, still);
-  slab.mass = Fixed{};
+  Body plate = box({1, 8, 8}, {1, 0, 0}, still);
+  plate.mass = Fixed{};
   Body spinning = left;
   spinning.velocity.w_WB = {1, 0, 0};
   return {{"two equal cubes", {left, right}},
@@ -48,18 +48,18 @@ std::vector<Named> meetings() {
            {box(one, {-6, 0, 0}, 2 * to), box(one, still, still), box(one, {2, 0, 0}, still)}},
           {"three in a row, the last beside",
            {box(one, {-6, 0, 0}, 2 * to), box(one, still, still), box(one, {4, 0.5, 0}, still)}},
-          {"on a fixed slab", {left, slab}},
-          {"over the slab's side", {box(one, {-3, 8.5, 0}, to), slab}},
-          {"sliding on a slab", {box(one, {-3, 0, 0}, {1, 0.5, 0.25}), slab}},
-          {"spinning onto a slab", {spinning, slab}},
-          {"two onto a slab", {left, box(one, {-6, 0, 0}, 2 * to), slab}},
+          {"on a fixed slab", {left, plate}},
+          {"over the slab's side", {box(one, {-3, 8.5, 0}, to), plate}},
+          {"sliding on a slab", {box(one, {-3, 0, 0}, {1, 0.5, 0.25}), plate}},
+          {"spinning onto a slab", {spinning, plate}},
+          {"two onto a slab", {left, box(one, {-6, 0, 0}, 2 * to), plate}},
           {"an edge on a face", {left, turned_by_45_degrees(box(one, {3, 0, 0}, back))}},
           {"an edge on a face, off the middle",
            {box(one, {-3, 0.25, 0.125}, to), turned_by_45_degrees(box(one, {3, 0, 0}, back))}},
-          {"an edge on a slab", {turned_by_45_degrees(box(one, {-4, 0, 0}, to)), slab}}};
+          {"an edge on a slab", {turned_by_45_degrees(box(one, {-4, 0, 0}, to)), plate}}};
 }
 
-/// The same scene in another frame: q = (2, 0, 0, 1), a turn of 3 : 4 : 5, or one that fits no axis.
+/// The bodies, rotated by q: by (2, 0, 0, 1) with the sides 3 : 4 : 5, or about an axis that is not special.
 std::vector<Body> turned(std::vector<Body> bodies, const Quaternion& q) {
   const Mat3 R = lin_canny::rotation(q);
   for (Body& body : bodies) {
@@ -74,26 +74,26 @@ std::vector<Body> turned(std::vector<Body> bodies, const Quaternion& q) {
 }
 
 bool apart_at_the_start(const std::string& name, const Quaternion& q) {
-  return name != "three in a row, two of them touch" || (q.x == 0 && q.y == 0);  // else rounding makes them overlap
+  return name != "three in a row, two of them touch" || (q.x == 0 && q.y == 0);  // rounding makes them overlap
 }
 
 TEST_CASE("plastic bodies that meet in a face or an edge without gravity are followed to the end") {
-  for (const Named& meeting : meetings()) {
+  for (const Named& collision : collisions()) {
     for (const double e : {0.0, 0.5}) {
       for (const double mu : {0.0, 0.5}) {
         for (const Quaternion& q : {Quaternion{1, 0, 0, 0}, Quaternion{2, 0, 0, 1}, Quaternion{7, 1, 2, 3}}) {
-          if (!apart_at_the_start(meeting.name, q)) continue;
-          INFO(meeting.name << ", e " << e << ", mu " << mu << ", turned by " << q.w << ' ' << q.x << ' ' << q.y << ' '
-                            << q.z);
-          std::vector<Body> bodies = turned(meeting.bodies, q);
+          if (!apart_at_the_start(collision.name, q)) continue;
+          INFO(collision.name << ", e " << e << ", mu " << mu << ", turned by " << q.w << ' ' << q.x << ' ' << q.y
+                              << ' ' << q.z);
+          std::vector<Body> bodies = turned(collision.bodies, q);
           for (Body& body : bodies) body.material = {e, mu};
-          const Scene scene = flight(std::move(bodies), Vec3::Zero(), {meeting.end});
+          const Scene scene = moving_scene(std::move(bodies), Vec3::Zero(), {collision.end});
           const Simulated done = simulate(scene);
           INFO(done.trajectory.gave_up);
           CHECK(!done.stopped);
-          CHECK(done.books.of(Event::Kind::impact) < 400);
-          CHECK(done.books.contact_steps < 2000);
-          CHECK(done.books.deepest < 1e-9);
+          CHECK(done.statistics.of(Event::Kind::impact) < 400);
+          CHECK(done.statistics.contact_steps < 2000);
+          CHECK(done.statistics.deepest < 1e-9);
         }
       }
     }
@@ -102,8 +102,8 @@ TEST_CASE("plastic bodies that meet in a face or an edge without gravity are fol
 
 TEST_CASE("two equal cubes that meet face to face with e = 0 stay together, and keep their momentum") {
   for (const double other : {-1.0, 0.0, 0.5}) {
-    const Scene scene = flight({box(Vec3::Ones(), {-3, 0, 0}, {1, 0, 0}), box(Vec3::Ones(), {3, 0, 0}, {other, 0, 0})},
-                               Vec3::Zero(), {16});
+    const Scene scene = moving_scene(
+        {box(Vec3::Ones(), {-3, 0, 0}, {1, 0, 0}), box(Vec3::Ones(), {3, 0, 0}, {other, 0, 0})}, Vec3::Zero(), {16});
     const Simulated done = simulate(scene);
     REQUIRE(done.trajectory.states.size() == 1);
     for (const State& state : done.trajectory.states[0]) {
@@ -111,7 +111,7 @@ TEST_CASE("two equal cubes that meet face to face with e = 0 stay together, and 
       CHECK(state.velocity.w_WB.norm() < 1e-12);
     }
     const Vec3 between = done.trajectory.states[0][1].X_WB.p_WB - done.trajectory.states[0][0].X_WB.p_WB;
-    CHECK((between - Vec3(2, 0, 0)).norm() < 1e-8);  // an envelope is 1e-9
+    CHECK((between - Vec3(2, 0, 0)).norm() < 1e-8);  // the envelope is 1e-9
   }
 }
 

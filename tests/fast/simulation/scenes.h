@@ -1,4 +1,4 @@
-// Small scenes that move, for tests of the simulation.
+// Small scenes for tests of the simulation.
 #pragma once
 
 #include <cmath>
@@ -25,28 +25,28 @@ inline Body brick(const Vec3& half_extents, const Vec3& p, const Material& mater
   return body;
 }
 
-/// Its top is z = 0.
+/// Its upper face is at z = 0.
 inline Body table(double half_side = 100) {
   Body body = brick(Vec3(half_side, half_side, 1), Vec3(0, 0, -1), {1, 10});
   body.mass = Fixed{};
   return body;
 }
 
-inline Scene flight(std::vector<Body> bodies, const Vec3& gravity, std::vector<double> times) {
+inline Scene moving_scene(std::vector<Body> bodies, const Vec3& gravity, std::vector<double> times) {
   Scene scene;
   scene.bodies = std::move(bodies);
   scene.gravity = gravity;
-  scene.flight.emplace();
-  scene.flight->times = std::move(times);
+  scene.motion.emplace();
+  scene.motion->sample_times = std::move(times);
   return scene;
 }
 
-/// n³ balls that rest on no grid line, in a box of six walls.
+/// n³ balls in a box of six walls.
 inline Scene gas(int n, const Material& material) {
   std::vector<Body> bodies;
   const double side = 0.1 * n;
   for (int i = 0; i < n * n * n; ++i) {
-    const double a = 0.37 * i, b = 0.61 * i, c = 0.83 * i;  // speeds that no pattern has
+    const double a = 0.37 * i, b = 0.61 * i, c = 0.83 * i;  // velocities without a pattern
     bodies.push_back(ball(0.03, Vec3(i % n + 0.5, i / n % n + 0.5, i / n / n + 0.5) * 0.1,
                           Vec3(a - std::floor(a) - 0.5, b - std::floor(b) - 0.5, c - std::floor(c) - 0.5), material));
   }
@@ -57,7 +57,7 @@ inline Scene gas(int n, const Material& material) {
     bodies.push_back(brick(half, p, {1, 10}));
     bodies.back().mass = Fixed{};
   }
-  return flight(bodies, Vec3::Zero(), {1});
+  return moving_scene(bodies, Vec3::Zero(), {1});
 }
 
 inline double kinetic(const Scene& scene, const std::vector<State>& states) {

@@ -1,0 +1,138 @@
+#include "app/commands/case_commands.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <variant>
+
+#include "app/report/finding_words.h"
+#include "app/report/replay_command.h"
+#include "app/report/report_json.h"
+#include "app/system/interruption.h"
+#include "app/system/program_folder.h"
+#include "app/system/progress.h"
+#include "app/system/terminal.h"
+#include "app/system/writable.h"
+#include "app/trial/smallest.h"
+#include "app/trial/subject_list.h"
+#include "model/input_error.h"
+#include "model/json.h"
+#include "oracle/case.h"
+#include "oracle/judge/words.h"
+#include "oracle/truth/truth.h"
+#include "properties/clause.h"
+#include "properties/property.h"
+
+namespace touchstone::app {
+namespace {
+
+using oracle::Case;
+using oracle::Finding;
+using oracle::words::text;
+using properties::Property;
+
+/// Prints what the file names. It may be any text, so it is escaped.
+[[noreturn]] void refuse_to_run(const CaseCommand& command, const std::string& verb, const std::string& subject) {
+  const bool is_plain = std::ranges::all_of(subject, [](char c) { return c >= ' ' && c <= '~'; });
+  const std::string how = is_plain ? fmt::format("to run it: {} {} {} --subject {}", shell_word(program_file()), verb,
+                                                 shell_word(command.path), shell_word(subject))
+                                   : "name it with --subject to run it";
+  throw InputError(command.path, fmt::format("the file names a command, which only --subject may do; not run: {}; {}",
+                                             Json(subject).dump(-1, ' ', true, Json::error_handler_t::replace), how));
+}
+
+std::string name_of_subject(const CaseCommand& command, const std::string& verb, const Case& a_case) {
+  if (!command.subject.empty()) return command.subject;
+  if (a_case.subject.empty()) throw InputError(command.path, "names no subject: say which one with --subject");
+  if (a_case.subject.starts_with("exec:")) refuse_to_run(command, verb, a_case.subject);
+  return a_case.subject;
+}
+
+bool failed(const Finding& finding) {
+  return finding.outcome == oracle::Outcome::fails || finding.outcome == oracle::Outcome::breaks;
+}
+
+void print_line(const std::string& label, const std::string& value) {
+  if (!value.empty()) print("{:<12} {}\n", label, value);
+}
+
+bool is_compound(const Body& body) { return std::holds_alternative<Compound>(body.shape); }
+
+void print_truth(const Scene& scene, const std::string& query) {
+  if (scene.bodies.size() != 2 || (query != "distance" && query != "penetration")) return;
+  const reference::DistanceTruth& truth = oracle::truth::distance(scene);
+  print_line("truth", fmt::format("{}; distance {}, |d*|² = {}", text(truth.verdict), text(truth.distance),
+                                  truth.core_squared.text()));
+  if (query == "penetration" && std::ranges::none_of(scene.bodies, is_compound)) {
+    const reference::PenetrationTruth& depth = oracle::truth::penetration(scene);
+    print_line("", fmt::format("depth {}; least along {}", text(depth.depth), text(depth.nhat_BA_W)));
+  }
+  print_line("proof", text(truth.certificate));
+}
+
+void print_words(const Case& a_case, const Property& property, const oracle::Card& card, const Finding& finding) {
+  print_line("property", property.id + ": " + property.says);
+  for (const std::string& id : property.clauses) {
+    const properties::Clause& clause = properties::clause(id);
+    print_line("clause", clause.id + " (" + clause.title + "): " + clause.says);
+  }
+  print_line("subject", card.name + " " + card.version);
+  print_line("scene", a_case.scene.name.empty() ? a_case.family : a_case.scene.name);
+  print_truth(a_case.scene, property.query);
+  for (const auto& [label, words] : lines_of(finding)) print_line(label, words);
+  print_line("note", a_case.note);
+}
+
+/// A file beside the case; a case from stdin has no folder.
+std::string smaller_name(const std::string& path) {
+  if (path == "-") return "smaller.json";
+  return std::filesystem::path(path).replace_extension("smaller.json").string();
+}
+
+Case cut_down(const Example& example, const Property& property, oracle::Subject& subject, std::uint64_t seed,
+              int budget) {
+  Progress progress("cutting down", budget);
+  return smallest_case(example, property, subject, seed, budget, [&] { progress.step(""); });
+}
+
+}  // namespace
+
+int replay(const CaseCommand& command) {
+  const Case a_case = oracle::read_case(command.path);
+  const Property& property = properties::find(a_case.property);
+  const auto subject = connect(name_of_subject(command, "replay", a_case), limits_of(command.time_limit));
+  const Finding finding = property.check(a_case.scene, *subject);
+  if (command.json) {
+    print_lines(text_of(oracle::json_of(finding)));
+  } else {
+    print_words(a_case, property, subject->card(), finding);
+  }
+  return failed(finding) ? 1 : 0;
+}
+
+int minimise(const CaseCommand& command) {
+  const Case a_case = oracle::read_case(command.path);
+  const Property& property = properties::find(a_case.property);
+  const std::string connectable = name_of_subject(command, "minimise", a_case);
+  const std::string out = command.out.empty() ? smaller_name(command.path) : command.out;
+  require_writable_file(out);
+  const auto subject = connect(connectable, limits_of(command.time_limit));
+  watch_for_interruption();
+  const Example example{a_case.family, a_case.index, a_case.scene, property.check(a_case.scene, *subject)};
+  if (interrupted()) {
+    complain("interrupted before the case was asked once");
+    return interrupted_exit_code();
+  }
+  if (!failed(example.finding)) {
+    print("nothing to cut down: {}\n", oracle::name_of(example.finding.outcome));
+    return 1;
+  }
+  Case smaller = cut_down(example, property, *subject, a_case.seed, command.budget);
+  smaller.subject = connectable;
+  oracle::write_case(smaller, out);
+  print("{}: {}{}\n", out, text_of(oracle::size_of(smaller.scene)), interrupted() ? "; interrupted" : "");
+  return interrupted() ? interrupted_exit_code() : 0;
+}
+
+}  // namespace touchstone::app

@@ -1,0 +1,215 @@
+// What stands below the options in the help of each command: examples, remarks and exit codes.
+#pragma once
+
+namespace touchstone::app::help {
+
+inline constexpr const char* program = R"(
+Examples:
+  touchstone report                        tests all engines that were built; then open report/index.html
+  touchstone check --subjects bullet.double,fcl.libccd --queries distance --junit junit.xml
+  touchstone check --subjects "exec:python3 my_engine.py"     your own engine, over JSON lines (docs/protocol.md)
+  touchstone replay report/cases/distance.value.bullet.float.json
+  touchstone ask distance scene.json       the exact answer, as a rational number, with its proof
+  touchstone help check                    the options of one command
+
+Where a command reads a scene, a case or a mesh, - stands for stdin.
+
+Exit codes:
+  0    done; check: every property holds; replay: the case does not fail
+  1    check or replay saw a failure; simulate: the engine broke or gave up
+  2    bad input or usage
+  3    a fault of Touchstone itself; or a full disk, or a closed stdout
+  130  interrupted: what was asked until then is written, and says that it is partial (SIGHUP: 129, SIGTERM: 143)
+  141  nothing reads stdout any more, as in `touchstone list properties | head -1`)";
+
+inline constexpr const char* report = R"(
+Examples:
+  touchstone report
+  touchstone report --effort standard --out nightly
+  touchstone report --subjects "exec:python3 my_engine.py" --subjects reference
+
+A report has a row for each property and subject: how many scenes were asked, how many answers were wrong, and by how
+much. Each failing row has a case, the smallest scene that was found to fail; `touchstone replay` asks it again.
+
+Exit codes:
+  0    the report is written, whatever it found: failures are what it is for
+  2    bad input or usage; nothing was asked
+  3    a fault of Touchstone itself; or a full disk, or a closed stdout
+  130  interrupted (SIGHUP: 129, SIGTERM: 143); the report is written and says that it is partial)";
+
+inline constexpr const char* check = R"(
+Examples:
+  touchstone check --subjects bullet.double --queries distance,penetration --seed 7
+  touchstone check --properties distance.symmetric --cases 5000 --junit junit.xml
+  touchstone check --subjects "exec:my_engine --flag a,b" --subjects inproc:reference
+
+Exit codes:
+  0    every property holds, or the subject abstains
+  1    a property fails
+  2    bad input or usage; nothing was asked
+  3    a fault of Touchstone itself; or a full disk, or a closed stdout
+  130  interrupted (SIGHUP: 129, SIGTERM: 143); what was asked until then is written)";
+
+inline constexpr const char* replay = R"(
+Examples:
+  touchstone replay docs/counterexample.json
+  touchstone replay report/cases/distance.value.bullet.float.json --subject fcl.libccd
+  touchstone replay - --json <case.json
+
+A case file holds a scene, a property, a subject and what was found. The subject is asked again in a new process, and
+its answer is compared with the exact truth.
+
+Exit codes:
+  0  the subject does not fail
+  1  it fails (again)
+  2  bad input or usage
+  3  a fault of Touchstone itself; or a full disk, or a closed stdout)";
+
+inline constexpr const char* minimise = R"(
+Examples:
+  touchstone minimise docs/counterexample.json --out smaller.json
+  touchstone minimise report/cases/distance.value.bullet.float.json --budget 20000
+
+Exit codes:
+  0    the smaller case is written
+  1    the case does not fail, so there is nothing to make smaller
+  2    bad input or usage
+  3    a fault of Touchstone itself; or a full disk, or a closed stdout
+  130  interrupted (SIGHUP: 129, SIGTERM: 143); the smallest scene so far that fails is written)";
+
+inline constexpr const char* ask = R"(
+Examples:
+  touchstone ask distance scene.json
+  touchstone ask impulse docs/scenes/impact_painleve.json
+  touchstone import part.stl | touchstone ask mass - --json
+
+Bodies 0 and 1 are A and B; if there are more, the answer begins with their names. Numbers are read as the exact
+rationals that they are. In the answer "exact" is a rational number, "nearest" is the double next to it, and an
+interval [lo, hi] contains the exact value.
+
+Exit codes:
+  0  done
+  2  bad input or usage
+  3  a fault of Touchstone itself; or a full disk, or a closed stdout)";
+
+inline constexpr const char* plan = R"(
+Examples:
+  touchstone plan docs/scenes/swarm.json
+  touchstone plan dominoes
+  touchstone plan scene.json --json
+
+The broad phase leaves out what a scene does not need: few bodies are compared pair by pair, spheres and boxes need no
+search over vertices, and bodies that never move need no memory between frames. The pairs that it finds stay the same.
+For a scene in motion, the plan is that of its simulation.
+
+Exit codes:
+  0  done
+  2  bad input or usage
+  3  a fault of Touchstone itself; or a full disk, or a closed stdout)";
+
+inline constexpr const char* simulate = R"(
+Examples:
+  touchstone simulate bouncing_ball
+  touchstone simulate docs/scenes/motion_turntable.json --engine bullet --until 3
+  touchstone simulate pool_break --out events.jsonl --replay replay.html
+  touchstone simulate scene.json --engine "exec:python3 my_engine.py"
+
+The table shows the energy and momentum of all bodies that are not fixed; potential energy is 0 at the world's origin.
+For a scene with a known future, the greatest error is printed, and the time up to which it holds. The replay page
+loads nothing from the network; three.js must be installed to make it (Debian: libjs-three). Bodies that overlap at
+the start are bad input for every engine.
+
+Exit codes:
+  0    done
+  1    the engine broke or gave up; files and table then end at the last time that is known
+  2    bad input or usage, or the engine does not answer this query
+  3    a fault of Touchstone itself; or a full disk, or a closed stdout
+  130  interrupted (SIGHUP: 129, SIGTERM: 143); files and table then end at the last time that is known)";
+
+inline constexpr const char* import = R"(
+Examples:
+  touchstone import part.stl --out part.json
+  touchstone import part.obj | touchstone ask mass -
+
+Exit codes:
+  0  done
+  2  bad input or usage
+  3  a fault of Touchstone itself; or a full disk, or a closed stdout)";
+
+inline constexpr const char* list = R"(
+Examples:
+  touchstone list subjects                 the engines that can be tested, and what each of them answers
+  touchstone list properties               what is tested
+  touchstone list motions                  scenes for plan and simulate whose future is known
+
+Exit codes:
+  0  done
+  2  bad usage
+  3  a fault of Touchstone itself; or a full disk, or a closed stdout)";
+
+inline constexpr const char* soak = R"(
+Examples:
+  touchstone soak
+  touchstone soak --pairs 1000000 --seed 7 --jobs 8
+
+Exit codes:
+  0    the three ways agree on every pair
+  2    bad usage
+  3    two ways disagree, which is a fault of Touchstone itself; or a full disk, or a closed stdout
+  130  interrupted (SIGHUP: 129, SIGTERM: 143))";
+
+inline constexpr const char* bench = R"(
+Examples:
+  ./touchstone bench broad_phase                                  everything: several minutes
+  ./touchstone bench broad_phase --sizes 1000,10000 --workloads coherent,settled --rounds 9 --out coherent
+  ./touchstone bench distance                                     and the error that each engine's time buys
+  ./touchstone bench impulse                                      work and precision of ways to compute an impact
+  ./touchstone bench pixel                                        masks, and what sampling misses
+  ./touchstone bench simulation --workloads bouncing_ball,gas     simulators; scenes: `touchstone list motions`
+
+The launcher ./touchstone builds the comparison first; the program touchstone by itself only runs what is built.
+The contestants run in turn, in slices of CPU time; a figure is the median of the rounds. A contestant that cannot
+finish one frame within the budget is left out, and named. The folder gets a CSV file, the table (.txt) and a plot
+(.svg).
+
+Exit codes:
+  0  done
+  2  bad input or usage, or the comparison was not built
+  3  a fault of Touchstone itself; or a full disk, or a closed stdout)";
+
+inline constexpr const char* test = R"(
+Examples:
+  ./touchstone test                        builds and runs the whole test suite
+  ./touchstone test -R model               the tests whose names match; all options of ctest may follow
+  ./touchstone test --preset asan          under AddressSanitizer and UndefinedBehaviorSanitizer
+
+The launcher ./touchstone at the root of the source tree does this; the program touchstone has no tests in it.
+
+Exit codes:
+  0  all tests pass
+  2  the program touchstone was asked instead of the launcher
+  3  the set-up or the build failed
+  8  a test failed)";
+
+inline constexpr const char* help = R"(
+Examples:
+  touchstone help
+  touchstone help check
+
+Exit codes:
+  0  done
+  2  there is no such command)";
+
+inline constexpr const char* completion = R"(
+Examples:
+  source <(touchstone completion bash)     in this shell; for all shells, a line of ~/.bashrc
+  source <(touchstone completion zsh)      the same for zsh and ~/.zshrc
+
+The script completes commands, options and the names that they take, also for ./touchstone. It holds the subjects that
+are built when it is made.
+
+Exit codes:
+  0  done
+  2  bad usage)";
+
+}  // namespace touchstone::app::help

@@ -1,0 +1,255 @@
+#include "app/commands/report_command.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+#include <ranges>
+#include <set>
+#include <thread>
+
+#include "app/report/finding_words.h"
+#include "app/report/replay_command.h"
+#include "app/report/report_html.h"
+#include "app/report/report_json.h"
+#include "app/report/report_junit.h"
+#include "app/system/interruption.h"
+#include "app/system/terminal.h"
+#include "app/system/writable.h"
+#include "app/trial/questions.h"
+#include "app/trial/subject_list.h"
+#include "app/trial/trial.h"
+#include "model/input_error.h"
+#include "model/json.h"
+#include "model/near_names.h"
+#include "properties/property.h"
+
+namespace touchstone::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::set<std::string> known_queries() {
+  std::set<std::string> queries;
+  for (const properties::Property& property : properties::all()) queries.insert(property.query);
+  return queries;
+}
+
+/// The queries about motion run only if they are named: one trajectory takes engines and the reference up to seconds.
+/// With these queries a quick report of all engines takes 12 minutes of CPU time instead of 7.
+bool of_motion(const std::string& query) {
+  return query == "time_of_impact" || query == "simulation" || query == "constraint";
+}
+
+std::vector<std::string> chosen_properties(const RunOptions& options) {
+  const std::set<std::string> known = known_queries();
+  for (const std::string& query : options.queries) {
+    if (!known.contains(query)) throw InputError("query " + query, unknown_among(query, {known.begin(), known.end()}));
+  }
+  for (const std::string& id : options.properties) properties::find(id);
+  std::vector<std::string> chosen;
+  for (const properties::Property& property : properties::all()) {
+    const bool by_default = !of_motion(property.query) || !options.properties.empty();
+    const bool of_queries =
+        options.queries.empty() ? by_default : std::ranges::count(options.queries, property.query) > 0;
+    const bool named = options.properties.empty() || std::ranges::count(options.properties, property.id) > 0;
+    if (of_queries && named) chosen.push_back(property.id);
+  }
+  if (chosen.empty()) throw InputError("--properties", "none of them is of the queries that --queries names");
+  return chosen;
+}
+
+Effort chosen_effort(const RunOptions& options, std::size_t subjects) {
+  Effort effort = *std::ranges::find(efforts(), options.effort, &Effort::name);
+  if (options.cases > 0) {
+    effort.extreme_cases = std::max(1, effort.extreme_cases * options.cases / effort.cases);
+    effort.cases = effort.simulations = effort.constraints = options.cases;
+    effort.more_impacts = 0;
+  } else if (subjects == 1) {
+    effort.cases = effort.cases_alone;
+    effort.simulations = effort.simulations_alone;
+  } else {
+    effort.more_impacts = 0;
+  }
+  return effort;
+}
+
+TrialPlan plan_of(const RunOptions& options) {
+  TrialPlan plan;
+  plan.properties = chosen_properties(options);
+  plan.subjects = subject_list(options.subjects);
+  plan.effort = chosen_effort(options, plan.subjects.size());
+  plan.seed = options.seed;
+  plan.jobs = options.jobs > 0 ? options.jobs : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  plan.limits = limits_of(options.time_limit);
+  return plan;
+}
+
+MeshSet meshes_of(const RunOptions& options) { return read_meshes(options.meshes, options.effort == "quick"); }
+
+/// Checks the places before a run of minutes, not after it.
+void prepare_places(const RunOptions& options) {
+  if (!options.out.empty()) {
+    const fs::path cases = fs::path(options.out) / "cases";
+    std::error_code error;
+    fs::create_directories(cases, error);
+    if (error) throw InputError(options.out, error.message());
+    require_writable_folder(cases, options.out);
+    require_writable_folder(options.out, options.out);
+  }
+  for (const std::string& file : {options.json, options.junit}) {
+    if (!file.empty()) require_writable_file(file);
+  }
+}
+
+/// Matches only the files that a report writes: a folder named cases may contain other files.
+bool is_case_of_a_report(const fs::path& file) {
+  const std::string name = file.filename().string();
+  return file.extension() == ".json" &&
+         std::ranges::any_of(properties::all(),
+                             [&](const properties::Property& property) { return name.starts_with(property.id + "."); });
+}
+
+/// Names the cases' commands before the page and the JUnit XML print them.
+void name_replay_commands(Ledger& ledger, const TrialPlan& plan, const fs::path& folder) {
+  for (Row& row : ledger.rows) {
+    if (!row.smallest_case) continue;
+    std::optional<double> limit;
+    if (row.smallest_case->finding.defect == oracle::Defect::hung) limit = plan.limits.cpu_seconds;
+    row.replay_command = replay_command((folder / row.case_file).string(), row.smallest_case->subject, limit);
+  }
+}
+
+/// Removes the old report first and writes index.html last: if index.html exists, the report is complete.
+void write_report(const fs::path& folder, const Ledger& ledger) {
+  for (const char* file : {"index.html", "report.json", "junit.xml"}) fs::remove(folder / file);
+  for (const fs::directory_entry& old : fs::directory_iterator(folder / "cases")) {
+    if (is_case_of_a_report(old.path())) fs::remove(old.path());
+  }
+  for (const Row& row : ledger.rows) {
+    if (row.smallest_case) oracle::write_case(*row.smallest_case, (folder / row.case_file).string());
+  }
+  write_text((folder / "report.json").string(), text_of(report_json(ledger)));
+  write_text((folder / "junit.xml").string(), report_junit(ledger));
+  write_text((folder / "index.html").string(), report_html(ledger));
+}
+
+void write_extras(const RunOptions& options, const Ledger& ledger) {
+  if (!options.json.empty()) write_text(options.json, text_of(report_json(ledger)));
+  if (!options.junit.empty()) write_text(options.junit, report_junit(ledger));
+}
+
+long failing_rows(const Ledger& ledger) { return std::ranges::count_if(ledger.rows, &Row::failing); }
+
+void print_failing(const Ledger& ledger) {
+  for (const Row& row : ledger.rows) {
+    if (!row.failing()) continue;
+    print("{} {}: {} of {} fail, grade {}\n", row.subject, row.property, row.fails + row.breaks, row.answered(),
+          oracle::name_of(*row.grade()));
+    for (const auto& [label, words] : lines_of(shown_finding(row))) print("    {:<9} {}\n", label, words);
+    if (!row.replay_command.empty()) print("    {}\n", row.replay_command);
+  }
+}
+
+/// Ranks rows that compare with the truth first: conservation properties have bounds of their own.
+std::pair<bool, double> closeness(const Row& row) {
+  if (!row.closest) return {false, -1};
+  return {compares_with_truth(properties::find(row.property)),
+          row.closest->finding.error / row.closest->finding.allowed};
+}
+
+/// Prints, for each query, the correct answer with the largest error relative to the allowed error. Writes or prints
+/// its case.
+void print_closest(const Ledger& ledger, const std::string& out) {
+  for (const auto& [query, scenes] : ledger.scenes) {
+    const auto of_query = [&](const Row& row) { return properties::find(row.property).query == query; };
+    auto rows = ledger.rows | std::views::filter(of_query);
+    const auto found = std::ranges::max_element(rows, {}, closeness);
+    if (found == rows.end() || !found->closest) continue;
+    const Row& row = *found;
+    const Example& closest = *row.closest;
+    const oracle::Finding& finding = closest.finding;
+    print("{}: {} scenes; the largest error beside what is allowed: {} {}, {:.3g} of {:.3g} {}: {} {}\n", query, scenes,
+          row.subject, row.property, finding.error, finding.allowed, finding.unit, closest.family, closest.index);
+    const auto place = static_cast<std::size_t>(std::ranges::find(ledger.subjects, row.subject, &oracle::Card::name) -
+                                                ledger.subjects.begin());
+    const oracle::Case as_case{row.property,   ledger.connectables[place],
+                               closest.family, ledger.seed,
+                               closest.index,  closest.scene,
+                               finding,        ""};
+    if (out.empty()) {
+      const Json json = oracle::json_of(as_case);
+      print("    {}\n", json.dump(-1, ' ', false, Json::error_handler_t::replace));
+    } else {
+      const std::string file = (fs::path(out) / "cases" / (query + ".closest.json")).string();
+      oracle::write_case(as_case, file);
+      print("    {}\n", replay_command(file, as_case.subject));
+    }
+  }
+}
+
+void print_impacts(const Ledger& ledger) {
+  for (const Row& row : ledger.rows) {
+    if (row.impacts == 0) continue;
+    print("{} {}: {} impacts in {} scenes, {} fail\n", row.subject, row.property, row.impacts, row.answered(),
+          row.fails);
+  }
+}
+
+void print_summary(const Ledger& ledger) {
+  for (const oracle::Card& card : ledger.subjects) {
+    long holds = 0;
+    long fails = 0;
+    long silent = 0;
+    for (const Row& row : ledger.rows) {
+      if (row.subject != card.name) continue;
+      ++(row.failing() ? fails : row.holds > 0 ? holds : silent);
+    }
+    print("{:<16} {:>3} properties hold, {:>3} fail, {:>3} not answered\n", card.name, holds, fails, silent);
+  }
+  if (ledger.interrupted) {
+    print("interrupted: only what was asked until then counts\n");
+  } else if (!ledger.empty_classes.empty()) {
+    print("no scene of these kinds was met: {}\n", fmt::format("{}", fmt::join(ledger.empty_classes, "; ")));
+  }
+}
+
+}  // namespace
+
+int report(const RunOptions& options) {
+  const TrialPlan plan = plan_of(options);
+  prepare_places(options);
+  watch_for_interruption();
+  const MeshSet meshes = meshes_of(options);
+  if (!meshes.absent.empty()) complain("no real meshes: {}", meshes.absent);
+  Ledger ledger = run(plan, meshes);
+  name_replay_commands(ledger, plan, options.out);
+  write_report(options.out, ledger);
+  write_extras(options, ledger);
+  print_summary(ledger);
+  print("{}\n", (fs::path(options.out) / "index.html").string());
+  return ledger.interrupted ? interrupted_exit_code() : 0;
+}
+
+int check(const RunOptions& options) {
+  const TrialPlan plan = plan_of(options);
+  prepare_places(options);
+  watch_for_interruption();
+  const MeshSet meshes = options.meshes.empty() ? MeshSet{} : meshes_of(options);
+  Ledger ledger = run(plan, meshes);
+  if (!options.out.empty()) {
+    name_replay_commands(ledger, plan, options.out);
+    write_report(options.out, ledger);
+  }
+  write_extras(options, ledger);
+  print_failing(ledger);
+  if (ledger.subjects.size() == 1) print_closest(ledger, options.out);
+  print_impacts(ledger);
+  print_summary(ledger);
+  if (ledger.interrupted) return interrupted_exit_code();
+  return failing_rows(ledger) > 0 ? 1 : 0;
+}
+
+}  // namespace touchstone::app

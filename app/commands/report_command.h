@@ -1,0 +1,32 @@
+// The commands report and check: a whole run, and the files that it writes.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace touchstone::app {
+
+struct RunOptions {
+  std::vector<std::string> subjects;    ///< connectables; if empty, all beside the program
+  std::vector<std::string> queries;     ///< all if empty
+  std::vector<std::string> properties;  ///< if empty, all of the queries
+  std::string effort = "quick";
+  int cases = 0;  ///< drawn scenes per query; 0: the effort's own number
+  std::uint64_t seed = 1;
+  int jobs = 0;           ///< threads; 0: one per processor
+  double time_limit = 1;  ///< a subject's CPU time per query, s; ten times as much per trajectory
+  std::string out;        ///< folder of the report; if empty, check writes none
+  std::string json;       ///< other files, also without a report
+  std::string junit;
+  std::string meshes;  ///< folder; if empty, the known ones
+};
+
+/// Writes index.html, report.json, junit.xml and cases/ into `out`. Returns 0 whatever it found, 130 if interrupted.
+int report(const RunOptions& options);
+
+/// Prints one line per failing row and, for a single subject, the largest error of each query and its case. Returns 0
+/// if every property holds, 1 if one fails or breaks, 130 if interrupted.
+int check(const RunOptions& options);
+
+}  // namespace touchstone::app

@@ -1,0 +1,33 @@
+#include "app/report/finding_words.h"
+
+#include <fmt/format.h>
+
+namespace touchstone::app {
+namespace {
+
+std::string error_of(const oracle::Finding& finding) {
+  if (finding.unit.empty()) return "";
+  return fmt::format("{:.4g} {}; allowed {:.4g}", finding.error, finding.unit, finding.allowed);
+}
+
+std::string margin_of(const oracle::Finding& finding) {
+  if (!finding.margin) return "";
+  if (finding.margin->hi == 0) return "none: the scene lies exactly between two truths";
+  return fmt::format("{:.6g} m from another truth", finding.margin->lo);
+}
+
+}  // namespace
+
+std::string outcome_of(const oracle::Finding& finding) {
+  const std::string outcome = oracle::name_of(finding.outcome);
+  return finding.defect == oracle::Defect::none ? outcome : outcome + ": " + oracle::name_of(finding.defect);
+}
+
+Lines lines_of(const oracle::Finding& finding) {
+  Lines lines = {{"outcome", outcome_of(finding)}, {"observed", finding.observed}, {"expected", finding.expected},
+                 {"error", error_of(finding)},     {"margin", margin_of(finding)}, {"because", finding.why}};
+  std::erase_if(lines, [](const auto& line) { return line.second.empty(); });
+  return lines;
+}
+
+}  // namespace touchstone::app

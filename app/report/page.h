@@ -1,0 +1,43 @@
+// The sections of the HTML page, and the words that they share.
+#pragma once
+
+#include <string>
+
+#include "app/trial/ledger.h"
+#include "oracle/judge/grade.h"
+
+namespace touchstone::app::page {
+
+/// One failing scene of each engine.
+std::string gallery(const Ledger& ledger);
+
+/// Properties × subjects, with the legend of the grades.
+std::string table(const Ledger& ledger);
+
+/// One card per subject.
+std::string subjects(const Ledger& ledger);
+
+/// The distribution of the errors, property by property.
+std::string errors(const Ledger& ledger);
+
+/// Failing rows, subject by subject; each row opens to its smallest failing scene.
+std::string failures(const Ledger& ledger);
+
+/// The meshes, the classes of cases that occurred, and those that did not.
+std::string what_was_asked(const Ledger& ledger);
+
+/// Escapes a text and cuts it if it is too long for a reader (a list of 300 pairs).
+std::string shown(const std::string& text);
+
+std::string badge(oracle::Grade grade);
+
+/// The anchor of a failing row on the page.
+std::string anchor(const Row& row);
+
+/// An entry of a <dl>; empty if the text is empty.
+std::string definition(const std::string& term, const std::string& html);
+
+/// "1 scene", "2 scenes"
+std::string plural(long count, const std::string& noun);
+
+}  // namespace touchstone::app::page

@@ -1,0 +1,77 @@
+#include <fmt/format.h>
+
+#include "app/report/finding_words.h"
+#include "app/report/page.h"
+#include "app/report/picture.h"
+#include "app/report/xml.h"
+#include "properties/clause.h"
+#include "properties/property.h"
+
+namespace touchstone::app::page {
+namespace {
+
+std::string clause_words(const properties::Property& property) {
+  std::string words;
+  for (const std::string& id : property.clauses) {
+    const properties::Clause& clause = properties::clause(id);
+    words += fmt::format("<b>{}</b> {} ", escaped(clause.id), escaped(clause.says));
+  }
+  return words;
+}
+
+std::string about_the_case(const Row& row) {
+  if (!row.smallest_case) return "";
+  const oracle::Size size = oracle::size_of(row.smallest_case->scene);
+  return definition("scene", fmt::format("{}; drawn as {} {} with {}", text_of(size), escaped(row.smallest->family),
+                                         row.smallest->index, text_of(row.size_found))) +
+         definition("note", escaped(row.smallest_case->note)) +
+         definition("replay", fmt::format("<code>{}</code> <a href=\"{}\">file</a>", escaped(row.replay_command),
+                                          escaped(row.case_file)));
+}
+
+std::string facts(const Row& row, const properties::Property& property) {
+  const oracle::Finding& finding = shown_finding(row);
+  std::string html;
+  for (const auto& [label, words] : lines_of(finding)) html += definition(label, shown(words));
+  html += definition("proof", shown(finding.certificate));
+  html += definition("clause", clause_words(property));
+  return html + about_the_case(row);
+}
+
+std::string failing_row(const Row& row) {
+  const properties::Property& property = properties::find(row.property);
+  const std::string drawing = row.smallest_case ? picture(row.smallest_case->scene) : "";
+  return fmt::format(
+      "<details class=\"row\" id=\"{}\"><summary>{}<b>{}</b> <span class=\"soft\">{}, {} of {}</span></summary>"
+      "<p class=\"soft\">Must hold: {}.</p><div class=\"{}\">{}<dl>{}</dl></div></details>",
+      anchor(row), badge(*row.grade()), escaped(row.property), escaped(oracle::name_of(shown_finding(row).defect)),
+      row.fails + row.breaks, row.answered(), escaped(property.says), drawing.empty() ? "plain" : "drawn", drawing,
+      facts(row, property));
+}
+
+std::string failures_of(const Ledger& ledger, const oracle::Card& card) {
+  std::string rows;
+  int count = 0;
+  for (const Row& row : ledger.rows) {
+    if (row.subject != card.name || !row.failing()) continue;
+    rows += failing_row(row);
+    ++count;
+  }
+  return fmt::format("<section><h3>{}: {}</h3>{}</section>", escaped(card.name),
+                     count == 0 ? "nothing fails" : plural(count, "failing row"), rows);
+}
+
+}  // namespace
+
+std::string failures(const Ledger& ledger) {
+  std::string html =
+      "<p>Each opens to its smallest failing scene. <span class=\"soft\">The commands run from any folder of the "
+      "machine "
+      "that wrote this page. Elsewhere: <code>./touchstone replay</code> with the linked file, and "
+      "<code>--subject</code> "
+      "for an engine of your own.</span></p>";
+  for (const oracle::Card& card : ledger.subjects) html += failures_of(ledger, card);
+  return html;
+}
+
+}  // namespace touchstone::app::page

@@ -1,0 +1,51 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <map>
+
+#include "app/report/page.h"
+#include "app/report/xml.h"
+
+namespace touchstone::app::page {
+namespace {
+
+long total(const std::map<std::string, long>& counts) {
+  long sum = 0;
+  for (const auto& [name, count] : counts) sum += count;
+  return sum;
+}
+
+std::string about_meshes(const Ledger& ledger) {
+  if (ledger.mesh_count == 0) {
+    return "<p><b>No real meshes:</b> " +
+           escaped(ledger.meshes_absent.empty() ? "none were asked for" : ledger.meshes_absent) + ".</p>";
+  }
+  std::vector<std::string> kinds;
+  for (const auto& [family, count] : ledger.mesh_scenes) kinds.push_back(fmt::format("{} {}", count, family));
+  const std::string left_out = ledger.meshes_left_out == 0
+                                   ? ""
+                                   : fmt::format(" Left out: {} that are flat or no meshes.", ledger.meshes_left_out);
+  return fmt::format("<p>Real input: the convex hulls of {} robot meshes, in {} scenes ({}).{}</p>", ledger.mesh_count,
+                     total(ledger.mesh_scenes), escaped(fmt::format("{}", fmt::join(kinds, ", "))), left_out);
+}
+
+std::string about_classes(const Ledger& ledger) {
+  std::string html = ledger.empty_classes.empty()
+                         ? "<p>Every kind of case that a query needs was met.</p>"
+                         : fmt::format("<p><b>Kinds of case that were not met:</b> {}.</p>",
+                                       escaped(fmt::format("{}", fmt::join(ledger.empty_classes, "; "))));
+  html += "<details><summary>Scenes of each kind</summary><div class=\"scroll\"><table><tbody>";
+  for (const auto& [query, classes] : ledger.classes) {
+    html += fmt::format("<tr class=\"query\"><th scope=\"rowgroup\">{}</th><td></td></tr>", escaped(query));
+    for (const auto& [name, count] : classes) {
+      html += fmt::format("<tr><th scope=\"row\">{}</th><td>{}</td></tr>", escaped(name), count);
+    }
+  }
+  return html + "</tbody></table></div></details>";
+}
+
+}  // namespace
+
+std::string what_was_asked(const Ledger& ledger) { return about_meshes(ledger) + about_classes(ledger); }
+
+}  // namespace touchstone::app::page

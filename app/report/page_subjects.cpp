@@ -1,0 +1,94 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <array>
+#include <map>
+#include <vector>
+
+#include "app/report/page.h"
+#include "app/report/xml.h"
+
+namespace touchstone::app::page {
+namespace {
+
+using oracle::Grade;
+
+struct Summary {
+  int hold = 0;
+  int fail = 0;
+  int silent = 0;
+  std::array<long, 5> grades{};
+  const Row* most_wrong = nullptr;                          ///< in ulps of the scene's scale
+  std::map<std::string, std::vector<std::string>> silence;  ///< reason -> properties
+};
+
+Summary summary_of(const Ledger& ledger, const std::string& subject) {
+  Summary summary;
+  for (const Row& row : ledger.rows) {
+    if (row.subject != subject) continue;
+    ++(row.failing() ? summary.fail : row.holds > 0 ? summary.hold : summary.silent);
+    for (std::size_t g = 0; g < row.grades.size(); ++g) summary.grades[g] += row.grades[g];
+    if (row.answered() == 0 && row.abstains > 0) summary.silence[row.why_abstains].push_back(row.property);
+    if (row.unit == "ulps of the scene's scale" &&
+        (summary.most_wrong == nullptr || row.largest_error > summary.most_wrong->largest_error)) {
+      summary.most_wrong = &row;
+    }
+  }
+  return summary;
+}
+
+std::string grades(const Summary& summary) {
+  std::string bar;
+  std::string tally;
+  for (std::size_t g = 0; g < summary.grades.size(); ++g) {
+    const std::string name = oracle::name_of(static_cast<Grade>(g));
+    if (summary.grades[g] > 0)
+      bar += fmt::format("<i class=\"{}\" style=\"flex:{} 1 2px\"></i>", name, summary.grades[g]);
+    tally += fmt::format("<li>{}{}</li>", badge(static_cast<Grade>(g)), summary.grades[g]);
+  }
+  return fmt::format("<div class=\"bar\" aria-hidden=\"true\">{}</div><ul class=\"tally\">{}</ul>", bar, tally);
+}
+
+std::string silences(const Summary& summary) {
+  if (summary.silence.empty()) return "";
+  std::string html = fmt::format("<details><summary>Abstains from {}</summary><ul>", plural(summary.silent, "row"));
+  for (const auto& [why, ids] : summary.silence) {
+    html += fmt::format("<li>{}: {}</li>", escaped(why), escaped(fmt::format("{}", fmt::join(ids, ", "))));
+  }
+  return html + "</ul></details>";
+}
+
+std::string deviations(const oracle::Card& card) {
+  if (card.deviations.empty()) return "";
+  std::string html = "<p>Known, which explains and excuses nothing:</p><ul>";
+  for (const oracle::Deviation& known : card.deviations) {
+    html += "<li>" + escaped(known.what);
+    if (known.link.starts_with("http")) html += fmt::format(" (<a href=\"{}\">issue</a>)", escaped(known.link));
+    html += "</li>";
+  }
+  return html + "</ul>";
+}
+
+std::string subject_card(const Ledger& ledger, const oracle::Card& card) {
+  const Summary summary = summary_of(ledger, card.name);
+  std::string html = fmt::format(
+      "<section class=\"card\"><h3>{} <small>{}</small></h3><p>{} of its rows hold, {} fail, {} say nothing</p>",
+      escaped(card.name), escaped(card.version), summary.hold, summary.fail, summary.silent);
+  html += grades(summary);
+  if (summary.most_wrong != nullptr) {
+    html += fmt::format("<p>Most wrong by {:.3g} {} ({})</p>", summary.most_wrong->largest_error,
+                        escaped(summary.most_wrong->unit), escaped(summary.most_wrong->property));
+  }
+  return html + fmt::format("<p class=\"soft\">{}</p>", escaped(card.about)) + deviations(card) + silences(summary) +
+         "</section>";
+}
+
+}  // namespace
+
+std::string subjects(const Ledger& ledger) {
+  std::string html = "<div class=\"cards\">";
+  for (const oracle::Card& card : ledger.subjects) html += subject_card(ledger, card);
+  return html + "</div>";
+}
+
+}  // namespace touchstone::app::page

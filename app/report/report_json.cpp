@@ -1,0 +1,108 @@
+#include "app/report/report_json.h"
+
+#include <cmath>
+
+#include "app/system/version.h"
+#include "oracle/process/protocol.h"
+#include "properties/property.h"
+
+namespace touchstone::app {
+namespace {
+
+Json json_of(const oracle::Size& size) {
+  return {{"bodies", size.bodies},
+          {"vertices_per_body", size.vertices_per_body_max},
+          {"significant_bits", size.significant_bits_max}};
+}
+
+Json json_of(const Example& example) {
+  return {{"family", example.family}, {"index", example.index}, {"finding", oracle::json_of(example.finding)}};
+}
+
+Json grades_of(const Row& row) {
+  Json grades;
+  for (std::size_t g = 0; g < row.grades.size(); ++g) {
+    grades[oracle::name_of(static_cast<oracle::Grade>(g))] = row.grades[g];
+  }
+  return grades;
+}
+
+/// JSON has no infinity, so an infinite number becomes "inf".
+Json number(double x) { return std::isfinite(x) ? Json(x) : Json("inf"); }
+
+/// "2^3" counts the errors above 2^2 and up to 2^3.
+Json json_of(const ErrorHistogram& errors) {
+  Json json = {{"unit", errors.unit}, {"largest", number(errors.largest)}};
+  if (errors.exact > 0) json["at_most"]["0"] = errors.exact;
+  for (const auto& [power, count] : errors.powers) json["at_most"]["2^" + std::to_string(power)] = count;
+  if (errors.infinite > 0) json["at_most"]["inf"] = errors.infinite;
+  return json;
+}
+
+Json json_of(const Row& row) {
+  Json json = {{"property", row.property}, {"subject", row.subject},    {"holds", row.holds},
+               {"fails", row.fails},       {"abstains", row.abstains},  {"breaks", row.breaks},
+               {"outside", row.outside},   {"not_asked", row.not_asked}};
+  if (const auto grade = row.grade()) {
+    json["grade"] = oracle::name_of(*grade);
+    json["grades"] = grades_of(row);
+    if (!row.unit.empty()) json["largest_error"] = {{"error", number(row.largest_error)}, {"unit", row.unit}};
+  }
+  if (row.impacts > 0) json["impacts"] = row.impacts;
+  if (row.errors.total() > 0) json["errors"] = json_of(row.errors);
+  if (!row.why_abstains.empty()) json["why_abstains"] = row.why_abstains;
+  if (!row.failing()) return json;
+  for (const auto& [defect, count] : row.defects) json["defects"][oracle::name_of(defect)] = count;
+  json["worst"] = json_of(*row.worst);
+  if (row.smallest_case) {
+    json["case"] = row.case_file;
+    json["size_found"] = json_of(row.size_found);
+    json["size"] = json_of(oracle::size_of(row.smallest_case->scene));
+    json["finding"] = oracle::json_of(row.smallest_case->finding);
+  }
+  return json;
+}
+
+Json cards(const Ledger& ledger) {
+  Json all = Json::array();
+  for (const oracle::Card& card : ledger.subjects) all.push_back(oracle::protocol::json_of(card));
+  return all;
+}
+
+Json properties_of(const Ledger& ledger) {
+  Json all = Json::array();
+  for (const Row& row : ledger.rows) {
+    if (!all.empty() && all.back()["id"] == row.property) continue;
+    const properties::Property& property = properties::find(row.property);
+    all.push_back(
+        {{"id", property.id}, {"query", property.query}, {"clauses", property.clauses}, {"says", property.says}});
+  }
+  return all;
+}
+
+}  // namespace
+
+Json report_json(const Ledger& ledger) {
+  Json json = {{"touchstone", "report/1"},
+               {"version", version},
+               {"seed", ledger.seed},
+               {"effort", ledger.effort},
+               {"cases_per_stem", ledger.cases},
+               {"interrupted", ledger.interrupted},
+               {"subjects", cards(ledger)},
+               {"properties", properties_of(ledger)}};
+  json["rows"] = Json::array();
+  for (const Row& row : ledger.rows) json["rows"].push_back(json_of(row));
+  json["scenes"] = ledger.scenes;
+  json["classes"] = ledger.classes;
+  json["empty_classes"] = ledger.empty_classes;
+  json["meshes"] = {{"read", ledger.mesh_count},
+                    {"left_out", ledger.meshes_left_out},
+                    {"absent", ledger.meshes_absent},
+                    {"scenes", ledger.mesh_scenes}};
+  return json;
+}
+
+std::string text_of(const Json& json) { return json.dump(1, ' ', false, Json::error_handler_t::replace) + '\n'; }
+
+}  // namespace touchstone::app

@@ -1,0 +1,53 @@
+// The style sheet of the report: narrow screens first, light and dark; grades are shown by letter as well as by colour.
+#pragma once
+
+namespace touchstone::app {
+
+inline constexpr const char* report_style = R"css(
+:root{color-scheme:light dark;--ink:#1b2130;--soft:#586174;--paper:#f7f7f4;--card:#fff;--line:#dcdfe6;--link:#1d5a9e;
+--a:#d5ecdc;--b:#e9f0bf;--c:#fde3a8;--d:#fac7a0;--f:#f4aeb0;--none:#edeff3;--one:#2563a8;--two:#b4531f;--wit:#a3145f}
+@media(prefers-color-scheme:dark){:root{--ink:#e8eaf0;--soft:#a5adbc;--paper:#13161c;--card:#1b1f27;--line:#343a46;--link:#8fc1f5;
+--a:#1e4a2f;--b:#424d18;--c:#614a10;--d:#6f3c15;--f:#7a2429;--none:#252a33;--one:#7db4f0;--two:#f0a36b;--wit:#f57ab8}}
+*{box-sizing:border-box}
+body{margin:0 auto;max-width:80rem;padding:1rem clamp(.8rem,3vw,2rem) 4rem;font:16px/1.5 system-ui,sans-serif;color:var(--ink);
+background:var(--paper);overflow-wrap:anywhere}
+h1{font-size:clamp(1.6rem,4vw,2.3rem);line-height:1.15;margin:.6rem 0 .3rem}
+h2{font-size:1.3rem;margin:2.6rem 0 .6rem;border-bottom:1px solid var(--line);padding-bottom:.3rem}
+h3{font-size:1rem;margin:0}p{margin:.4rem 0}a{color:var(--link)}.soft,small{color:var(--soft)}.lead{max-width:56rem}
+nav{display:flex;flex-wrap:wrap;gap:.3rem 1.1rem;margin:.8rem 0}
+.partial{border-left:.3rem solid var(--f);padding:.4rem .8rem;background:var(--card)}
+.legend{display:grid;grid-template-columns:auto 1fr;gap:.2rem .6rem;font-size:.9rem;margin:.6rem 0}
+.legend dd{font-size:.9rem}
+.scroll{overflow-x:auto;border:1px solid var(--line);border-radius:.6rem;background:var(--card)}
+table{border-collapse:collapse;font-size:.84rem;font-variant-numeric:tabular-nums;width:100%}
+th,td{padding:.26rem .6rem;text-align:left;border-bottom:1px solid var(--line);white-space:nowrap}
+tbody tr:last-child>*{border-bottom:0}thead th{background:var(--card);vertical-align:bottom}
+tbody th{font-weight:500;position:sticky;left:0;background:var(--card);z-index:1;border-right:1px solid var(--line)}
+tr.query th,tr.query td{font-weight:700;background:var(--none)}td a{display:block;color:inherit}
+.A{background:var(--a)}.B{background:var(--b)}.C{background:var(--c)}.D{background:var(--d)}.F{background:var(--f)}
+td.share{background:color-mix(in srgb,var(--link) calc(var(--share)*70%),transparent)}
+td.none{background:var(--none);color:var(--soft)}
+.g{color:var(--ink);display:inline-block;min-width:1.6em;text-align:center;font-weight:700;border-radius:.3rem;padding:0 .3rem;margin-right:.35rem}
+.bar{display:flex;height:.7rem;border-radius:.35rem;overflow:hidden;margin:.5rem 0 .3rem;background:var(--none)}
+.tally{display:flex;flex-wrap:wrap;gap:.1rem .7rem;font-size:.86rem;margin:.2rem 0 .5rem;padding:0;list-style:none}
+.cards{display:grid;grid-template-columns:repeat(auto-fill,minmax(min(100%,21rem),1fr));gap:.9rem}
+.card,details.row{background:var(--card);border:1px solid var(--line);border-radius:.6rem;padding:.9rem}
+.card p{font-size:.9rem}.card ul{font-size:.86rem;padding-left:1.1rem;margin:.3rem 0}.card ul.tally{padding:0}
+section>h3{margin:1.2rem 0 .4rem}section.card>h3{margin:0}details.row{margin:.45rem 0;padding:.15rem .9rem;scroll-margin-top:.5rem}details.row[open]{padding-bottom:.9rem}
+details.row:target{border-color:var(--link)}
+summary{cursor:pointer;padding:.35rem 0}summary b{margin-right:.5rem}
+.drawn{display:grid;gap:.6rem 1.2rem}@media(min-width:56rem){.drawn{grid-template-columns:22rem 1fr}}
+dl{display:grid;grid-template-columns:5.6rem 1fr;gap:.2rem .7rem;margin:.3rem 0 0;font-size:.88rem}dt{color:var(--soft)}dd{margin:0;min-width:0}
+code{font:.84em/1.4 ui-monospace,monospace;background:var(--none);padding:.08rem .3rem;border-radius:.25rem}
+svg{display:block;width:100%;height:auto;max-width:26rem;margin:0 auto}
+svg text{font-size:11px;fill:var(--soft);text-anchor:middle}svg text[class]{font-weight:700;font-size:12px;stroke:none}
+svg line,svg circle,svg polygon{stroke-width:1.2;vector-effect:non-scaling-stroke;fill:none}
+svg polygon{stroke:none}svg polygon,svg circle{fill-opacity:.13}
+.body-0{stroke:var(--one)}polygon.body-0,circle.body-0,text.body-0{fill:var(--one)!important}
+.body-1{stroke:var(--two);stroke-dasharray:5 2}polygon.body-1,circle.body-1,text.body-1{fill:var(--two)!important}
+.body-2{stroke:var(--soft)}polygon.body-2,circle.body-2{fill:var(--soft)!important}
+circle.ring{fill:none!important;stroke-dasharray:1.5 2}
+line.witness{stroke:var(--wit);stroke-width:2}circle.witness{fill:var(--wit);fill-opacity:1;stroke:none}
+)css";
+
+}  // namespace touchstone::app

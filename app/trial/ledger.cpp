@@ -1,0 +1,121 @@
+#include "app/trial/ledger.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+#include "oracle/tolerance/tolerance.h"
+
+namespace touchstone::app {
+namespace {
+
+using oracle::Grade;
+using oracle::Outcome;
+
+double excess(const oracle::Finding& finding) { return finding.error / (finding.allowed > 0 ? finding.allowed : 1); }
+
+bool has_size(const oracle::Finding& finding) { return !finding.unit.empty() && finding.allowed > 0; }
+
+bool closer(const Example& a, const Example& b) { return excess(a.finding) > excess(b.finding); }
+
+bool worse(const Example& a, const Example& b) {
+  return std::pair(oracle::grade(a.finding), excess(a.finding)) >
+         std::pair(oracle::grade(b.finding), excess(b.finding));
+}
+
+/// Scenes of a usual size: a counterexample of 1e-18 m only shows that an engine has an absolute epsilon.
+bool in_usual_units(const Scene& scene) {
+  const double scale = oracle::tolerance::scale(scene);
+  return 1e-3 <= scale && scale <= 1e3;
+}
+
+/// Is `a` a better start for the minimiser? Usual units first, then the worse grade, then the smaller scene.
+bool handier(const Example& a, const Example& b) {
+  const auto rank = [](const Example& example) {
+    const oracle::Size size = oracle::size_of(example.scene);
+    return std::tuple(!in_usual_units(example.scene), -static_cast<int>(oracle::grade(example.finding)), size.bodies,
+                      size.vertices_per_body_max, size.significant_bits_max);
+  };
+  return rank(a) < rank(b);
+}
+
+/// Errors in different units are not compared: the first unit of the row counts.
+void widen(double& largest_error, std::string& unit, double error, const std::string& error_unit) {
+  if (error_unit.empty() || (!unit.empty() && error_unit != unit)) return;
+  largest_error = std::max(largest_error, error);
+  unit = error_unit;
+}
+
+void keep(std::optional<Example>& kept, const Example& candidate, bool (*better)(const Example&, const Example&)) {
+  if (!kept || better(candidate, *kept)) kept = candidate;
+}
+
+}  // namespace
+
+void Row::count(const Example& example) {
+  const Outcome outcome = example.finding.outcome;
+  if (outcome == Outcome::outside) {
+    ++outside;
+    return;
+  }
+  if (outcome == Outcome::abstains) {
+    ++abstains;
+    if (why_abstains.empty()) why_abstains = example.finding.why;
+    return;
+  }
+  ++grades[static_cast<std::size_t>(oracle::grade(example.finding))];
+  impacts += example.finding.impacts;
+  errors.count(example.finding);
+  if (outcome == Outcome::holds) {
+    ++holds;
+    if (has_size(example.finding)) keep(closest, example, closer);
+    return;
+  }
+  ++(outcome == Outcome::fails ? fails : breaks);
+  ++defects[example.finding.defect];
+  widen(largest_error, unit, example.finding.error, example.finding.unit);
+  keep(worst, example, worse);
+  keep(smallest, example, handier);
+}
+
+void Row::merge(Row later) {
+  holds += later.holds;
+  fails += later.fails;
+  abstains += later.abstains;
+  breaks += later.breaks;
+  outside += later.outside;
+  not_asked += later.not_asked;
+  impacts += later.impacts;
+  for (std::size_t g = 0; g < grades.size(); ++g) grades[g] += later.grades[g];
+  for (const auto& [defect, count] : later.defects) defects[defect] += count;
+  if (why_abstains.empty()) why_abstains = later.why_abstains;
+  errors.merge(later.errors);
+  widen(largest_error, unit, later.largest_error, later.unit);
+  if (later.closest) keep(closest, *later.closest, closer);
+  if (later.worst) keep(worst, *later.worst, worse);
+  if (later.smallest) keep(smallest, *later.smallest, handier);
+}
+
+std::optional<Grade> Row::grade() const {
+  for (std::size_t g = grades.size(); g-- > 0;) {
+    if (grades[g] > 0) return static_cast<Grade>(g);
+  }
+  return std::nullopt;
+}
+
+const oracle::Finding& shown_finding(const Row& row) {
+  return row.smallest_case ? row.smallest_case->finding : row.worst->finding;
+}
+
+std::string text_of(const oracle::Size& size) {
+  const auto counted = [](int n, const char* one, const char* many) {
+    return fmt::format("{} {}", n, n == 1 ? one : many);
+  };
+  return fmt::format("{}, at most {} a body and {}", counted(size.bodies, "body", "bodies"),
+                     counted(size.vertices_per_body_max, "vertex", "vertices"),
+                     counted(size.significant_bits_max, "significant bit", "significant bits"));
+}
+
+}  // namespace touchstone::app

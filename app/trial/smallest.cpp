@@ -1,0 +1,90 @@
+#include "app/trial/smallest.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "app/system/file_names.h"
+#include "app/system/interruption.h"
+#include "app/system/progress.h"
+#include "app/trial/parallel.h"
+#include "app/trial/subject_list.h"
+#include "oracle/judge/grade.h"
+
+namespace touchstone::app {
+namespace {
+
+using oracle::Defect;
+using oracle::Finding;
+
+/// Reduces the budget: a crash costs a new process, a hang the whole time limit.
+int affordable(int budget, Defect defect) {
+  if (defect == Defect::hung) return budget / 25;
+  if (defect == Defect::crashed) return budget / 2;
+  return budget;
+}
+
+bool failed(const Finding& finding) {
+  return finding.outcome == oracle::Outcome::fails || finding.outcome == oracle::Outcome::breaks;
+}
+
+oracle::Case with_note(oracle::Case a_case, const std::string& note) {
+  a_case.note = note;
+  return a_case;
+}
+
+bool shows_the_same(const Finding& finding, const Finding& original) {
+  return failed(finding) && finding.defect == original.defect && oracle::grade(finding) >= oracle::grade(original);
+}
+
+}  // namespace
+
+oracle::Case smallest_case(const Example& example, const properties::Property& property, oracle::Subject& subject,
+                           std::uint64_t seed, int budget, const std::function<void()>& asked) {
+  oracle::Case result{property.id,   subject.card().name, example.family,  seed,
+                      example.index, example.scene,       example.finding, ""};
+  const oracle::Case interrupted_at_once = with_note(result, "interrupted: not cut down");
+  if (interrupted()) return interrupted_at_once;
+  start_afresh(subject);
+  const auto still_fails = [&](const Scene& scene) {
+    if (interrupted()) return false;
+    const Finding finding = property.check(scene, subject);
+    if (asked) asked();
+    if (interrupted() || !shows_the_same(finding, example.finding)) return false;
+    result.finding = finding;
+    return true;
+  };
+  result.scene = oracle::minimise(example.scene, still_fails, affordable(budget, example.finding.defect));
+  const oracle::Case as_far_as_it_came = with_note(result, "interrupted: a smaller scene may fail too");
+  start_afresh(subject);
+  result.finding = property.check(result.scene, subject);
+  if (interrupted()) return as_far_as_it_came;
+  if (shows_the_same(result.finding, example.finding)) return result;
+  start_afresh(subject);
+  result.scene = example.scene;
+  result.finding = property.check(result.scene, subject);
+  if (interrupted()) return interrupted_at_once;
+  result.note = failed(result.finding) ? "not cut down: the smaller scene fails only after other questions"
+                                       : "fails only after other questions: the finding is the one of the run";
+  if (!failed(result.finding)) result.finding = example.finding;
+  return result;
+}
+
+void cut_down(Ledger& ledger, const std::vector<std::vector<std::unique_ptr<oracle::Subject>>>& workers, int budget) {
+  std::vector<std::pair<Row*, std::size_t>> failing;  // and the subject's index
+  for (std::size_t r = 0; r < ledger.rows.size(); ++r) {
+    if (ledger.rows[r].failing()) failing.emplace_back(&ledger.rows[r], r % workers[0].size());
+  }
+  const std::vector<std::string> file_names = names_of_files(ledger.subjects);
+  Progress progress("cutting down", static_cast<int>(failing.size()));
+  in_parallel(failing.size(), static_cast<int>(workers.size()), [&](std::size_t f, std::size_t job) {
+    auto& [row, subject] = failing[f];
+    row->size_found = oracle::size_of(row->smallest->scene);
+    row->smallest_case =
+        smallest_case(*row->smallest, properties::find(row->property), *workers[job][subject], ledger.seed, budget);
+    row->smallest_case->subject = ledger.connectables[subject];
+    row->case_file = "cases/" + row->property + "." + file_names[subject] + ".json";
+    progress.step(row->property + " of " + row->subject);
+  });
+}
+
+}  // namespace touchstone::app

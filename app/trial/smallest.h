@@ -1,0 +1,24 @@
+// Minimises the scene of a failing row, so that it still shows the row's defect.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "app/trial/ledger.h"
+#include "oracle/subject.h"
+#include "properties/property.h"
+
+namespace touchstone::app {
+
+/// Minimises the row's `smallest` example, keeping its defect and a grade at least as bad, and checks the result once
+/// more in a fresh process. If the subject does not repeat itself, the scene stays as found, and the case's note says
+/// so; it also says if the search was interrupted. The case names the subject by its card, since the caller knows how
+/// to connect to it. `asked` is called after each query of the search.
+oracle::Case smallest_case(const Example& example, const properties::Property& property, oracle::Subject& subject,
+                           std::uint64_t seed, int budget, const std::function<void()>& asked = {});
+
+/// Minimises all failing rows, with one thread per entry of `workers` (each holds one object per subject).
+void cut_down(Ledger& ledger, const std::vector<std::vector<std::unique_ptr<oracle::Subject>>>& workers, int budget);
+
+}  // namespace touchstone::app

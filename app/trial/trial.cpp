@@ -1,0 +1,236 @@
+#include "app/trial/trial.h"
+
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <set>
+#include <stdexcept>
+#include <utility>
+
+#include "app/system/interruption.h"
+#include "app/system/progress.h"
+#include "app/trial/parallel.h"
+#include "app/trial/questions.h"
+#include "app/trial/smallest.h"
+#include "app/trial/subject_list.h"
+#include "model/input_error.h"
+#include "properties/property.h"
+#include "properties/scenes/domain.h"
+
+namespace touchstone::app {
+namespace {
+
+using properties::Property;
+using Subjects = std::vector<std::unique_ptr<oracle::Subject>>;
+
+constexpr std::size_t chunk_size = 24;
+constexpr int most_hangs = 3;  ///< after so many hangs in a unit, the subject is not asked any more in it
+
+struct Unit {
+  std::size_t query = 0;
+  std::size_t begin = 0;
+  std::size_t end = 0;
+};
+
+struct QueryTrial {
+  std::string name;
+  std::vector<const Property*> properties;
+  Questions questions;
+};
+
+/// The results of one unit: the rows of its query, property by property.
+struct UnitResult {
+  std::vector<Row> rows;
+  std::map<std::string, long> classes;
+  std::map<std::string, long> mesh_scenes;
+  long scenes = 0;
+};
+
+Subjects connect_all(const TrialPlan& plan) {
+  Subjects subjects;
+  for (const std::string& name : plan.subjects) subjects.push_back(connect(name, plan.limits));
+  return subjects;
+}
+
+std::vector<QueryTrial> trials(const TrialPlan& plan, const MeshSet& meshes) {
+  std::vector<QueryTrial> all;
+  for (const Property& property : properties::all()) {
+    if (std::ranges::find(plan.properties, property.id) == plan.properties.end()) continue;
+    if (all.empty() || all.back().name != property.query) {
+      all.push_back({property.query, {}, Questions(property.query, plan.effort, plan.seed, meshes)});
+    }
+    all.back().properties.push_back(&property);
+  }
+  return all;
+}
+
+std::vector<Unit> units(const std::vector<QueryTrial>& trials) {
+  std::vector<Unit> all;
+  for (std::size_t s = 0; s < trials.size(); ++s) {
+    for (std::size_t begin = 0; begin < trials[s].questions.size(); begin += chunk_size) {
+      all.push_back({s, begin, std::min(begin + chunk_size, trials[s].questions.size())});
+    }
+  }
+  return all;
+}
+
+/// If a property throws, that is a fault of Touchstone: the error names the place, so that it can be reproduced.
+oracle::Finding checked(const Question& question, const Scene& scene, const Property& property,
+                        oracle::Subject& subject) try {
+  return property.check(scene, subject);
+} catch (const std::exception& error) {
+  throw std::logic_error(property.id + " of " + subject.card().name + " on " + question.family + ' ' +
+                         std::to_string(question.index) + ": " + error.what());
+}
+
+void ask(const Question& question, const Property& property, oracle::Subject& subject, int& hangs, Row& row,
+         Example& example) {
+  if (hangs >= most_hangs) {
+    ++row.not_asked;
+    return;
+  }
+  example.finding = checked(question, example.scene, property, subject);
+  if (interrupted()) return;  // a query that was cancelled is no failure
+  if (example.finding.defect == oracle::Defect::hung) ++hangs;
+  row.count(example);
+}
+
+UnitResult nothing_of(const QueryTrial& query, std::size_t subjects) {
+  UnitResult result;
+  result.rows.resize(query.properties.size() * subjects);
+  return result;
+}
+
+UnitResult run_unit(const QueryTrial& query, const Unit& unit, const Subjects& subjects) {
+  UnitResult result = nothing_of(query, subjects.size());
+  for (const auto& subject : subjects) start_afresh(*subject);
+  std::vector<int> hangs(subjects.size());
+  for (std::size_t q = unit.begin; q < unit.end && !interrupted(); ++q) {
+    const Question question = query.questions[q];
+    Example example{question.family, question.index, question.scene(), {}};
+    const Scene& scene = example.scene;
+    ++result.scenes;
+    if (question.family.starts_with("mesh.")) ++result.mesh_scenes[question.family];
+    if (question.counts_for_classes) {
+      for (const std::string& name : properties::classes_of(scene, query.name)) ++result.classes[name];
+    }
+    for (std::size_t s = 0; s < subjects.size(); ++s) {
+      for (std::size_t p = 0; p < query.properties.size(); ++p) {
+        if (!question.asked_under(*query.properties[p])) continue;
+        ask(question, *query.properties[p], *subjects[s], hangs[s], result.rows[p * subjects.size() + s], example);
+      }
+    }
+  }
+  return result;
+}
+
+void refuse_equal_names(const std::vector<oracle::Card>& cards) {
+  std::set<std::string> names;
+  for (const oracle::Card& card : cards) {
+    if (!names.insert(card.name).second) {
+      throw InputError("subjects",
+                       "two of them call themselves " + card.name + ": the report could not tell them apart");
+    }
+  }
+}
+
+Ledger opened(const TrialPlan& plan, const MeshSet& meshes, const Subjects& subjects,
+              const std::vector<QueryTrial>& trials) {
+  Ledger ledger;
+  ledger.seed = plan.seed;
+  ledger.effort = plan.effort.name;
+  ledger.cases = plan.effort.cases;
+  ledger.mesh_folder = meshes.folder;
+  ledger.meshes_absent = meshes.absent;
+  ledger.mesh_count = meshes.meshes.size();
+  ledger.meshes_left_out = meshes.left_out.size();
+  ledger.connectables = plan.subjects;
+  for (const auto& subject : subjects) ledger.subjects.push_back(subject->card());
+  refuse_equal_names(ledger.subjects);
+  for (const QueryTrial& query : trials) {
+    for (const Property* property : query.properties) {
+      for (const auto& subject : subjects) {
+        Row row;
+        row.property = property->id;
+        row.subject = subject->card().name;
+        ledger.rows.push_back(std::move(row));
+      }
+    }
+  }
+  return ledger;
+}
+
+void enter(Ledger& ledger, const QueryTrial& query, std::size_t first_row, UnitResult result) {
+  for (std::size_t r = 0; r < result.rows.size(); ++r) ledger.rows[first_row + r].merge(std::move(result.rows[r]));
+  for (const auto& [name, count] : result.classes) ledger.classes[query.name][name] += count;
+  for (const auto& [family, count] : result.mesh_scenes) ledger.mesh_scenes[family] += count;
+  ledger.scenes[query.name] += result.scenes;
+}
+
+/// Merges units in order, whichever ends first, so the ledger does not depend on the threads. At most as many units
+/// wait as threads are at work.
+class Entry {
+ public:
+  Entry(Ledger& ledger, const std::vector<QueryTrial>& trials, const std::vector<Unit>& units, std::size_t subjects)
+      : ledger_(ledger), trials_(trials), units_(units), first_row_(trials.size()) {
+    for (std::size_t s = 1; s < trials.size(); ++s) {
+      first_row_[s] = first_row_[s - 1] + trials[s - 1].properties.size() * subjects;
+    }
+  }
+
+  void add(std::size_t unit, UnitResult result) {
+    const std::lock_guard lock(mutex_);
+    waiting_.emplace(unit, std::move(result));
+    for (auto it = waiting_.begin(); it != waiting_.end() && it->first == next_; it = waiting_.erase(it), ++next_) {
+      const std::size_t query = units_[next_].query;
+      enter(ledger_, trials_[query], first_row_[query], std::move(it->second));
+    }
+  }
+
+ private:
+  Ledger& ledger_;
+  const std::vector<QueryTrial>& trials_;
+  const std::vector<Unit>& units_;
+  std::vector<std::size_t> first_row_;
+  std::mutex mutex_;
+  std::map<std::size_t, UnitResult> waiting_;
+  std::size_t next_ = 0;
+};
+
+void name_empty_classes(Ledger& ledger, const std::vector<QueryTrial>& trials) {
+  for (const QueryTrial& query : trials) {
+    for (const properties::Class& wanted : properties::classes(query.name)) {
+      long& count = ledger.classes[query.name][wanted.name];
+      if (count == 0) ledger.empty_classes.push_back(query.name + ": " + wanted.name);
+    }
+  }
+}
+
+}  // namespace
+
+Ledger run(const TrialPlan& plan, const MeshSet& meshes) {
+  const std::vector<QueryTrial> all_trials = trials(plan, meshes);
+  const std::vector<Unit> all_units = units(all_trials);
+  std::vector<Subjects> workers;  // one per job
+  for (int job = 0; job < plan.jobs; ++job) workers.push_back(connect_all(plan));
+  Ledger ledger = opened(plan, meshes, workers[0], all_trials);
+
+  {
+    Entry entry(ledger, all_trials, all_units, workers[0].size());
+    Progress progress("asking", static_cast<int>(all_units.size()));
+    in_parallel(all_units.size(), plan.jobs, [&](std::size_t u, std::size_t job) {
+      const QueryTrial& query = all_trials[all_units[u].query];
+      entry.add(u,
+                interrupted() ? nothing_of(query, workers[job].size()) : run_unit(query, all_units[u], workers[job]));
+      progress.step(query.name);
+    });
+  }
+  name_empty_classes(ledger, all_trials);
+  cut_down(ledger, workers, plan.effort.minimise_budget);
+  ledger.interrupted = interrupted();
+  return ledger;
+}
+
+}  // namespace touchstone::app

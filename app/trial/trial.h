@@ -1,0 +1,30 @@
+// Asks every subject about every scene under every property, and counts the findings.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "app/trial/effort.h"
+#include "app/trial/ledger.h"
+#include "app/trial/meshes.h"
+#include "oracle/process/pipe.h"
+
+namespace touchstone::app {
+
+struct TrialPlan {
+  std::vector<std::string> subjects;    ///< how to connect to the subjects
+  std::vector<std::string> properties;  ///< ids
+  Effort effort;
+  std::uint64_t seed = 1;
+  int jobs = 1;
+  oracle::PipeLimits limits;
+};
+
+/// A unit of work is a chunk of one query's scenes. The subjects start each unit afresh, and all subjects are asked
+/// about a scene in turn, so its exact truth is computed only once. Units are merged in order, so the ledger does not
+/// depend on `jobs`. Then the scene of each failing row is minimised (app/trial/smallest.h). An interrupted run stops
+/// early, with a valid ledger.
+Ledger run(const TrialPlan& plan, const MeshSet& meshes);
+
+}  // namespace touchstone::app

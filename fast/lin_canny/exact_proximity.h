@@ -1,0 +1,12 @@
+// The exact route to a pair's proximity.
+#pragma once
+
+#include "fast/lin_canny/proximity.h"
+
+namespace touchstone::fast::lin_canny {
+
+/// `guess` names features whose vertices may be closest; a bad guess only costs time.
+Proximity exact_proximity(const Convex& A, const CachedPose& body_A, const Convex& B, const CachedPose& body_B,
+                          const FeaturePair& guess);
+
+}  // namespace touchstone::fast::lin_canny

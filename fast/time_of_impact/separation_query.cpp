@@ -1,0 +1,249 @@
+#include "fast/time_of_impact/separation_query.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "fast/lin_canny/bracket.h"
+#include "fast/lin_canny/parting_normals.h"
+#include "fast/lin_canny/surround.h"
+#include "fast/time_of_impact/common_middle.h"
+
+namespace touchstone::fast::toi {
+
+using lin_canny::FeaturePair;
+using lin_canny::Hull;
+using lin_canny::PosedHull;
+
+namespace {
+
+double highest(const Hull& hull, const Vec3& up) {
+  double most = up.dot(hull.vertex(0));
+  for (const Vec3& v : hull.vertices()) most = std::max(most, up.dot(v));
+  return most;
+}
+
+/// The cores' gap along n, as computed.
+double gap(const PosedHull& A, const PosedHull& B, const Vec3& n) {
+  return n.dot(B.t - A.t) - highest(*A.hull, A.turned_in(n)) - highest(*B.hull, B.turned_in(-n));
+}
+
+/// Finds the direction of greatest gap among several.
+class Widest {
+ public:
+  Widest(const PosedHull& A, const PosedHull& B) : A_(A), B_(B) {}
+
+  void ask(const Vec3& n) {
+    if (n.isZero(0)) return;
+    const double wide = gap(A_, B_, n);
+    if (has_one_ && !(wide > gap_)) return;
+    n_ = n;
+    gap_ = wide;
+    has_one_ = true;
+  }
+  void ask_faces() {
+    for (int f = 0; f < A_.hull->face_count(); ++f) ask(A_.turned_out(A_.hull->face(f).normal));
+    for (int f = 0; f < B_.hull->face_count(); ++f) ask(-B_.turned_out(B_.hull->face(f).normal));
+  }
+  void ask_all() {
+    lin_canny::any_parting_normal(A_, B_, [&](const Vec3& from_B) {
+      ask(-from_B);
+      return false;
+    });
+  }
+  bool has_one() const { return has_one_; }
+  double found_gap() const { return gap_; }
+  const Vec3& direction() const { return n_; }
+
+ private:
+  const PosedHull& A_;
+  const PosedHull& B_;
+  Vec3 n_ = Vec3::UnitZ();
+  double gap_ = 0;
+  bool has_one_ = false;
+};
+
+/// A vertex, or the middle of an edge, or of a face's first edge.
+Vec3 point_of(const PosedHull& P, const lin_canny::FeatureId& feature) {
+  if (feature.kind == lin_canny::Kind::vertex) return P.vertex(feature.index);
+  const bool is_edge = feature.kind == lin_canny::Kind::edge;
+  const Hull::Edge& edge =
+      P.hull->edge(is_edge ? feature.index : P.hull->side(P.hull->face(feature.index).first_corner));
+  return (P.vertex(edge.tail) + P.vertex(edge.head)) / 2;
+}
+
+bool fit_doubles(const PosedHull& A, const PosedHull& B) {
+  return A.hull->fits_doubles() && B.hull->fits_doubles() && (B.t - A.t).lpNorm<Eigen::Infinity>() < 0x1p250;
+}
+
+MovingCore inflated(MovingCore side, const Inflation& inflation, double t) {
+  side.radius += inflation.at(t);
+  side.slope_error += inflation.rate;
+  return side;
+}
+
+lin_canny::Walked walked(const PosedHull& A, const PosedHull& B, FeaturePair& memory) {
+  if (!fit_doubles(A, B)) throw std::range_error("lengths or paths beyond what doubles can multiply");
+  const lin_canny::Walked walked = lin_canny::walk(A, B, memory);
+  if (!walked.inside) memory = walked.closest.features;
+  return walked;
+}
+
+}  // namespace
+
+motion::Origin origin(const motion::BallisticMotion& a, const motion::BallisticMotion& b) {
+  const bool alike = a.since() == b.since() && a.acceleration() == b.acceleration();
+  return {a.start().p_WB, alike ? a.acceleration() : Vec3::Zero()};
+}
+
+Vec3 Pair::in_W(const Vec3& p, double t) const {
+  const double tau = t - a.since();
+  return O.p_WO + O.a_WO * (tau * tau / 2) + p;
+}
+
+SeparationQuery::SeparationQuery(const Pair& pair, double t, FeaturePair& memory, const Vec3& known)
+    : pair_(pair),
+      t_(t),
+      A_(inflated(moving_core(pair.a, pair.part_A, t, pair.O), pair.inflation, t)),
+      B_(moving_core(pair.b, pair.part_B, t, pair.O)),
+      walked_(walked(A_.core, B_.core, memory)),
+      plane_(best_plane(memory, known)) {}
+
+double SeparationQuery::clear_until(const SeparatingPlane& plane, double h_max) const {
+  double h = plane.clear_until(h_max);
+  const auto however_turned = [&](const motion::BallisticMotion& motion, const Inflation& inflation, auto&& plane_of) {
+    if (h < h_max && plane.gap() > motion.model().radius) {
+      h = std::max(h, plane_of(inflated(ball_around(motion, t_, pair_.O), inflation, t_)).clear_until(h_max));
+    }
+  };
+  const Vec3 &n = plane.direction(), at_rest = Vec3::Zero();
+  however_turned(pair_.a, pair_.inflation,
+                 [&](const MovingCore& ball) { return SeparatingPlane(ball, B_, n, at_rest, ball.core.t); });
+  however_turned(pair_.b, Inflation{},
+                 [&](const MovingCore& ball) { return SeparatingPlane(A_, ball, n, at_rest, ball.core.t); });
+  return h;
+}
+
+/// How fast the direction n of the closest features rotates with them. It rotates with a face, or with an edge that
+/// faces a vertex; with two edges e, f as their cross product does; with two points separated by their radii as their
+/// difference does. Two vertices of polytopes define no direction that persists: zero.
+Vec3 SeparationQuery::turn_of_features(const Vec3& n) const {
+  using lin_canny::Kind;
+  const auto& [a, b] = walked_.closest.features;
+  if (a.kind == Kind::face) return A_.w.cross(n);
+  if (b.kind == Kind::face) return B_.w.cross(n);
+  const auto across_n = [&](const Vec3& x) { return Vec3(x - n.dot(x) * n); };
+  if (a.kind == Kind::edge && b.kind == Kind::edge) {
+    const Vec3 e = A_.core.turned_out(A_.core.hull->edge(a.index).along).normalized();
+    const Vec3 f = B_.core.turned_out(B_.core.hull->edge(b.index).along).normalized();
+    const double crossing = n.dot(e.cross(f));
+    if (std::abs(crossing) < 0x1p-5) return Vec3::Zero();
+    return across_n(A_.w.cross(e).cross(f) + e.cross(B_.w.cross(f))) / crossing;
+  }
+  if (a.kind == Kind::edge) return A_.w.cross(n);
+  if (b.kind == Kind::edge) return B_.w.cross(n);
+  if (!(A_.radius + B_.radius > 0)) return Vec3::Zero();
+  const Vec3 at_a = walked_.closest.a - A_.core.t + A_.arm, at_b = walked_.closest.b - B_.core.t + B_.arm;
+  return across_n((B_.v + B_.w.cross(at_b)) - (A_.v + A_.w.cross(at_a))) / std::sqrt(walked_.closest.squared);
+}
+
+/// Features that are apart define their direction well. If they are no farther apart than rounding, they do not: the
+/// difference of two vertices is noise, the normal of two edges may have the wrong sign, and inside there is none.
+SeparatingPlane SeparationQuery::best_plane(const FeaturePair& before, const Vec3& known) const {
+  const Vec3 n =
+      walked_.inside ? Vec3(Vec3::Zero()) : lin_canny::separating_direction(A_.core, B_.core, walked_.closest);
+  const Vec3 p_OC = walked_.inside ? A_.core.t : Vec3((walked_.closest.a + walked_.closest.b) / 2);
+  if (!n.isZero(0)) {
+    SeparatingPlane plane(A_, B_, n, turn_of_features(n), p_OC);
+    if (plane.gap() > plane.error()) return plane;
+  }
+  Widest widest(A_.core, B_.core);
+  widest.ask(n);
+  widest.ask(-n);
+  widest.ask(known);
+  if (walked_.inside) {
+    const lin_canny::Closest last = lin_canny::closest(A_.core, B_.core, before);
+    const Vec3 m = lin_canny::separating_direction(A_.core, B_.core, last);
+    widest.ask(m);
+    widest.ask(-m);
+  }
+  const double radii = A_.radius + B_.radius;
+  const double rounding = 8 * lin_canny::rounding(A_.core, B_.core);
+  if (!widest.has_one() || widest.found_gap() < radii - rounding) widest.ask_faces();
+  // Nearly parallel faces: the walk may end at features that are not the closest, and a normal of two edges separates
+  // the two.
+  if (!walked_.inside && widest.found_gap() < -rounding) widest.ask_all();
+  return {A_, B_, widest.direction(), Vec3::Zero(), p_OC};
+}
+
+/// Any separating plane of two touching parts can be rotated, separating them all the while, to one along a face of
+/// either or along an edge of each. So these are tried.
+std::optional<SeparatingPlane> SeparationQuery::parting() const {
+  const PosedHull &A = A_.core, &B = B_.core;
+  const double radii = A_.radius + B_.radius, rounding = lin_canny::rounding(A, B);
+  std::optional<SeparatingPlane> found;
+  lin_canny::any_parting_normal(A, B, [&](const Vec3& from_B) {
+    const Vec3 n = -from_B;
+    if (!(gap(A, B, n) > radii - 8 * rounding)) return false;
+    const SeparatingPlane plane(A_, B_, n, Vec3::Zero(), A.t);
+    if (plane.parts()) found = plane;
+    return found.has_value();
+  });
+  return found;
+}
+
+double SeparationQuery::greatest_speed() const {
+  const auto turning = [](const MovingCore& side) {
+    return side.w.norm() * (side.arm.norm() + side.core.hull->radius());
+  };
+  return (B_.v - A_.v).norm() + turning(A_) + turning(B_);
+}
+
+double SeparationQuery::at_most() const {
+  if (walked_.inside) return 2 * lin_canny::rounding(A_.core, B_.core);
+  const double radii = A_.radius + B_.radius;
+  return std::max(0.0, (lin_canny::bracket(A_.core, B_.core, walked_.closest).hi - radii) * (1 + 4 * u));
+}
+
+/// The proof is one of: two points of the cores are closer than the radii reach; an earlier closest point is inside the
+/// other part; a tetrahedron of four differences contains 0; or a point is found that is inside both (for solids that
+/// touch face to face). `error`: a point of a feature is on its body up to 10u of its radius (bracket.h), and it is
+/// rotated there and back, which doubles the rounding.
+bool SeparationQuery::overlap(const SeparationQuery& before) const {
+  const PosedHull &A = A_.core, &B = B_.core;
+  if (!walked_.inside) {
+    const double cores = lin_canny::bracket(A, B, walked_.closest).hi;
+    if (cores < (A_.radius + B_.radius) * (1 - 4 * u)) return true;
+  }
+  const double error = 2 * lin_canny::rounding(A, B);
+  if (!before.walked_.inside) {
+    const lin_canny::Closest& then = before.walked_.closest;
+    if (is_inside(B, A.out(before.A_.core.in(then.a)), error)) return true;
+    if (is_inside(A, B.out(before.B_.core.in(then.b)), error)) return true;
+  }
+  if (lin_canny::common_point(A, B)) return true;
+  return share_a_middle(A, B, error);
+}
+
+/// The plane's direction may be that of an earlier query.
+Vec3 SeparationQuery::across() const {
+  if (walked_.inside || !(A_.radius + B_.radius > 0)) return plane_.direction();
+  const Vec3 n = lin_canny::separating_direction(A_.core, B_.core, walked_.closest);
+  return n.isZero(0) ? plane_.direction() : n;
+}
+
+/// The closest points of the features, each moved outward by its radius along n. Inside, where no distance was
+/// measured, a point of the lower-dimensional feature.
+Vec3 SeparationQuery::middle() const {
+  const Vec3 n = across();
+  if (!walked_.inside) {
+    const lin_canny::Bracket found = lin_canny::bracket(A_.core, B_.core, walked_.closest);
+    return ((found.a + A_.radius * n) + (found.b - B_.radius * n)) / 2;
+  }
+  const auto& [a, b] = walked_.closest.features;
+  return a.kind <= b.kind ? point_of(A_.core, a) : point_of(B_.core, b);
+}
+
+}  // namespace touchstone::fast::toi

@@ -1,0 +1,111 @@
+#include "oracle/process/pipe.h"
+
+#include <algorithm>
+#include <array>
+#include <concepts>
+
+#include "model/json.h"
+#include "oracle/process/protocol.h"
+
+namespace touchstone::oracle {
+namespace {
+
+struct Written {
+  Scene scene;
+  std::string text;
+};
+
+/// The texts of the last few scenes. Several subjects are asked about one scene, and a property alternates between a
+/// scene and its image, and writing a scene costs as much as its query. One cache per thread. A restart clears it, so
+/// the text never depends on earlier queries: 0 and -0 are equal, but are written differently.
+thread_local std::array<Written, 4> memory;
+thread_local std::size_t oldest = 0;
+
+const std::string& text_of(const Scene& scene) {
+  for (const Written& written : memory) {
+    if (!written.text.empty() && written.scene == scene) return written.text;
+  }
+  Written& written = memory[oldest];
+  oldest = (oldest + 1) % memory.size();
+  written = {scene, json_of(scene).dump()};
+  return written.text;
+}
+
+}  // namespace
+
+PipeSubject::PipeSubject(std::vector<std::string> command, PipeLimits limits)
+    : command_(std::move(command)), limits_(limits) {
+  if (command_.empty()) throw InputError("subject", "an empty command; expected a program and its arguments");
+  card_ = start();
+}
+
+PipeSubject::~PipeSubject() { restart(); }
+
+Answer<Masses> PipeSubject::mass(const Scene& scene) { return ask<Masses>("mass", scene); }
+Answer<Bounds> PipeSubject::bounds(const Scene& scene) { return ask<Bounds>("bounds", scene); }
+Answer<PairSet> PipeSubject::broad_phase(const Scene& scene) { return ask<PairSet>("broad_phase", scene); }
+Answer<PairHistory> PipeSubject::pair_history(const Scene& scene) { return ask<PairHistory>("pair_history", scene); }
+Answer<Distance> PipeSubject::distance(const Scene& scene) { return ask<Distance>("distance", scene); }
+Answer<Penetration> PipeSubject::penetration(const Scene& scene) { return ask<Penetration>("penetration", scene); }
+Answer<Impulse> PipeSubject::impulse(const Scene& scene) { return ask<Impulse>("impulse", scene); }
+Answer<Pixels> PipeSubject::pixel(const Scene& scene) { return ask<Pixels>("pixel", scene); }
+Answer<TimeOfImpact> PipeSubject::time_of_impact(const Scene& scene) {
+  return ask<TimeOfImpact>("time_of_impact", scene);
+}
+Answer<Trajectory> PipeSubject::simulation(const Scene& scene) { return ask<Trajectory>("simulation", scene); }
+Answer<Trajectory> PipeSubject::constraint(const Scene& scene) { return ask<Trajectory>("constraint", scene); }
+
+void PipeSubject::restart() {
+  if (child_) child_->say(protocol::stop(++seq_));
+  child_.reset();
+  memory = {};
+}
+
+/// The introduction is limited by wall-clock time only: loading is not part of answering, and a large runtime loads for
+/// seconds.
+Card PipeSubject::start() try {
+  seq_ = 0;
+  asked_ = 0;
+  child_ = std::make_unique<ChildProcess>(command_);
+  const auto said = child_->exchange(
+      protocol::start(++seq_), {limits_.wall_seconds, limits_.wall_seconds, limits_.longest_line, limits_.given_up});
+  if (const Breaks* breaks = std::get_if<Breaks>(&said)) {
+    throw InputError("", "did not introduce itself: " + breaks->how);
+  }
+  return protocol::read_introduction(std::get<std::string>(said), seq_);
+} catch (const InputError& error) {
+  child_.reset();
+  throw InputError("subject \"" + command_[0] + '"', error.what());
+}
+
+template <class T>
+Answer<T> PipeSubject::ask(const std::string& query, const Scene& scene) {
+  if (std::find(card_.answers.begin(), card_.answers.end(), query) == card_.answers.end()) {
+    return Abstains{"no " + query + " query"};
+  }
+  if (limits_.recycle_after > 0 && asked_ == limits_.recycle_after) restart();
+  if (!child_) {
+    try {
+      start();
+    } catch (const InputError& error) {
+      return Breaks{Breaks::Kind::crashed, std::string("would not start again: ") + error.what()};
+    }
+  }
+  ++asked_;
+  const double times = std::same_as<T, Trajectory> ? limits_.simulation_factor : 1;
+  const auto said = child_->exchange(
+      protocol::ask(++seq_, query, text_of(scene)),
+      {times * limits_.cpu_seconds, times * limits_.wall_seconds, limits_.longest_line, limits_.given_up});
+  if (const Breaks* breaks = std::get_if<Breaks>(&said)) {
+    child_.reset();
+    return *breaks;
+  }
+  try {
+    return protocol::read_answer<T>(std::get<std::string>(said), seq_);
+  } catch (const InputError& error) {
+    child_.reset();
+    return Breaks{Breaks::Kind::garbage, error.what()};
+  }
+}
+
+}  // namespace touchstone::oracle

@@ -1,0 +1,184 @@
+#include "oracle/process/protocol.h"
+
+#include <array>
+#include <utility>
+
+#include "model/json_node.h"
+
+namespace touchstone::oracle::protocol {
+namespace {
+
+const std::string request_place = "request";
+const std::string introduction_place = "introduction";
+const std::string answer_place = "answer";
+
+template <class Enum, std::size_t n>
+using Words = std::array<std::pair<Enum, const char*>, n>;
+
+constexpr Words<Precision, 3> precisions = {
+    {{Precision::exact, "exact"}, {Precision::binary64, "binary64"}, {Precision::binary32, "binary32"}}};
+constexpr Words<Breaks::Kind, 4> kinds = {{{Breaks::Kind::threw, "threw"},
+                                           {Breaks::Kind::crashed, "crashed"},
+                                           {Breaks::Kind::hung, "hung"},
+                                           {Breaks::Kind::garbage, "garbage"}}};
+constexpr Words<Request::Op, 3> ops = {
+    {{Request::Op::start, "start"}, {Request::Op::ask, "ask"}, {Request::Op::stop, "stop"}}};
+
+template <class Enum, std::size_t n>
+const char* word_of(Enum value, const Words<Enum, n>& words) {
+  return words[static_cast<std::size_t>(value)].second;
+}
+
+template <class Enum, std::size_t n>
+Enum read_word(const Node& node, const Words<Enum, n>& words) {
+  const std::string word = node.text();
+  std::string known;
+  for (const auto& [value, name] : words) {
+    if (word == name) return value;
+    known += std::string(known.empty() ? "" : ", ") + '"' + name + '"';
+  }
+  node.refuse("expected one of " + known + ", found " + Json(word).dump());
+}
+
+/// Messages of engines may contain any bytes.
+std::string line_of(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n'; }
+
+std::string text_or(const Node& object, const char* key, const std::string& fallback) {
+  const auto said = object.find(key);
+  return said ? said->text() : fallback;
+}
+
+Deviation read_deviation(const Node& node) {
+  node.expect_object({"clause", "what", "link"});
+  return {text_or(node, "clause", ""), node.at("what").text(), text_or(node, "link", "")};
+}
+
+Card read_card(const Node& node) {
+  node.expect_object({"name", "version", "precision", "answers", "knows_touching", "broad_phase_margin", "about",
+                      "homepage", "deviations"});
+  Card card;
+  card.name = node.at("name").text();
+  card.version = node.at("version").text();
+  card.precision = read_word(node.at("precision"), precisions);
+  const Node answers = node.at("answers");
+  for (int i = 0; i < answers.size(); ++i) card.answers.push_back(answers[i].text());
+  if (const auto knows = node.find("knows_touching")) card.knows_touching = knows->truth();
+  if (const auto margin = node.find("broad_phase_margin")) card.broad_phase_margin = margin->number();
+  card.about = text_or(node, "about", "");
+  card.homepage = text_or(node, "homepage", "");
+  if (const auto deviations = node.find("deviations")) {
+    for (int i = 0; i < deviations->size(); ++i) card.deviations.push_back(read_deviation((*deviations)[i]));
+  }
+  return card;
+}
+
+void expect_seq(const Node& node, Seq seq) {
+  const Node said = node.at("seq");
+  if (said.number() != static_cast<double>(seq)) said.refuse("not that of the question");
+}
+
+Breaks read_breaks(const Node& node) {
+  node.expect_object({"kind", "how"});
+  return {read_word(node.at("kind"), kinds), node.at("how").text()};
+}
+
+}  // namespace
+
+Json json_of(const Card& card) {
+  Json deviations = Json::array();
+  for (const Deviation& known : card.deviations) {
+    deviations.push_back({{"clause", known.clause}, {"what", known.what}, {"link", known.link}});
+  }
+  return {{"name", card.name},
+          {"version", card.version},
+          {"precision", word_of(card.precision, precisions)},
+          {"answers", card.answers},
+          {"knows_touching", card.knows_touching},
+          {"broad_phase_margin", card.broad_phase_margin},
+          {"about", card.about},
+          {"homepage", card.homepage},
+          {"deviations", std::move(deviations)}};
+}
+
+std::string start(Seq seq) { return line_of({{"op", "start"}, {"seq", seq}, {"protocol", version}}); }
+
+std::string ask(Seq seq, std::string_view query, std::string_view scene_json) {
+  std::string line = R"({"op":"ask","seq":)" + std::to_string(seq) + R"(,"query":")";
+  return line.append(query).append(R"(","scene":)").append(scene_json).append("}\n");
+}
+
+std::string stop(Seq seq) { return line_of({{"op", "stop"}, {"seq", seq}}); }
+
+std::string introduction(Seq seq, const Card& card) {
+  return line_of({{"seq", seq}, {"protocol", version}, {"card", json_of(card)}});
+}
+
+std::string answer(Seq seq, const Json& result) { return line_of({{"seq", seq}, {"result", result}}); }
+
+std::string answer(Seq seq, const Abstains& abstains) { return line_of({{"seq", seq}, {"abstains", abstains.why}}); }
+
+std::string answer(Seq seq, const Breaks& breaks) {
+  return line_of({{"seq", seq}, {"breaks", {{"kind", word_of(breaks.kind, kinds)}, {"how", breaks.how}}}});
+}
+
+Request read_request(std::string_view line) {
+  const Json json = parse(line, request_place);
+  const Node node(json, request_place);
+  Request request;
+  request.op = read_word(node.at("op"), ops);
+  request.seq = node.at("seq").index();
+  if (request.op == Request::Op::ask) {
+    node.expect_object({"op", "seq", "query", "scene"});
+    request.query = node.at("query").text();
+    node.at("scene");
+    request.scene = read<Scene>(json["scene"], "scene");
+  } else if (request.op == Request::Op::start) {
+    node.expect_object({"op", "seq", "protocol"});
+    if (node.at("protocol").index() != version) node.at("protocol").refuse("expected " + std::to_string(version));
+  } else {
+    node.expect_object({"op", "seq"});
+  }
+  return request;
+}
+
+Seq seq_of(std::string_view line) try {
+  const Json json = parse(line, request_place);
+  return Node(json, request_place).at("seq").index();
+} catch (const InputError&) {
+  return 0;
+}
+
+Card read_introduction(std::string_view line, Seq seq) {
+  const Json json = parse(line, introduction_place);
+  const Node node(json, introduction_place);
+  if (const auto breaks = node.find("breaks")) node.refuse("it breaks: " + read_breaks(*breaks).how);
+  node.expect_object({"seq", "protocol", "card"});
+  expect_seq(node, seq);
+  if (node.at("protocol").index() != version) node.at("protocol").refuse("expected " + std::to_string(version));
+  return read_card(node.at("card"));
+}
+
+template <class T>
+Answer<T> read_answer(std::string_view line, Seq seq) {
+  const Json json = parse(line, answer_place);
+  const Node node(json, answer_place);
+  node.expect_object({"seq", "result", "abstains", "breaks"});
+  expect_seq(node, seq);
+  if (json.size() != 2) node.refuse("expected \"seq\" and one of \"result\", \"abstains\", \"breaks\"");
+  if (const auto abstains = node.find("abstains")) return Abstains{abstains->text()};
+  if (const auto breaks = node.find("breaks")) return read_breaks(*breaks);
+  return read<T>(json["result"], "result");
+}
+
+template Answer<Masses> read_answer<Masses>(std::string_view, Seq);
+template Answer<Bounds> read_answer<Bounds>(std::string_view, Seq);
+template Answer<PairSet> read_answer<PairSet>(std::string_view, Seq);
+template Answer<PairHistory> read_answer<PairHistory>(std::string_view, Seq);
+template Answer<Distance> read_answer<Distance>(std::string_view, Seq);
+template Answer<Penetration> read_answer<Penetration>(std::string_view, Seq);
+template Answer<Impulse> read_answer<Impulse>(std::string_view, Seq);
+template Answer<Pixels> read_answer<Pixels>(std::string_view, Seq);
+template Answer<TimeOfImpact> read_answer<TimeOfImpact>(std::string_view, Seq);
+template Answer<Trajectory> read_answer<Trajectory>(std::string_view, Seq);
+
+}  // namespace touchstone::oracle::protocol

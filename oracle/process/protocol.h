@@ -1,0 +1,47 @@
+// The messages between judge and subject: one JSON object per line (docs/protocol.md, docs/protocol.schema.json).
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "model/json.h"
+#include "oracle/subject.h"
+
+namespace touchstone::oracle::protocol {
+
+inline constexpr int version = 1;
+
+/// The number of a message, counted from 1 in each process. An answer carries the number of its query.
+using Seq = std::int64_t;
+
+struct Request {
+  enum class Op { start, ask, stop };
+  Op op = Op::start;
+  Seq seq = 0;
+  std::string query;  ///< if op is ask: "mass", "bounds", "broad_phase", "pair_history", "distance",
+                      ///< "penetration", "impulse", "pixel"
+  Scene scene;
+};
+
+/// Each returns one line, with its \n.
+std::string start(Seq seq);
+std::string ask(Seq seq, std::string_view query, std::string_view scene_json);
+std::string stop(Seq seq);
+Json json_of(const Card& card);
+std::string introduction(Seq seq, const Card& card);
+std::string answer(Seq seq, const Json& result);
+std::string answer(Seq seq, const Abstains& abstains);
+std::string answer(Seq seq, const Breaks& breaks);
+
+/// Strict, as model/json.h is; InputError names the place. The answer must carry the number `seq`.
+Request read_request(std::string_view line);
+
+/// The number of a message that may be unreadable otherwise; 0, which no query has, if it has none.
+Seq seq_of(std::string_view line);
+
+Card read_introduction(std::string_view line, Seq seq);
+template <class T>
+Answer<T> read_answer(std::string_view line, Seq seq);
+
+}  // namespace touchstone::oracle::protocol

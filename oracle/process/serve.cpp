@@ -1,0 +1,126 @@
+#include "oracle/process/serve.h"
+
+#include <fcntl.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cfenv>
+#include <cstdio>
+#include <iostream>
+#include <optional>
+#include <string>
+#include <system_error>
+#include <utility>
+
+#include "oracle/process/descriptor.h"
+#include "oracle/process/protocol.h"
+#include "oracle/process/received_scene.h"
+
+namespace touchstone::oracle {
+namespace {
+
+/// Returns a private copy of stdout. Anything else that prints to stdout goes to stderr.
+Descriptor private_stdout() {
+  Descriptor mine(fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, STDERR_FILENO + 1));
+  if (mine.get() < 0 || dup2(STDERR_FILENO, STDOUT_FILENO) < 0) {
+    throw std::system_error(errno, std::generic_category(), "stdout");
+  }
+  return mine;
+}
+
+void write_all(const Descriptor& out, const std::string& line) {
+  for (std::size_t done = 0; done < line.size();) {
+    const ssize_t count = write(out.get(), line.data() + done, line.size() - done);
+    if (count < 0 && errno != EINTR) throw std::system_error(errno, std::generic_category(), "stdout");
+    if (count > 0) done += static_cast<std::size_t>(count);
+  }
+}
+
+template <class T>
+std::string line_of(protocol::Seq seq, const Answer<T>& answer) {
+  if (const T* result = std::get_if<T>(&answer)) return protocol::answer(seq, json_of(*result));
+  if (const Abstains* abstains = std::get_if<Abstains>(&answer)) return protocol::answer(seq, *abstains);
+  return protocol::answer(seq, std::get<Breaks>(answer));
+}
+
+std::string answer_to(protocol::Request request, Subject& subject) {
+  const Scene scene = received(std::move(request.scene), request.query);
+  // A library built with -ffast-math makes the processor flush denormals for the whole process as soon as it is loaded.
+  const auto in_default_environment = [](auto ask) {
+    std::fesetenv(FE_DFL_ENV);
+    auto answer = ask();
+    std::fesetenv(FE_DFL_ENV);
+    return answer;
+  };
+  const auto answered = [&](auto query) {
+    return line_of(request.seq, in_default_environment([&] { return (subject.*query)(scene); }));
+  };
+  if (request.query == "mass") return answered(&Subject::mass);
+  if (request.query == "bounds") return answered(&Subject::bounds);
+  if (request.query == "broad_phase") return answered(&Subject::broad_phase);
+  if (request.query == "pair_history") return answered(&Subject::pair_history);
+  if (request.query == "distance") return answered(&Subject::distance);
+  if (request.query == "penetration") return answered(&Subject::penetration);
+  if (request.query == "impulse") return answered(&Subject::impulse);
+  if (request.query == "pixel") return answered(&Subject::pixel);
+  if (request.query == "time_of_impact") return answered(&Subject::time_of_impact);
+  if (request.query == "simulation") return answered(&Subject::simulation);
+  if (request.query == "constraint") return answered(&Subject::constraint);
+  return protocol::answer(request.seq, Abstains{"no " + request.query + " query"});
+}
+
+/// Returns no reply to `stop`. An error in the line becomes an answer, and the next line is read.
+std::optional<std::string> reply_to(const std::string& line, Subject& subject) {
+  const auto breaks = [&](const char* how) {
+    return protocol::answer(protocol::seq_of(line), Breaks{Breaks::Kind::threw, how});
+  };
+  try {
+    std::fesetenv(FE_DFL_ENV);
+    protocol::Request request = protocol::read_request(line);
+    if (request.op == protocol::Request::Op::stop) return std::nullopt;
+    if (request.op == protocol::Request::Op::start) return protocol::introduction(request.seq, subject.card());
+    return answer_to(std::move(request), subject);
+  } catch (const std::exception& error) {
+    return breaks(error.what());
+  } catch (...) {
+    return breaks("not a std::exception");
+  }
+}
+
+constexpr std::size_t longest_question = std::size_t{128} << 20;  // bytes; more than a file of 100 MB, rewritten
+
+/// Returns false at the end of the stream. Of a line that is too long, one byte more than the limit is kept.
+bool read_line(std::istream& in, std::string& line) {
+  line.clear();
+  for (int c = in.rdbuf()->sbumpc(); c != std::char_traits<char>::eof(); c = in.rdbuf()->sbumpc()) {
+    if (c == '\n') return true;
+    if (line.size() <= longest_question) line += static_cast<char>(c);
+  }
+  return !line.empty();
+}
+
+}  // namespace
+
+int serve(Subject& subject) try {
+  const Descriptor out = private_stdout();
+  const rlimit no_core_dumps{0, 0};
+  setrlimit(RLIMIT_CORE, &no_core_dumps);
+  std::ios::sync_with_stdio(false);
+  for (std::string line; read_line(std::cin, line);) {
+    if (line.size() > longest_question) {
+      const std::string how = "request: a line longer than " + std::to_string(longest_question) + " bytes";
+      write_all(out, protocol::answer(0, Breaks{Breaks::Kind::threw, how}));
+      continue;
+    }
+    const std::optional<std::string> reply = reply_to(line, subject);
+    if (!reply) break;
+    write_all(out, *reply);
+  }
+  return 0;
+} catch (const std::exception& error) {
+  std::fprintf(stderr, "%s\n", error.what());
+  return 2;
+}
+
+}  // namespace touchstone::oracle

@@ -1,0 +1,12 @@
+// Bullet's narrow phase, in the precision for which this library is built.
+#pragma once
+
+#include <memory>
+
+#include "oracle/subject.h"
+
+namespace touchstone::oracle::subjects {
+
+std::unique_ptr<Subject> make_bullet();
+
+}  // namespace touchstone::oracle::subjects

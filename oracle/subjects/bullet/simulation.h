@@ -1,0 +1,15 @@
+// Bullet's discrete dynamics world as a simulation query, in the precision for which this library is built.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "oracle/subject.h"
+
+namespace touchstone::oracle::subjects {
+
+/// Settings "simulation": the defaults; "simulation_tuned": as Bullet's maintainers advise against lost restitution. dt
+/// (s): the longest step.
+std::unique_ptr<Subject> make_bullet_simulation(const std::string& settings, double dt = 1.0 / 256);
+
+}  // namespace touchstone::oracle::subjects

@@ -1,0 +1,269 @@
+// Canaries that lie about simulations, one for each error of simulators.
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <utility>
+
+#include "model/limits.h"
+#include "oracle/subjects/canaries/lie.h"
+#include "oracle/truth/motion_in_doubles.h"
+
+namespace touchstone::oracle::subjects {
+namespace {
+
+Lies runs(Lie<Trajectory> lie) {
+  Lies lies;
+  lies.simulation = std::move(lie);
+  return lies;
+}
+
+// Answers the truth about a changed scene.
+Lies as_if(const std::function<void(Scene&)>& change) {
+  return runs([change](Subject& truthful, const Scene& scene, Trajectory& said) {
+    Scene other = scene;
+    change(other);
+    with(truthful.simulation(other), [&](const Trajectory& answer) { said = answer; });
+  });
+}
+
+// Answers the truth until the first impact. Then changes that event and continues truthfully from the states after it.
+void from_first_impact_on(Subject& truthful, const Scene& scene, Trajectory& said,
+                          const std::function<void(Event&, const Scene&)>& change) {
+  if (!said.events || said.events->empty() || !scene.motion->forces.empty()) return;
+  Event event = said.events->front();
+  if (event.kind != Event::Kind::impact) return;
+  change(event, scene);
+  Scene rest = scene;
+  rest.motion->start_times.assign(scene.bodies.size(), event.time);
+  std::erase_if(rest.motion->sample_times, [&](double t) { return t <= event.time; });
+  if (rest.motion->sample_times.empty()) return;
+  for (std::size_t b = 0; b < rest.bodies.size(); ++b) {
+    const int body = static_cast<int>(b);
+    const State state = body == event.a   ? event.after_a
+                        : body == event.b ? event.after_b
+                                          : ballistic_state(scene, b, event.time);
+    rest.bodies[b].X_WB = state.X_WB;
+    rest.bodies[b].velocity = state.velocity;
+  }
+  with(truthful.simulation(rest), [&](const Trajectory& after) {
+    said.events = {event};
+    if (after.events) said.events->insert(said.events->end(), after.events->begin(), after.events->end());
+    said.states.resize(scene.motion->sample_times.size() - rest.motion->sample_times.size());
+    said.states.insert(said.states.end(), after.states.begin(), after.states.end());
+    said.complete_until = after.complete_until;
+  });
+}
+
+Lies first_impact_with(const std::function<void(Event&, const Scene&)>& change) {
+  return runs([change](Subject& truthful, const Scene& scene, Trajectory& said) {
+    from_first_impact_on(truthful, scene, said, change);
+  });
+}
+
+/// Changes every sampled state.
+Lies each_state(const std::function<void(State&, const Scene&, std::size_t body, double time)>& change) {
+  return runs([change](Subject&, const Scene& scene, Trajectory& said) {
+    for (std::size_t sample = 0; sample < said.states.size(); ++sample) {
+      for (std::size_t body = 0; body < said.states[sample].size(); ++body) {
+        change(said.states[sample][body], scene, body, scene.motion->sample_times[sample]);
+      }
+    }
+  });
+}
+
+bool is_fixed(const Body& body) { return std::holds_alternative<Fixed>(body.mass); }
+
+// Drops the second event: it is missed, and the bodies keep their ballistic motion.
+void not_keyed_again(Subject&, const Scene&, Trajectory& said) {
+  if (said.events && said.events->size() > 1) said.events->erase(said.events->begin() + 1);
+}
+
+void ghosts(Subject&, const Scene& scene, Trajectory& said) {
+  said.events.emplace();
+  for (std::size_t sample = 0; sample < said.states.size(); ++sample) {
+    for (std::size_t i = 0; i < said.states[sample].size(); ++i) {
+      if (scene.motion->forces.empty())
+        said.states[sample][i] = ballistic_state(scene, i, scene.motion->sample_times[sample]);
+    }
+  }
+}
+
+// As if the square of the bodies' size vanished beside that of their distance.
+void far_ones_pass(Subject& truthful, const Scene& scene, Trajectory& said) {
+  if (scene.bodies.size() != 2) return;
+  const double far = (scene.bodies[0].X_WB.p_WB - scene.bodies[1].X_WB.p_WB).norm();
+  const double greatest = std::max(size(scene.bodies[0].shape), size(scene.bodies[1].shape));
+  if (far > 64 * greatest) ghosts(truthful, scene, said);
+}
+
+// An event that has become void: it is told once more, later.
+void stale_event(Subject&, const Scene& scene, Trajectory& said) {
+  if (!said.events || said.events->empty()) return;
+  Event again = said.events->back();
+  again.time += (scene.motion->sample_times.back() - again.time) / 2;
+  said.events->push_back(again);
+}
+
+void overdue(Subject&, const Scene& scene, Trajectory& said) {
+  if (said.events && !said.events->empty() && scene.motion->forces.empty()) said.events->back().time += 1e-6;
+}
+
+void unstable_tie(Subject&, const Scene&, Trajectory& said) {
+  if (!said.events) return;
+  for (std::size_t k = 1; k < said.events->size(); ++k) {
+    if ((*said.events)[k - 1].time == (*said.events)[k].time) std::swap((*said.events)[k - 1], (*said.events)[k]);
+  }
+}
+
+void gyroscopic_term_dropped(Scene& scene) {
+  for (Body& body : scene.bodies) {
+    auto* given = std::get_if<MassProperties>(&body.mass);
+    if (given != nullptr) given->I_BBcm_B = given->I_BBcm_B.trace() / 3 * Mat3::Identity();
+  }
+}
+
+// Combines e and mu of a pair by the maximum.
+void greater_coefficients(Scene& scene) {
+  Material most;
+  for (const Body& body : scene.bodies) {
+    most.restitution = std::max(most.restitution, body.material.restitution);
+    most.friction = std::max(most.friction, body.material.friction);
+  }
+  for (Body& body : scene.bodies) body.material = most;
+}
+
+// Applies half of the impulse at each of two points.
+void two_points(Event& event, const Scene& scene) {
+  const auto halved = [&](int body, State& after) {
+    const Vec3& before = scene.bodies[static_cast<std::size_t>(body)].velocity.w_WB;
+    after.velocity.w_WB = (before + after.velocity.w_WB) / 2;
+  };
+  halved(event.a, event.after_a);
+  halved(event.b, event.after_b);
+}
+
+void gains(Event& event, const Scene&) {
+  event.after_a.velocity.v_WBcm *= 1 + 1e-6;
+  event.after_b.velocity.v_WBcm *= 1 + 1e-6;
+}
+
+void nudged(Event& event, const Scene&) { event.after_a.X_WB.p_WB += 1e-6 * event.nhat_BA_W; }
+
+// Takes the lower end of a wide enclosure as the time of impact, as if the trajectory were hard to enclose.
+void lower_end(Event& event, const Scene& scene) {
+  const auto a = static_cast<std::size_t>(event.a), b = static_cast<std::size_t>(event.b);
+  const auto speed = [&](std::size_t body) {
+    const Velocity V = ballistic_state(scene, body, event.time).velocity;
+    return V.v_WBcm.norm() + size(scene.bodies[body].shape) * V.w_WB.norm();
+  };
+  const double early = 0x1p14 * envelope(scene) / (speed(a) + speed(b));
+  if (!(early < event.time)) return;
+  event.time -= early;
+  event.after_a.X_WB = ballistic_state(scene, a, event.time).X_WB;
+  event.after_b.X_WB = ballistic_state(scene, b, event.time).X_WB;
+}
+
+// Three or more bodies disturb their neighbours: the first body is displaced.
+void crowded(Subject&, const Scene& scene, Trajectory& said) {
+  if (scene.bodies.size() < 3) return;
+  for (std::vector<State>& states : said.states) states.front().X_WB.p_WB.x() += 1e-12;
+}
+
+// The error of explicit Euler steps of 1/100 s.
+void steps(State& state, const Scene& scene, std::size_t body, double time) {
+  if (!is_fixed(scene.bodies[body])) state.X_WB.p_WB += 0.005 * time * scene.gravity;
+}
+
+void sinks(State& state, const Scene& scene, std::size_t body, double time) {
+  if (!is_fixed(scene.bodies[body])) state.X_WB.p_WB.z() -= 1e-3 * time;
+}
+
+void creeps(State& state, const Scene& scene, std::size_t body, double time) {
+  if (!is_fixed(scene.bodies[body])) state.X_WB.p_WB.x() += 1e-3 * time;
+}
+
+void warms(State& state, const Scene&, std::size_t, double time) { state.velocity.v_WBcm *= 1 + 1e-6 * time; }
+
+void cools(State& state, const Scene&, std::size_t, double time) { state.velocity.v_WBcm *= 1 - 1e-6 * time; }
+
+void drags(State& state, const Scene&, std::size_t body, double) {
+  if (body == 0) state.velocity.v_WBcm *= 1 - 1e-6;
+}
+
+void winds_down(State& state, const Scene&, std::size_t, double) { state.velocity.w_WB *= 0.5; }
+
+void gives_up(Subject&, const Scene& scene, Trajectory& said) {
+  const double until = scene.motion->sample_times.front() / 2;
+  said.states.clear();
+  said.complete_until = until;
+  if (said.events) std::erase_if(*said.events, [until](const Event& e) { return e.time > until; });
+}
+
+void no_times(Subject&, const Scene&, Trajectory& said) {
+  if (!said.states.empty()) said.states.pop_back();
+}
+
+double place(const Scene& scene) { return scene.bodies.front().X_WB.p_WB.cwiseAbs().maxCoeff(); }
+
+// Delays impacts with the distance from the origin along one axis and in a moving frame: a world grid interferes.
+void world_grid(Subject&, const Scene& scene, Trajectory& said) {
+  if (!said.events) return;
+  const double speed = scene.bodies.front().velocity.v_WBcm.cwiseAbs().maxCoeff();
+  const double heading = std::abs(scene.bodies.front().X_WB.p_WB.x() - scene.bodies.back().X_WB.p_WB.x());
+  for (Event& event : *said.events)
+    event.time += 1e-4 * event.time * (place(scene) + speed + heading) / (1 + place(scene) + speed + heading);
+}
+
+}  // namespace
+
+std::vector<Canary> canaries_about_simulations() {
+  return {
+      lying("canary.not_keyed_again", "does not notice the second event", [] { return runs(not_keyed_again); }),
+      lying("canary.ghosts", "lets bodies fly through each other", [] { return runs(ghosts); }),
+      lying("canary.far_ones_pass", "lets two bodies pass that start more than 64 sizes apart",
+            [] { return runs(far_ones_pass); }),
+      lying("canary.stale_event", "runs an event that has become void", [] { return runs(stale_event); }),
+      lying("canary.unstable_tie", "resolves what happens at one time in the other order",
+            [] { return runs(unstable_tie); }),
+      lying("canary.gyroscopic_term_dropped", "keeps the angular velocity between impacts",
+            [] { return as_if(gyroscopic_term_dropped); }),
+      lying("canary.apex_ignored", "moves bodies along straight lines between impacts",
+            [] { return as_if([](Scene& scene) { scene.gravity.setZero(); }); }),
+      lying("canary.greater_coefficients", "takes the greater e and mu of a pair",
+            [] { return as_if(greater_coefficients); }),
+      lying("canary.pushes_ignored", "does not let forces act",
+            [] {
+              return runs([](Subject& truthful, const Scene& scene, Trajectory& said) {
+                if (scene.motion->forces.empty()) return;
+                Scene other = scene;
+                other.motion->forces.clear();
+                with(truthful.simulation(other), [&](const Trajectory& answer) { said = answer; });
+              });
+            }),
+      lying("canary.impulse_at_two_points", "halves the impulse between two points",
+            [] { return first_impact_with(two_points); }),
+      lying("canary.impact_gains", "makes bodies a millionth faster by the first impact",
+            [] { return first_impact_with(gains); }),
+      lying("canary.impact_moves", "moves a body when it is hit", [] { return first_impact_with(nudged); }),
+      lying("canary.overdue", "reports the last event a microsecond late", [] { return runs(overdue); }),
+      lying("canary.lower_end", "takes the lower end of a wide enclosure: thousands of envelopes early",
+            [] { return first_impact_with(lower_end); }),
+      lying("canary.contact_elsewhere", "reports an impact at the body's centre",
+            [] { return first_impact_with([](Event& event, const Scene&) { event.p_WC = event.after_a.X_WB.p_WB; }); }),
+      lying("canary.crowded", "moves others once there are three bodies", [] { return runs(crowded); }),
+      lying("canary.explicit_steps", "falls by explicit steps of a hundredth of a second",
+            [] { return each_state(steps); }),
+      lying("canary.sinks_slowly", "lets bodies sink by 1 mm/s", [] { return each_state(sinks); }),
+      lying("canary.creeps", "lets bodies creep by 1 mm/s", [] { return each_state(creeps); }),
+      lying("canary.warms", "makes bodies faster by a millionth each second", [] { return each_state(warms); }),
+      lying("canary.cools", "makes bodies slower by a millionth each second", [] { return each_state(cools); }),
+      lying("canary.first_body_drags", "slows the first body by a millionth", [] { return each_state(drags); }),
+      lying("canary.winds_down", "halves the spins that it reports", [] { return each_state(winds_down); }),
+      lying("canary.stops_early", "ends half-way to the first sample", [] { return runs(gives_up); }),
+      lying("canary.look_missing", "leaves out the last sample", [] { return runs(no_times); }),
+      lying("canary.world_grid", "reports impacts later, the farther and faster bodies are",
+            [] { return runs(world_grid); }),
+  };
+}
+
+}  // namespace touchstone::oracle::subjects

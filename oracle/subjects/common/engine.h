@@ -1,0 +1,48 @@
+// What all adapters pass to engines, and how they turn engines' results into answers.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <variant>
+
+#include "model/answers.h"
+#include "model/scene.h"
+
+namespace touchstone::oracle::subjects {
+
+/// q/|q|, rounded, since engines take unit quaternions. The rounding is part of the conversion, so its error counts as
+/// part of the answer's error.
+inline Eigen::Quaterniond unit_quaternion(const Quaternion& q) {
+  return Eigen::Quaterniond(Eigen::Vector4d(q.x, q.y, q.z, q.w).stableNormalized());
+}
+
+/// The engines' pair queries take convex bodies only, no unions.
+inline bool has_compound(const Scene& scene) {
+  return std::any_of(scene.bodies.begin(), scene.bodies.end(),
+                     [](const Body& body) { return std::holds_alternative<Compound>(body.shape); });
+}
+
+inline const Abstains no_compounds{"no query for unions of convex parts"};
+
+inline Distance apart(double distance, const Vec3& p_WCa, const Vec3& p_WCb) {
+  Distance said;
+  said.verdict = Verdict::separated;
+  said.distance = distance;
+  said.p_WCa = p_WCa;
+  said.p_WCb = p_WCb;
+  return said;
+}
+
+/// The answer of an engine that reports a collision without further data.
+inline Distance in_collision() {
+  Distance said;
+  said.verdict = Verdict::overlapping;
+  said.distance = 0;
+  return said;
+}
+
+inline Penetration no_penetration() { return {Verdict::separated, 0.0, std::nullopt}; }
+
+inline Penetration deep(double depth, const Vec3& nhat_BA_W) { return {Verdict::overlapping, depth, nhat_BA_W}; }
+
+}  // namespace touchstone::oracle::subjects

@@ -1,0 +1,92 @@
+#include "oracle/subjects/touchstone/fast.h"
+
+#include <stdexcept>
+
+#include "fast/bounds.h"
+#include "fast/broad_phase.h"
+#include "fast/constraint.h"
+#include "fast/distance.h"
+#include "fast/impulse.h"
+#include "fast/mass.h"
+#include "fast/pixel.h"
+#include "fast/plan.h"
+#include "fast/simulation.h"
+#include "fast/time_of_impact.h"
+#include "model/input_error.h"
+
+namespace touchstone::oracle::subjects {
+namespace {
+
+class Fast : public Subject {
+ public:
+  const Card& card() const override { return card_; }
+  Answer<Masses> mass(const Scene& scene) override { return fast::mass(scene); }
+  Answer<Bounds> bounds(const Scene& scene) override { return fast::bounds(scene); }
+  Answer<PairSet> broad_phase(const Scene& scene) override { return fast::broad_phase(scene); }
+  Answer<PairHistory> pair_history(const Scene& scene) override {
+    try {
+      return fast::pair_history(scene, fast::plan(scene));
+    } catch (const InputError& beyond) {
+      return Abstains{beyond.what()};
+    }
+  }
+  Answer<Distance> distance(const Scene& scene) override {
+    try {
+      return fast::distance(scene);
+    } catch (const std::range_error& beyond) {
+      return Abstains{beyond.what()};
+    }
+  }
+  Answer<Impulse> impulse(const Scene& scene) override { return fast::impulse_of(scene); }
+
+  Answer<Trajectory> constraint(const Scene& scene) override {
+    try {
+      return fast::constrained(scene);
+    } catch (const InputError& beyond) {
+      return Abstains{beyond.what()};
+    }
+  }
+
+  Answer<Pixels> pixel(const Scene& scene) override {
+    try {
+      return fast::pixel(scene);
+    } catch (const std::range_error& beyond) {
+      return Abstains{beyond.what()};
+    }
+  }
+
+  Answer<Trajectory> simulation(const Scene& scene) override {
+    try {
+      return fast::simulation(scene);
+    } catch (const fast::BeyondDoubles& beyond) {
+      return Abstains{beyond.what()};
+    } catch (const std::range_error& beyond) {
+      return Abstains{beyond.what()};
+    }
+  }
+
+  Answer<TimeOfImpact> time_of_impact(const Scene& scene) override {
+    try {
+      return fast::time_of_impact_of(scene);
+    } catch (const std::range_error& beyond) {
+      return Abstains{beyond.what()};
+    }
+  }
+
+ private:
+  const Card card_{
+      .name = "fast",
+      .version = "0.1.0",
+      .answers = {"mass", "bounds", "broad_phase", "pair_history", "distance", "impulse", "pixel", "time_of_impact",
+                  "constraint", "simulation"},
+      .knows_touching = true,
+      .about = "Touchstone's optimised algorithms, as planned for each film; Lin-Canny from a corner, exact verdicts",
+      .homepage = "",
+      .deviations = {}};
+};
+
+}  // namespace
+
+std::unique_ptr<Subject> make_fast() { return std::make_unique<Fast>(); }
+
+}  // namespace touchstone::oracle::subjects

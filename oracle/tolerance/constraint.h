@@ -1,0 +1,31 @@
+// Error bounds of a first-order time-stepper against the exact ball, derived in oracle/tolerance/constraint.cpp.
+#pragma once
+
+#include <vector>
+
+#include "oracle/subject.h"
+#include "reference/constraint.h"
+
+namespace touchstone::oracle::tolerance {
+
+/// s: the step size that is granted to a time-stepper.
+double granted_step(const Scene& scene);
+
+/// At one sample.
+struct RollingBound {
+  double place = 0;      ///< m, of the ball's centre
+  double speed = 0;      ///< m/s, of v and of r w
+  bool settled = false;  ///< no change is so near that it may be on the other side of the sample
+};
+
+/// One bound for each sample, as many as are certain. After these, errors may have grown so large that the ball makes
+/// different changes.
+std::vector<RollingBound> rolling(const Scene& scene, const reference::ConstraintTruth& truth, Precision precision);
+
+/// m: how deep two bodies may overlap at a sample: as far as one moves in a granted step.
+double overlap_of_step(const Scene& scene);
+
+/// J: upper bound of the rise of the energy of all bodies between two samples.
+double energy_of_steps(const Scene& scene);
+
+}  // namespace touchstone::oracle::tolerance

@@ -1,0 +1,32 @@
+// Error bounds of a careful computation of an impact, derived in oracle/tolerance/impulse.cpp.
+#pragma once
+
+#include "model/answers.h"
+#include "oracle/subject.h"
+#include "oracle/truth/impact.h"
+
+namespace touchstone::oracle::tolerance {
+
+/// √J: bound of the error of the change of velocities in the norm √(Σ m|v|² + wᵀ I w). For an impulse error dP this is
+/// √(dPᵀ K dP). The bound also holds for a stated impulse, and for u' in the K⁻¹ norm.
+double impulse(const Scene& scene, const Impact& impact, const std::array<Velocity, 2>& after, Precision precision);
+
+/// N s: |Σ m v' − Σ m v|, after an impulse of magnitude |P|.
+double momentum(const Scene& scene, const Impact& impact, const std::array<Velocity, 2>& after, Real impulse,
+                Precision precision);
+
+/// N m s: of one body's angular momentum about C.
+double angular_momentum(const Scene& scene, const Impact& impact, std::size_t body, const Velocity& after, Real impulse,
+                        Precision precision);
+
+/// N s: error of a coordinate of a stated impulse of magnitude |P|, of its part outside the cone, or of its tension.
+double cone(Real impulse, Real friction, Precision precision);
+
+/// Is K far enough from singular that a computation in this precision has at least one certain digit, and the judge, in
+/// long double, many?
+bool impact_is_sure(const Impact& impact, Precision precision);
+
+/// Are the squares in the computation of an impact normal numbers in this precision, with room for their products?
+bool impact_in_range(const Impact& impact, Precision precision);
+
+}  // namespace touchstone::oracle::tolerance

@@ -1,0 +1,162 @@
+#include "oracle/tolerance/motion.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+
+#include "oracle/tolerance/precision.h"
+#include "oracle/tolerance/tolerance.h"
+#include "oracle/truth/truth.h"
+
+namespace touchstone::oracle::tolerance {
+namespace {
+
+/// The properties of a body's ballistic motion, in long double.
+struct Facts {
+  bool fixed = false;
+  bool round = true;         ///< turns at a constant rate: all moments equal, or fixed
+  bool tumbles = false;      ///< no two moments are equal
+  Real tau = 0;              ///< s
+  Real v = 0, w = 0, a = 0;  ///< m/s; rad/s, the greatest of the motion; m/s²
+  Real centre = 0;           ///< m: |p_BBcm|
+  Real centre_error = 0;     ///< m, without u
+  Real moment_error = 0;     ///< 1: of a moment, relative to the least one
+  Real mass_error = 0;       ///< 1
+};
+
+Real length(const Vec3& v) { return v.cast<Real>().norm(); }
+
+Vec3 force(const Motion& motion, std::size_t body, double time) {
+  Vec3 latest = Vec3::Zero();
+  for (const AppliedForce& applied : motion.forces) {
+    if (static_cast<std::size_t>(applied.body) == body && applied.time <= time) latest = applied.force_W;
+  }
+  return latest;
+}
+
+// Moments that differ by less count as equal.
+constexpr Real equal = 0x1p-40L;
+
+// The greatest rate of a torque-free rotation, Ω² = 2T(1/I₁ + 1/I₃) − L²/(I₁I₃), moments ascending.
+Real greatest_rate(const ImpactBody& body) {
+  const Real I1 = body.moments[0], I3 = body.moments[2], L = body.angular_momentum(body.w_WB).norm();
+  return std::sqrt(std::max<Real>(0, body.spin_energy_twice(body.w_WB) * (1 / I1 + 1 / I3) - L * L / (I1 * I3)));
+}
+
+Facts facts(const Scene& scene, std::size_t index, double time, Precision precision) {
+  const Body& body = scene.bodies[index];
+  const Motion& motion = *scene.motion;
+  Facts it;
+  it.tau = static_cast<Real>(time) - (motion.start_times.empty() ? 0 : motion.start_times[index]);
+  it.v = length(body.velocity.v_WBcm);
+  it.w = length(body.velocity.w_WB);
+  it.fixed = std::holds_alternative<Fixed>(body.mass);
+  if (it.fixed) return it;
+  const ImpactBody still = impact_body(scene, index, body.X_WB.p_WB);
+  it.centre = still.p_BBcm.norm();
+  it.a = (scene.gravity.cast<Real>() + force(motion, index, time).cast<Real>() / still.mass).norm();
+  const Point& I = still.moments;
+  it.round = I[2] - I[0] <= equal * I[2];
+  it.tumbles = !it.round && I[1] - I[0] > equal * I[2] && I[2] - I[1] > equal * I[2];
+  if (!it.round) it.w = greatest_rate(still);
+  const MassBound of_density = mass(body, precision);
+  it.mass_error = static_cast<Real>(of_density.mass) / still.mass;
+  it.centre_error = of_density.centre;
+  it.moment_error = static_cast<Real>(of_density.inertia) / I[0];
+  return it;
+}
+
+// Growth of an error of a torque-free angular velocity. Euler: ω₁' = c₁ω₂ω₃ and so on, c₁ = (I₂ − I₃)/I₁, |c| ≤ 1 by
+// the triangle inequality of moments. An error δω grows no faster than the symmetric part of the linearised equations
+// allows. Its entries off the diagonal are (c_i + c_j)ω_k/2 = −c_k(1 + c_i c_j)ω_k/2, at most ω_k each, so its greatest
+// eigenvalue is at most √(4/3)·|ω| < 1.16Ω. Errors of the moments, κ relative to the least, add at most 3κΩ².
+Real grown(const Facts& it, Real theta) { return it.tumbles ? std::expm1(1.16L * theta) : 2 * theta; }
+
+/// The errors of the moments, as the rate of error that they cause.
+Real uneven(const Facts& it, Real u) { return it.round ? 0 : 3 * it.moment_error + 8 * u; }
+
+// θ = ωτ: |ω| 3.5u, a product, sine and cosine: 8uθ; the composition with the initial pose: 32u; where the moments
+// differ, the grown error.
+Real turned(const Facts& it, Real theta, Real u) { return u * (8 * theta + 32) + uneven(it, u) * grown(it, theta); }
+
+}  // namespace
+
+// To first order in u, over τ seconds:
+//   centre   c(τ) = p + R p_BBcm + vτ + aτ²/2: the pose 52u(|p| + |p_BBcm|) (oracle/tolerance/tolerance.cpp);
+//            g + F/m to 3u and the error of m; three products and three sums for each coordinate,
+//            √3·4u < 7u of each term, twice for the rounding of τ: 14u.
+//   point    at most ρ from the centre of mass: the error of the turn times ρ, and the error of the centre of mass.
+//   v + aτ   4u(|v| + aτ), and the error of a.
+//   ω        8uΩ, and, where it changes, that and the grown error.
+// An exact subject only rounds its answer: poses 2u(|c| + ρ), velocities 2u.
+BallisticBound ballistic(const Scene& scene, std::size_t body, double time, Precision precision) {
+  const Facts it = facts(scene, body, time, precision);
+  const Real u = unit_roundoff(precision), p = length(scene.bodies[body].X_WB.p_WB);
+  const Real rho = radius(scene.bodies[body]) + it.centre;
+  const Real fall = it.a * it.tau * it.tau / 2, far = p + it.centre + it.v * it.tau + fall;
+  BallisticBound bound;
+  bound.fastest = static_cast<double>(it.v + it.a * it.tau + it.w * rho);
+  bound.farthest = static_cast<double>(far + rho);
+  if (precision == Precision::exact) {
+    bound.place = static_cast<double>(2 * u * (far + rho));
+    bound.velocity = static_cast<double>(2 * u * (it.v + it.a * it.tau));
+    bound.spin = static_cast<double>(2 * u * it.w);
+    return bound;
+  }
+  const Real theta = it.w * it.tau, pushed = it.mass_error * it.a;
+  bound.place = static_cast<double>(u * (52 * (p + it.centre) + 14 * far) + pushed * it.tau * it.tau / 2 +
+                                    turned(it, theta, u) * rho + 2 * it.centre_error);
+  bound.velocity = static_cast<double>(4 * u * (it.v + it.a * it.tau) + pushed * it.tau);
+  bound.spin = static_cast<double>(it.w * (8 * u + uneven(it, u) * (grown(it, theta) + 1)));
+  return bound;
+}
+
+double turn(const Scene& scene, std::size_t body, double rate, double seconds, Precision precision) {
+  const Facts it = facts(scene, body, seconds, precision);
+  return static_cast<double>(turned(it, static_cast<Real>(rate) * seconds, unit_roundoff(precision)));
+}
+
+// The errors of two motions; the error of a distance of poses as far out as the motion reaches (tolerance::distance is
+// proportional to that); the rounding u of the time, at the speed of the fastest points; and one more rounding of each
+// motion for the judge's own poses.
+double moving_distance(const Scene& scene, double time, Precision precision) {
+  const double u = unit_roundoff(precision);
+  double motions = 0, speed = 0, farthest = scale(scene);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const BallisticBound bound = ballistic(scene, i, time, precision);
+    motions += bound.place + ballistic(scene, i, time, Precision::exact).place;
+    speed += bound.fastest;
+    farthest = std::max(farthest, bound.farthest);
+  }
+  return distance(scene, precision) * (farthest / scale(scene)) + motions + 2 * u * time * speed;
+}
+
+// An error du of the velocity at C changes the impulse by at most 32 |du| in energy norms
+// (oracle/tolerance/impulse.cpp: of_u), and the K⁻¹ norm is at most √m* times the length. In addition the errors of the
+// velocities before remain in those after.
+double through_impact(const Impact& impact, const std::array<BallisticBound, 2>& before) {
+  const Real m = std::sqrt(impact.least_mass());
+  Real sum = 0;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const ImpactBody& body = impact.bodies[i];
+    const Real dv = before[i].velocity, dw = before[i].spin, place = before[i].place;
+    sum += 32 * m * (dv + dw * body.p_BcmC_W.norm() + body.w_WB.norm() * place);
+    if (!body.fixed) sum += std::sqrt(body.mass) * dv + std::sqrt(body.moments[2]) * dw;
+  }
+  return static_cast<double>(sum);
+}
+
+// (p_WCa − p_WCb)/|…|: the errors of two witness points over their distance. If that is more than 1/1024, the two
+// practically touch, and features give the normal at least as well.
+double normal(const Scene& scene, double apart, Precision precision) {
+  const double off = 2 * witness(scene, precision) + 16 * ulp(scene, precision);
+  return apart * 0x1p-10 > off ? off / apart : 0x1p-10;
+}
+
+// An event changes the terms of two bodies, each within a few ulps of itself (oracle/tolerance/impulse.cpp: momentum,
+// 2u·2). The motion of a body between events adds another 8u for each term.
+double accumulated(std::size_t events, std::size_t bodies) {
+  return 8 * (static_cast<double>(events) + static_cast<double>(bodies) + 1);
+}
+
+}  // namespace touchstone::oracle::tolerance

@@ -1,0 +1,44 @@
+// Error bounds of a careful computation of a ballistic motion, derived in oracle/tolerance/motion.cpp.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "model/scene.h"
+#include "oracle/subject.h"
+#include "oracle/truth/impact.h"
+
+namespace touchstone::oracle::tolerance {
+
+/// For one body, some time after its ballistic motion began.
+struct BallisticBound {
+  double place = 0;     ///< m: of any of its points, and of its origin
+  double velocity = 0;  ///< m/s: of v_WBcm
+  double spin = 0;      ///< rad/s: of w_WB
+  double fastest = 0;   ///< m/s: speed of its fastest point, to rounding; not an error bound
+  double farthest = 0;  ///< m: greatest distance of its points from W's origin, likewise
+};
+
+/// From the body's start time (0 if none is given) to `time`, under the last applied force that begins by then.
+/// Requires a completed scene with a motion, and a time not before the start.
+BallisticBound ballistic(const Scene& scene, std::size_t body, double time, Precision precision);
+
+/// rad: error of a body's torque-free rotation over `seconds`, at rates that never exceed `rate` (rad/s).
+double turn(const Scene& scene, std::size_t body, double rate, double seconds, Precision precision);
+
+/// m: error of the distance of bodies 0 and 1 at a computed time up to `time`.
+double moving_distance(const Scene& scene, double time, Precision precision);
+
+/// √J: effect of errors of the velocities before an impact on those after it.
+double through_impact(const Impact& impact, const std::array<BallisticBound, 2>& before);
+
+/// 1: sin of the angle error of a normal from witness points at a distance `apart` (m).
+double normal(const Scene& scene, double apart, Precision precision);
+
+/// 1: accumulated rounding of a sum over the bodies after so many events, in u times its greatest terms.
+double accumulated(std::size_t events, std::size_t bodies);
+
+/// The number of steps whose rounding is granted to a stepping engine that reports no events.
+inline constexpr std::size_t steps = 1 << 14;
+
+}  // namespace touchstone::oracle::tolerance

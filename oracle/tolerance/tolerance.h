@@ -1,0 +1,60 @@
+// How wrong a correct computation in the subject's precision may be: named bounds in SI units, derived in
+// oracle/tolerance/tolerance.cpp.
+//
+// They bound the effect of rounding on a backward stable computation without overflow or underflow. They are not tuned:
+// an engine that stops at a tolerance of its own exceeds them, and its grade (oracle/judge/grade.h) says by how much.
+#pragma once
+
+#include "model/scene.h"
+#include "oracle/subject.h"
+
+namespace touchstone::oracle::tolerance {
+
+/// Greatest distance of a point of the body from the body's origin, m.
+double radius(const Body& body);
+
+/// Greatest distance of a point from the first vertex of a convex body, or from the centre of a sphere or box, m; for a
+/// compound its radius. The scale of its inertia, as it does not grow if a shape is away from its origin.
+double size(const Body& body);
+
+/// S = max over bodies of (|p_WB|∞ + radius), m.
+double scale(const Scene& scene);
+
+/// u·S, m: the unit of the errors in findings.
+double ulp(const Scene& scene, Precision precision);
+
+/// m: |computed − exact| of the distance of two bodies, and how near to touching a verdict may be wrong.
+double distance(const Scene& scene, Precision precision);
+
+/// m: distance of a computed witness point from its body.
+double witness(const Scene& scene, Precision precision);
+
+/// m: |computed − exact| of the penetration depth.
+double penetration(const Scene& scene, Precision precision);
+
+/// m: common depth that may remain after the stated translation.
+double separation(const Scene& scene, Precision precision);
+
+/// 1: ||n| − 1| of a computed unit vector.
+double unit_length(Precision precision);
+
+/// m: how much wider a conservative tight box may be than the exact one, on each side.
+double bounds(const Scene& scene, Precision precision);
+
+/// m: how far outside a projection, or a depth, a conservative pixel test may still report. Requires a raster.
+double pixel(const Scene& scene, Precision precision);
+
+/// Pixels: how many more pixels on each side a conservative test may mark than the exact one: one, and those within
+/// `pixel`.
+int pixels_around(const Scene& scene, Precision precision);
+
+/// Error bounds of one body's mass (kg), centre of mass (m) and moments and products of inertia (kg m²). 0 for an exact
+/// subject, whose answer is in the truth's enclosure, and for given properties, which are returned unchanged.
+struct MassBound {
+  double mass = 0;
+  double centre = 0;
+  double inertia = 0;
+};
+MassBound mass(const Body& body, Precision precision);
+
+}  // namespace touchstone::oracle::tolerance

@@ -1,0 +1,88 @@
+#include "oracle/truth/feature_gap.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "oracle/truth/world_points.h"
+
+namespace touchstone::oracle {
+namespace {
+
+// The feature's vertices in W; empty if the feature names something that does not exist.
+Points claimed(const Body& body, const Feature& feature) {
+  const Points all = world_points(body, feature.part);
+  Points points;
+  for (const int i : feature.vertices) {
+    if (i < 0 || i >= static_cast<int>(all.size())) return {};
+    points.push_back(all[static_cast<std::size_t>(i)]);
+  }
+  return points;
+}
+
+Real unit_clamp(Real t) { return std::clamp<Real>(t, 0, 1); }
+
+Real point_segment(const Point& p, const Point& a, const Point& b) {
+  const Point d = b - a;
+  const Real dd = d.squaredNorm();
+  return (p - a - d * (dd > 0 ? unit_clamp((p - a).dot(d) / dd) : 0)).norm();
+}
+
+// Candidates: the points where the common normal of the two lines meets either segment, each with the nearest point of
+// the other segment. For nearly parallel lines both points are inexact, by different amounts. The ends are further
+// candidates.
+Real segment_segment(const Point& a, const Point& b, const Point& c, const Point& d) {
+  const Point u = b - a, v = d - c, w = a - c;
+  const Real uu = u.squaredNorm(), uv = u.dot(v), vv = v.squaredNorm(), det = uu * vv - uv * uv;
+  Real least =
+      std::min({point_segment(a, c, d), point_segment(b, c, d), point_segment(c, a, b), point_segment(d, a, b)});
+  if (det > 0) {
+    const Real s = unit_clamp((uv * v.dot(w) - vv * u.dot(w)) / det);
+    const Real t = unit_clamp((uu * v.dot(w) - uv * u.dot(w)) / det);
+    least = std::min({least, point_segment(a + u * s, c, d), point_segment(c + v * t, a, b)});
+  }
+  return least;
+}
+
+// The perpendicular foot of p in the triangle; its edges are other candidates. In a slender triangle s and t are
+// inexact, and the remainder shows by how much: one step of refinement.
+Real point_triangle(const Point& p, const Point& a, const Point& b, const Point& c) {
+  const Point u = b - a, v = c - a, w = p - a, n = u.cross(v);
+  const Real nn = n.squaredNorm();
+  if (!(nn > 0)) return std::numeric_limits<Real>::infinity();
+  const Real s = w.cross(v).dot(n) / nn, t = u.cross(w).dot(n) / nn;
+  if (s < 0 || t < 0 || s + t > 1) return std::numeric_limits<Real>::infinity();
+  const Point left = w - u * s - v * t;
+  return (left - u * (left.cross(v).dot(n) / nn) - v * (u.cross(left).dot(n) / nn)).norm();
+}
+
+Real to_triangles(const Points& points, const Points& corners) {
+  Real least = std::numeric_limits<Real>::infinity();
+  for (const Point& p : points)
+    for (std::size_t i = 0; i < corners.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        for (std::size_t k = 0; k < j; ++k)
+          least = std::min(least, point_triangle(p, corners[i], corners[j], corners[k]));
+  return least;
+}
+
+// i == j is a segment of length 0, the vertex itself.
+Real between_segments(const Points& A, const Points& B) {
+  Real least = std::numeric_limits<Real>::infinity();
+  for (std::size_t i = 0; i < A.size(); ++i)
+    for (std::size_t j = 0; j <= i; ++j)
+      for (std::size_t k = 0; k < B.size(); ++k)
+        for (std::size_t l = 0; l <= k; ++l) least = std::min(least, segment_segment(A[i], A[j], B[k], B[l]));
+  return least;
+}
+
+}  // namespace
+
+std::optional<double> feature_gap(const Body& A, const Feature& feature_A, const Body& B, const Feature& feature_B) {
+  const Points a = claimed(A, feature_A), b = claimed(B, feature_B);
+  if (a.empty() || b.empty()) return std::nullopt;
+  return static_cast<double>(std::min({between_segments(a, b), to_triangles(a, b), to_triangles(b, a)}));
+}
+
+}  // namespace touchstone::oracle

@@ -1,0 +1,305 @@
+// The clauses of docs/spec/broad_phase.md about sequences as executable properties.
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include "model/sequence.h"
+#include "oracle/judge/words.h"
+#include "oracle/tolerance/tolerance.h"
+#include "oracle/truth/truth.h"
+#include "properties/cases/pair_sets.h"
+#include "properties/judging/asking.h"
+#include "properties/queries.h"
+#include "properties/transforms/scene.h"
+
+namespace touchstone::properties {
+namespace {
+
+using oracle::Defect;
+using oracle::Finding;
+using oracle::Subject;
+namespace judge = oracle::judge;
+namespace tolerance = oracle::tolerance;
+namespace truth = oracle::truth;
+namespace words = oracle::words;
+
+template <class JudgeIt>
+Finding of_sequence(const Scene& sequence, Subject& subject, JudgeIt&& judge_it) {
+  if (!is_sequence(sequence)) return judge::outside("not a film");
+  return of_scene(sequence, subject, [&] {
+    return judge::given(subject.pair_history(sequence), [&](const PairHistory& said) {
+      if (said.size() == sequence.frames.size()) return judge_it(said);
+      return judge::wrong(Defect::garbage, std::to_string(said.size()) + " frames",
+                          "one entry for each of " + std::to_string(sequence.frames.size()));
+    });
+  });
+}
+
+std::string in_frame(std::size_t f, const std::string& what) { return "frame " + std::to_string(f) + ": " + what; }
+
+/// The same bound as for a single scene: the pairs of a frame depend only on the current poses, not on the path to
+/// them.
+judge::Allowance reach(const Scene& sequence, std::size_t f, const oracle::Card& card) {
+  const Scene scene = snapshot(sequence, f);
+  return judge::in_ulps(scene, card, 2 * tolerance::bounds(scene, card.precision) + card.broad_phase_margin);
+}
+
+bool both_there(const reference::FrameBoxes& boxes, const Pair& pair) {
+  return boxes[static_cast<std::size_t>(pair.first)] && boxes[static_cast<std::size_t>(pair.second)];
+}
+
+double gap(const reference::FrameBoxes& boxes, const Pair& pair) {
+  if (pair.first == pair.second) return 0;
+  return reference::gap(*boxes[static_cast<std::size_t>(pair.first)], *boxes[static_cast<std::size_t>(pair.second)])
+      .nearest();
+}
+
+// Agreement with the exact answer
+
+Finding misses_none(const Scene& sequence, Subject& subject) {
+  return of_sequence(sequence, subject, [&](const PairHistory& said) {
+    const PairHistory& truth = truth::pair_history(sequence);
+    for (std::size_t f = 0; f < said.size(); ++f) {
+      const PairSet missed = without(truth[f].pairs, as_set(said[f].pairs, sequence));
+      if (missed.empty()) continue;
+      double deepest = 0;  // boxes that only touch overlap by 0 and still count as missed
+      for (const Pair& pair : missed) deepest = std::max(deepest, -gap(truth::sequence_bounds(sequence)[f], pair));
+      Finding finding =
+          judge::wrong_by(deepest, judge::in_ulps(snapshot(sequence, f), subject.card(), 0), Defect::missed,
+                          in_frame(f, "without " + words::text(missed)), "every pair whose closed boxes meet");
+      finding.margin = Interval{deepest, deepest};
+      return finding;
+    }
+    return judge::holds();
+  });
+}
+
+/// Judges the reported pairs of frame f whose bodies are both present and whose boxes are apart, by the widest gap.
+Finding extra_in(const Scene& sequence, std::size_t f, const PairSet& said, const oracle::Card& card) {
+  const reference::FrameBoxes& boxes = truth::sequence_bounds(sequence)[f];
+  PairSet extra = without(as_set(said, sequence), truth::pair_history(sequence)[f].pairs);
+  std::erase_if(extra, [&](const Pair& pair) { return !both_there(boxes, pair); });
+  if (extra.empty()) return judge::holds();
+  double widest = 0;
+  for (const Pair& pair : extra) widest = std::max(widest, gap(boxes, pair));
+  Finding finding = judge::at_most(
+      widest, reach(sequence, f, card), Defect::phantom, [&] { return in_frame(f, "with " + words::text(extra)); },
+      [] { return std::string("no pair whose boxes are further apart"); });
+  if (finding.outcome == oracle::Outcome::fails) finding.margin = Interval{widest, widest};
+  return finding;
+}
+
+Finding adds_none(const Scene& sequence, Subject& subject) {
+  return of_sequence(sequence, subject, [&](const PairHistory& said) {
+    Finding worst = judge::holds();
+    for (std::size_t f = 0; f < said.size() && worst.outcome == oracle::Outcome::holds; ++f) {
+      const Finding finding = extra_in(sequence, f, said[f].pairs, subject.card());
+      if (finding.outcome != oracle::Outcome::holds || finding.error >= worst.error) worst = finding;
+    }
+    return worst;
+  });
+}
+
+Finding absent(const Scene& sequence, Subject& subject) {
+  return of_sequence(sequence, subject, [&](const PairHistory& said) {
+    const std::vector<Places> there = places(sequence);
+    for (std::size_t f = 0; f < said.size(); ++f) {
+      for (const Pair& pair : as_set(said[f].pairs, sequence)) {
+        for (const int body : {pair.first, pair.second}) {
+          if (there[f][static_cast<std::size_t>(body)]) continue;
+          return judge::wrong(Defect::phantom, in_frame(f, "with " + words::text(PairSet{pair})),
+                              "none: body " + std::to_string(body) + " is not there");
+        }
+      }
+    }
+    return judge::holds();
+  });
+}
+
+Finding well_formed(const Scene& sequence, Subject& subject) {
+  return of_sequence(sequence, subject, [&](const PairHistory& said) {
+    for (std::size_t f = 0; f < said.size(); ++f) {
+      for (const PairSet& pairs :
+           {said[f].pairs, said[f].begun.value_or(PairSet{}), said[f].ended.value_or(PairSet{})}) {
+        if (is_well_formed(pairs, sequence)) continue;
+        return judge::wrong(Defect::garbage, in_frame(f, words::text(pairs)),
+                            "pairs i < j of bodies, sorted, each once");
+      }
+    }
+    return judge::holds();
+  });
+}
+
+Finding events(const Scene& sequence, Subject& subject) {
+  return of_sequence(sequence, subject, [&](const PairHistory& said) {
+    PairSet before;
+    for (std::size_t f = 0; f < said.size(); ++f) {
+      if (!said[f].begun || !said[f].ended) return judge::silent("which pairs begin and end");
+      const PairSet now = as_set(said[f].pairs, sequence);
+      const auto judged = [&](const std::string& word, const PairSet& claimed, const PairSet& due) {
+        if (as_set(claimed, sequence) == due) return judge::holds();
+        return judge::wrong(Defect::inconsistent, in_frame(f, word + ' ' + words::text(claimed)),
+                            words::text(due) + ", what its own sets of pairs gained or lost");
+      };
+      const Finding begun = judged("begun", *said[f].begun, without(now, before));
+      if (begun.outcome != oracle::Outcome::holds) return begun;
+      const Finding ended = judged("ended", *said[f].ended, without(before, now));
+      if (ended.outcome != oracle::Outcome::holds) return ended;
+      before = now;
+    }
+    return judge::holds();
+  });
+}
+
+// Laws: how the answer follows a change of the scene
+
+/// Two answers may differ only in free pairs of the frame: apart, and within reach.
+Finding none_but_free(const Scene& sequence, std::size_t f, PairSet differ, const oracle::Card& card, Defect defect,
+                      const std::string& how, const std::string& expected) {
+  if (differ.empty()) return judge::holds();
+  const judge::Allowance free = reach(sequence, f, card);
+  const reference::FrameBoxes& boxes = truth::sequence_bounds(sequence)[f];
+  double furthest = 0;
+  std::erase_if(differ, [&](const Pair& pair) {
+    if (!both_there(boxes, pair)) return false;
+    const double g = gap(boxes, pair);
+    const bool is_free = g > 0 && g <= free.bound;
+    if (!is_free) furthest = std::max(furthest, std::abs(g));
+    return is_free;
+  });
+  if (differ.empty()) return judge::holds();
+  return judge::wrong_by(furthest, free, defect, in_frame(f, how + ' ' + words::text(differ)), expected);
+}
+
+/// A transformed sequence. Its frame of(f) has the pairs of frame f; `renamed` maps the new indices back.
+struct Image {
+  std::optional<Scene> sequence;
+  std::function<std::size_t(std::size_t)> of = [](std::size_t f) { return f; };
+  std::function<Pair(const Pair&)> renamed = [](const Pair& pair) { return pair; };
+};
+
+Finding pairs_kept(const Scene& sequence, const Image& image, Subject& subject, Defect defect) {
+  if (!is_sequence(sequence)) return judge::outside("not a film");
+  return of_moved(image.sequence, subject, [&](const Scene& other) {
+    return of_sequence(sequence, subject, [&](const PairHistory& first) {
+      return of_sequence(other, subject, [&](const PairHistory& second) {
+        for (std::size_t f = 0; f < first.size(); ++f) {
+          PairSet expected = as_set(first[f].pairs, sequence);
+          PairSet got = as_set(second[image.of(f)].pairs, sequence);
+          for (Pair& pair : got) pair = image.renamed(pair);
+          const Finding finding = none_but_free(sequence, f, difference(expected, as_set(got, sequence)),
+                                                subject.card(), defect, "differs by", "the same pairs as before");
+          if (finding.outcome != oracle::Outcome::holds) return finding;
+        }
+        return judge::holds();
+      });
+    });
+  });
+}
+
+/// Inserts two frames after each frame: an empty one, and one that sets each body to its current pose.
+Scene with_still_frames(const Scene& sequence) {
+  const std::vector<Places> there = places(sequence);
+  Scene slow = sequence;
+  slow.frames.clear();
+  for (std::size_t f = 0; f < there.size(); ++f) {
+    SequenceFrame again;
+    for (std::size_t i = 0; i < there[f].size(); ++i) {
+      if (there[f][i]) again.push_back({static_cast<int>(i), there[f][i]});
+    }
+    for (const SequenceFrame& frame : {sequence.frames[f], SequenceFrame{}, again}) slow.frames.push_back(frame);
+  }
+  return slow;
+}
+
+Finding keeps_still(const Scene& sequence, Subject& subject) {
+  if (!is_sequence(sequence)) return judge::outside("not a film");
+  const Scene slow = with_still_frames(sequence);
+  return of_sequence(slow, subject, [&](const PairHistory& said) {
+    for (std::size_t f = 0; f < said.size(); ++f) {
+      if (f % 3 == 0) continue;
+      const PairSet changed = difference(as_set(said[f - 1].pairs, sequence), as_set(said[f].pairs, sequence));
+      for (const PairSet& pairs : {changed, as_set(said[f].begun.value_or(PairSet{}), sequence),
+                                   as_set(said[f].ended.value_or(PairSet{}), sequence)}) {
+        const Finding finding = none_but_free(slow, f, pairs, subject.card(), Defect::inconsistent,
+                                              "nothing moved, yet there begin or end", "no pair that begins or ends");
+        if (finding.outcome != oracle::Outcome::holds) return finding;
+      }
+    }
+    return judge::holds();
+  });
+}
+
+/// Before each frame, removes all bodies and then inserts them one by one, last body first. So no body reaches its pose
+/// by a move.
+Scene rebuilt(const Scene& sequence) {
+  Scene result = sequence;
+  result.frames.clear();
+  Places before(sequence.bodies.size());
+  for (const Places& there : places(sequence)) {
+    SequenceFrame go;
+    SequenceFrame come;
+    for (std::size_t i = there.size(); i-- > 0;) {
+      if (before[i]) go.push_back({static_cast<int>(i), {}});
+      if (there[i]) come.push_back({static_cast<int>(i), there[i]});
+    }
+    result.frames.push_back(std::move(go));
+    result.frames.push_back(std::move(come));
+    before = there;
+  }
+  return result;
+}
+
+Finding path_free(const Scene& sequence, Subject& subject) {
+  return pairs_kept(sequence, {.sequence = rebuilt(sequence), .of = [](std::size_t f) { return 2 * f + 1; }}, subject,
+                    Defect::inconsistent);
+}
+
+Finding turns(const Scene& sequence, Subject& subject) {
+  return pairs_kept(sequence, {.sequence = turned(sequence)}, subject, Defect::relabelled);
+}
+
+Finding relabels(const Scene& sequence, Subject& subject) {
+  const int last = static_cast<int>(sequence.bodies.size()) - 1;
+  const auto renamed = [last](const Pair& pair) { return Pair(last - pair.second, last - pair.first); };
+  return pairs_kept(sequence, {.sequence = swapped(sequence), .renamed = renamed}, subject, Defect::relabelled);
+}
+
+// Robustness and determinism
+
+Finding lives(const Scene& sequence, Subject& subject) {
+  return of_sequence(sequence, subject, [](const PairHistory&) { return judge::holds(); });
+}
+
+Finding again(const Scene& sequence, Subject& subject) {
+  if (!is_sequence(sequence)) return judge::outside("not a film");
+  return of_scene(sequence, subject,
+                  [&] { return repeats(&Subject::pair_history, sequence, swapped(sequence), subject); });
+}
+
+Property about(const std::string& what, int clause, const std::string& says, Finding (*check)(const Scene&, Subject&)) {
+  return {"broad_phase.film." + what, "broad_phase", {"TS-BROAD-PHASE-" + std::to_string(clause)}, says, check};
+}
+
+}  // namespace
+
+std::vector<Property> broad_phase_sequence_properties() {
+  return {
+      about("misses_none", 9, "in every frame, every pair whose closed boxes meet is reported", misses_none),
+      about("adds_none", 10, "in no frame a pair whose boxes are further apart than rounding and the declared margin",
+            adds_none),
+      about("absent", 11, "a body that is not there has no pair", absent),
+      about("well_formed", 12, "one entry a frame, its pairs i < j, sorted, each once", well_formed),
+      about("events", 13, "what begins and ends is what the set of pairs gains and loses", events),
+      about("keeps_still", 14, "a frame in which nothing moves begins and ends nothing", keeps_still),
+      about("path_free", 15, "the pairs are those of where the bodies are, whichever way they came there", path_free),
+      about("turned", 16, "renaming the axes changes no pair of any frame", turns),
+      about("relabelled", 16, "the order of the bodies renames the pairs, nothing else", relabels),
+      about("survives", 17, "the pairs of every frame come, however extreme the film", lives),
+      about("repeats", 18, "the same film has the same answer", again),
+  };
+}
+
+}  // namespace touchstone::properties

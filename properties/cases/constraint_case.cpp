@@ -1,0 +1,48 @@
+#include "properties/cases/constraint_case.h"
+
+#include <algorithm>
+
+namespace touchstone::properties {
+
+std::string fault_of_steps(const Scene& scene, const Trajectory& said) {
+  const std::vector<double>& times = scene.motion->sample_times;
+  const double end = said.complete_until.value_or(times.back());
+  const auto whole = static_cast<std::size_t>(std::ranges::upper_bound(times, end) - times.begin());
+  if (said.states.size() != whole) return "not a look a time";
+  for (const std::vector<State>& bodies : said.states) {
+    if (bodies.size() != scene.bodies.size()) return "not a state a body";
+  }
+  double last = 0;
+  const int count = static_cast<int>(scene.bodies.size());
+  for (const Event& event : said.events.value_or(std::vector<Event>{})) {
+    if (event.time < last || event.time > times.back()) return "events out of time's order";
+    last = event.time;
+    if (event.a < 0 || event.b <= event.a || event.b >= count) return "an event of no pair a < b";
+  }
+  return "";
+}
+
+double RollingCase::radius() const {
+  return std::get<Sphere>(scene.bodies[static_cast<std::size_t>(truth.ball)].shape).radius;
+}
+
+double off(const Vec3& p, const std::array<Interval, 3>& truth) {
+  Vec3 out;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double x = p[static_cast<Eigen::Index>(i)];
+    out[static_cast<Eigen::Index>(i)] = std::max({truth[i].lo - x, x - truth[i].hi, 0.0});
+  }
+  return out.norm();
+}
+
+std::set<std::pair<int, int>> in_contact(const std::vector<Event>& events, double time) {
+  std::set<std::pair<int, int>> pairs;
+  for (const Event& event : events) {
+    if (event.time > time) break;
+    if (event.kind == Event::Kind::contact) pairs.emplace(event.a, event.b);
+    if (event.kind == Event::Kind::release) pairs.erase({event.a, event.b});
+  }
+  return pairs;
+}
+
+}  // namespace touchstone::properties

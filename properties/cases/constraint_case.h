@@ -1,0 +1,71 @@
+// The preconditions of the constraint properties: a scene with a motion and an answer of the right form, and, where
+// there is a truth, the exact ball to compare with.
+#pragma once
+
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "model/answers.h"
+#include "oracle/judge/judge.h"
+#include "oracle/tolerance/constraint.h"
+#include "oracle/truth/truth.h"
+#include "properties/cases/timeline.h"
+#include "properties/judging/asking.h"
+
+namespace touchstone::properties {
+
+/// What is wrong with the form of a stepped trajectory; "" if nothing. It must have a state for each body at each
+/// sample up to where it is complete, and events in order of time within the motion, each of two existing bodies a < b.
+std::string fault_of_steps(const Scene& scene, const Trajectory& said);
+
+struct RollingCase {
+  const Scene& scene;
+  oracle::Precision precision;
+  const reference::ConstraintTruth& truth;
+  std::vector<oracle::tolerance::RollingBound> bounds;
+  const Trajectory& said;
+
+  /// The number of samples that the answer has and that are certain.
+  std::size_t samples() const { return std::min(bounds.size(), said.states.size()); }
+  const State& ball(std::size_t sample) const { return said.states[sample][static_cast<std::size_t>(truth.ball)]; }
+  const reference::BallTruth& exact(std::size_t sample) const { return truth.states[sample]; }
+  double radius() const;
+};
+
+/// The distance of a point from the box of three intervals.
+double off(const Vec3& p, const std::array<Interval, 3>& truth);
+
+/// Pairs in contact at a time, according to the events.
+std::set<std::pair<int, int>> in_contact(const std::vector<Event>& events, double time);
+
+/// Passes scenes with a motion of solids, and answers of the right form, to judge_it(const Trajectory&).
+template <class JudgeIt>
+oracle::Finding of_steps(const Scene& scene, oracle::Subject& subject, JudgeIt&& judge_it) {
+  if (!scene.motion) return oracle::judge::outside("no motion");
+  if (overlap_at_start(scene)) return oracle::judge::outside("bodies that overlap at the start");
+  return of_scene(scene, subject, [&] {
+    return oracle::judge::given(subject.constraint(scene), [&](const Trajectory& said) {
+      const std::string fault = fault_of_steps(scene, said);
+      if (!fault.empty()) return oracle::judge::outside("not a trajectory; see constraint.survives");
+      return judge_it(said);
+    });
+  });
+}
+
+/// Passes those with a truth to judge_it(const RollingCase&).
+template <class JudgeIt>
+oracle::Finding of_rolling(const Scene& scene, oracle::Subject& subject, JudgeIt&& judge_it) {
+  if (!scene.motion) return oracle::judge::outside("no motion");
+  const auto* truth = std::get_if<reference::ConstraintTruth>(&oracle::truth::constraint(scene));
+  if (truth == nullptr) return oracle::judge::outside(std::get<std::string>(oracle::truth::constraint(scene)));
+  return of_steps(scene, subject, [&](const Trajectory& said) {
+    const oracle::Precision precision = subject.card().precision;
+    const RollingCase asked{scene, precision, *truth, oracle::tolerance::rolling(scene, *truth, precision), said};
+    if (asked.samples() == 0) return oracle::judge::outside("small errors change what the ball does");
+    return judge_it(asked);
+  });
+}
+
+}  // namespace touchstone::properties

@@ -1,0 +1,89 @@
+// The preconditions of the simulation properties: a scene with a motion, and an answer of the right form.
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "model/answers.h"
+#include "oracle/judge/judge.h"
+#include "properties/cases/timeline.h"
+#include "properties/judging/asking.h"
+
+namespace touchstone::properties {
+
+/// What is wrong with the form of a trajectory; "" if nothing. It must have a state for each body at each complete
+/// time; events in the order of (time, a, b), of existing bodies, a < b, not after the end; and exactly one event for
+/// each applied force that begins during the motion, at its time.
+std::string fault_in_form(const Scene& scene, const Trajectory& said);
+
+struct TrajectoryCase {
+  const Scene& scene;
+  oracle::Precision precision;
+  const Trajectory& said;
+  double end;  ///< s; the trajectory is complete until then
+
+  bool is_fixed(std::size_t body) const { return std::holds_alternative<Fixed>(scene.bodies[body].mass); }
+  /// The number of complete sample times.
+  std::size_t samples() const { return said.states.size(); }
+  double time(std::size_t sample) const { return scene.motion->sample_times[sample]; }
+  std::size_t events() const { return said.events ? said.events->size() : 0; }
+};
+
+/// Passes scenes with a motion of solids that are exact in the subject's precision, and answers of the right form, to
+/// judge_it(const TrajectoryCase&). The property simulation.ordered reports what is wrong in form.
+template <class JudgeIt>
+oracle::Finding of_trajectory(const Scene& scene, oracle::Subject& subject, JudgeIt&& judge_it) {
+  if (!scene.motion) return oracle::judge::outside("no motion");
+  if (overlap_at_start(scene)) return oracle::judge::outside("bodies that overlap at the start");
+  return of_scene(scene, subject, [&] {
+    return oracle::judge::given(subject.simulation(scene), [&](const Trajectory& said) {
+      if (!fault_in_form(scene, said).empty())
+        return oracle::judge::outside("not a trajectory; see simulation.ordered");
+      return judge_it(TrajectoryCase{scene, subject.card().precision, said, complete_until(scene, said)});
+    });
+  });
+}
+
+/// The same for answers with events: judge_it(const TrajectoryCase&, const Timeline&).
+template <class JudgeIt>
+oracle::Finding of_timeline(const Scene& scene, oracle::Subject& subject, JudgeIt&& judge_it) {
+  return of_trajectory(scene, subject, [&](const TrajectoryCase& asked) {
+    if (!asked.said.events) return oracle::judge::silent("its events");
+    return judge_it(asked, timeline(scene, asked.said));
+  });
+}
+
+/// Keeps the finding with the greatest error relative to its bound; anything judged replaces `outside`. Returns true
+/// for a failure, which ends the search.
+bool worse(oracle::Finding& worst, oracle::Finding next);
+
+/// For answers with events, passes on each impact of bodies in ballistic motion: judge_it(const TrajectoryCase&, const
+/// Event&, the segments that it ends).
+template <class JudgeIt>
+oracle::Finding of_impacts(const Scene& scene, oracle::Subject& subject, JudgeIt&& judge_it) {
+  return of_timeline(scene, subject, [&](const TrajectoryCase& asked, const Timeline& timeline) {
+    oracle::Finding worst = oracle::judge::outside("no impact in flight");
+    for (std::size_t e = 0; e < asked.events(); ++e) {
+      const Event& event = (*asked.said.events)[e];
+      if (event.kind != Event::Kind::impact) continue;
+      const std::vector<Segment> segments = segments_into(timeline, asked.said, e);
+      if (!std::ranges::all_of(segments, &Segment::ballistic)) continue;
+      if (worse(worst, judge_it(asked, event, segments))) break;
+    }
+    return worst;
+  });
+}
+
+/// A bound in metres, counted in ulps of the scene's scale.
+oracle::judge::Allowance in_ulps_of_place(const TrajectoryCase& asked, double bound);
+
+/// Checks the pose of body k of the ballistic scene `flying` at a time; check_state() also checks its velocities.
+oracle::Finding check_pose(const TrajectoryCase& asked, const Scene& ballistic_scene, std::size_t k, double time,
+                           const Pose& said);
+oracle::Finding check_state(const TrajectoryCase& asked, const Scene& ballistic_scene, std::size_t k, double time,
+                            const State& said);
+
+std::string text(const Event& event);
+
+}  // namespace touchstone::properties

@@ -1,0 +1,27 @@
+// The properties of each query, in the order of the five families: agrees, laws, bounds, survives, repeats.
+#pragma once
+
+#include <vector>
+
+#include "properties/property.h"
+
+namespace touchstone::properties {
+
+std::vector<Property> mass_properties();
+std::vector<Property> bounds_properties();
+std::vector<Property> broad_phase_properties();
+std::vector<Property> broad_phase_sequence_properties();
+std::vector<Property> distance_properties();
+std::vector<Property> penetration_properties();
+std::vector<Property> pixel_properties();
+std::vector<Property> impulse_properties();
+std::vector<Property> impulse_law_properties();
+std::vector<Property> time_of_impact_properties();
+std::vector<Property> simulation_properties();
+std::vector<Property> simulation_lockstep_properties();
+std::vector<Property> simulation_meeting_properties();
+std::vector<Property> simulation_law_properties();
+std::vector<Property> simulation_scene_properties();
+std::vector<Property> constraint_properties();
+
+}  // namespace touchstone::properties

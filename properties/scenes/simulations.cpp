@@ -1,0 +1,227 @@
+// Runs of two to six bodies: a few impacts each, before chaos and before anything piles up; and bodies that never meet,
+// that rest, or that bounce for ever less.
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "model/limits.h"
+#include "properties/scenes/families.h"
+#include "properties/scenes/pair.h"
+#include "properties/scenes/thrown.h"
+#include "properties/transforms/scene.h"
+
+namespace touchstone::properties {
+namespace {
+
+Scene run(Random& random, std::vector<Body> bodies, Motion motion, const Vec3& gravity = Vec3::Zero()) {
+  Scene scene;
+  scene.bodies = std::move(bodies);
+  scene.gravity = gravity;
+  motion.law = random.pick({Law::poisson, Law::poisson, Law::stronge, Law::newton});
+  scene.motion = std::move(motion);
+  return scene;
+}
+
+/// The n-th place of a lattice with room for one solid at each.
+Vec3 place(int n) {
+  constexpr double step = 2 * solid_reach + 1;
+  return step * Vec3(n % 2, (n / 2) % 2, n / 4);
+}
+
+/// Bodies at places of the lattice, all moving towards its middle.
+std::vector<Body> converging(Random& random, int count, bool balls) {
+  std::vector<Body> bodies;
+  for (int n = 0; n < count; ++n) {
+    Body body = balls ? some_ball(random) : some_solid(random);
+    body = with_mass(random, std::move(body));
+    body.material = some_material(random);
+    body.X_WB.p_WB = place(n);
+    const Vec3 middle = place(3) / 2, off = small_vector(random, 1);
+    body.velocity.v_WBcm = (middle - place(n)) + off;
+    if (random.one_in(2)) body = spun(random, std::move(body));
+    bodies.push_back(std::move(body));
+  }
+  return bodies;
+}
+
+Scene balls(Random& random) { return run(random, converging(random, random.between(2, 5), true), motion_until(2, 4)); }
+
+Scene solids(Random& random) { return run(random, converging(random, 2, false), motion_until(1, 2)); }
+
+Scene elastic_balls(Random& random) {
+  std::vector<Body> bodies = converging(random, random.between(3, 6), true);
+  for (Body& body : bodies) body.material = {1, 0};
+  return run(random, std::move(bodies), motion_until(2, 4));
+}
+
+Body floor_at_0() { return fixed(at_rest(Box{Vec3(64, 64, 2)}, {{0, 0, -2}, {}})); }
+
+/// Thrown onto a table, until shortly after the impact.
+Scene on_a_table(Random& random) {
+  std::vector<Body> bodies = {floor_at_0()};
+  bodies[0].material = {1, 1};
+  const int count = random.between(1, 2);
+  for (int n = 0; n < count; ++n) {
+    Body body = with_mass(random, some_solid(random));
+    body.material = some_material(random);
+    body.X_WB.p_WB = {n * 17.0, 0, 9};
+    body.velocity.v_WBcm = {random.whole(-4, 4), random.whole(-4, 4), -random.whole(4, 16)};
+    if (random.one_in(2)) body = spun(random, std::move(body));
+    bodies.push_back(std::move(body));
+  }
+  return run(random, std::move(bodies), motion_until(0.75, 2), {0, 0, -8});
+}
+
+/// Equal balls in a row with gaps between them; the first, or the first and the last, move in.
+Scene cradle(Random& random) {
+  const int count = random.between(3, 5);
+  const double gap = std::ldexp(1, -random.between(1, 6));
+  std::vector<Body> bodies;
+  for (int n = 0; n < count; ++n) {
+    Body ball = at_rest(Sphere{1});
+    ball.material = {1, 0};
+    ball.X_WB.p_WB = {n * (2 + gap), 0, 0};
+    bodies.push_back(std::move(ball));
+  }
+  bodies.front().X_WB.p_WB.x() -= 2;
+  bodies.front().velocity.v_WBcm = {4, 0, 0};
+  if (random.one_in(2)) {
+    bodies.back().X_WB.p_WB.x() += 2;
+    bodies.back().velocity.v_WBcm = {-4, 0, 0};
+  }
+  return run(random, std::move(bodies), motion_until(4, 4));
+}
+
+/// Several pairs with the same time of impact.
+Scene ties(Random& random) {
+  std::vector<Body> bodies;
+  const int pairs = random.between(2, 3);
+  for (int n = 0; n < pairs; ++n) {
+    for (const double side : {-1.0, 1.0}) {
+      Body ball = at_rest(Sphere{1});
+      ball.material = some_material(random);
+      ball.X_WB.p_WB = {side * 4, n * 8.0, 0};
+      ball.velocity.v_WBcm = {-side * 2, 0, 0};
+      bodies.push_back(std::move(ball));
+    }
+  }
+  return run(random, std::move(bodies), motion_until(3, 2));
+}
+
+/// Two balls, or a ball and a floor, elastic and without friction: one impact.
+Scene one_impact(Random& random) {
+  Body ball = some_ball(random);
+  Body other = random.one_in(2) ? floor_at_0() : some_ball(random);
+  const bool is_floor = std::holds_alternative<Fixed>(other.mass);
+  ball.material = other.material = {1, 0};
+  ball.X_WB.p_WB = {is_floor ? 0 : random.whole(-1, 1), 0, 16};
+  ball.velocity.v_WBcm = {random.whole(-1, 1), random.whole(-1, 1), -random.whole(8, 16)};
+  return run(random, {std::move(ball), std::move(other)}, motion_until(2, 2));
+}
+
+Scene tops(Random& random) {
+  std::vector<Body> bodies = converging(random, 2, false);
+  for (Body& body : bodies) {
+    MassProperties given;
+    given.mass = random.whole(1, 4);
+    given.I_BBcm_B = random.pick<Vec3>({Vec3(2, 3, 4), Vec3(4, 2, 3), Vec3(2, 2, 3)}).asDiagonal();
+    body.mass = given;
+    body.velocity.w_WB = 0.125 * small_vector(random, 3);
+  }
+  return run(random, std::move(bodies), motion_until(1, 2));
+}
+
+/// Forces that begin and change during the motion; or one that acts from the start (which is no event), one at the end,
+/// and one after the end (which has no effect).
+Scene pushed(Random& random) {
+  Scene scene = run(random, converging(random, random.between(2, 3), true), motion_until(2, 4));
+  scene.motion->force_bound = 64;
+  std::vector<double> times = {0.25, 0.5, 1};
+  if (random.one_in(4)) times = {0, 1, 2, 4};
+  for (const double time : times) {
+    const int body = random.below(static_cast<int>(scene.bodies.size()));
+    scene.motion->forces.push_back({time, body, small_vector(random, 16)});
+  }
+  return scene;
+}
+
+/// Bodies that move apart.
+Scene apart(Random& random) {
+  std::vector<Body> bodies;
+  const int count = random.between(1, 3);
+  for (int n = 0; n < count; ++n) {
+    Body body = with_mass(random, some_solid(random));
+    body.X_WB.p_WB = place(n);
+    body.velocity.v_WBcm = place(n) / 4;
+    body = spun(random, std::move(body));
+    bodies.push_back(std::move(body));
+  }
+  return run(random, std::move(bodies), motion_until(1, 4), {0, 0, -8});
+}
+
+/// Balls and blocks at rest on a level table, or above it within the envelope.
+Scene at_rest_on_a_table(Random& random) {
+  std::vector<Body> bodies = {floor_at_0()};
+  bodies[0].material = some_material(random);
+  const bool falls = !random.one_in(3);
+  const int count = random.between(1, 3);
+  for (int n = 0; n < count; ++n) {
+    Body body = with_mass(random, random.one_in(2) ? some_ball(random) : some_box(random));
+    const auto* box = std::get_if<Box>(&body.shape);
+    const double half = box != nullptr ? box->half_extents.z() : std::get<Sphere>(body.shape).radius;
+    body.material = some_material(random);
+    if (random.one_in(2)) body.material.restitution = 0;
+    body.X_WB.p_WB = {n * 17.0, 0, half + (falls ? 0 : 0x1p-12)};
+    bodies.push_back(std::move(body));
+  }
+  Motion motion = motion_until(4, 4);
+  motion.envelope = 0x1p-11;
+  return run(random, std::move(bodies), std::move(motion), {0, 0, falls ? -8.0 : 0.0});
+}
+
+/// A ball above a table: for e < 1 the last sample comes after infinitely many impacts.
+Scene bouncing(Random& random) {
+  Body ball = some_ball(random);
+  const double e = random.pick({0.0, 0.25, 0.5, 0.75, 1.0}), radius = std::get<Sphere>(ball.shape).radius;
+  ball.material.restitution = e;
+  Body table = floor_at_0();
+  table.material.restitution = 1;
+  ball.X_WB.p_WB = {0, 0, radius + random.whole(0, 4) + 0.5};
+  ball.velocity.v_WBcm = {0, 0, random.whole(-2, 2)};
+  return run(random, {std::move(table), std::move(ball)}, motion_until(8, 16), {0, 0, -8});
+}
+
+/// Two bodies that start 2^4 to 2^60 of their sizes apart, and come within a few sizes or into contact halfway through
+/// the motion. Positions and velocities are exact: one axis has the approach, the others have the offset.
+Scene far_apart(Random& random) {
+  Body a = random.one_in(3) ? some_box(random) : some_ball(random), b = some_ball(random);
+  const double way = std::ldexp(std::max(size(a.shape), size(b.shape)), random.between(4, 60));
+  a.material = b.material = some_material(random);
+  if (random.one_in(4)) a = fixed(std::move(a));
+  b.X_WB.p_WB = {way, 0.5 * random.whole(-3, 3), 0.5 * random.whole(-3, 3)};
+  b.velocity.v_WBcm = {-2 * way, 0, 0};
+  return turned_somehow(random, run(random, {std::move(a), std::move(b)}, motion_until(1, 2)));
+}
+
+}  // namespace
+
+std::vector<Family> run_families() {
+  const std::vector<std::string> queries = {"simulation"};
+  return {
+      {"runs.balls", "balls that meet in the middle", queries, true, balls},
+      {"runs.solids", "two solids that meet in the middle", queries, true, solids},
+      {"runs.elastic_balls", "the same for elastic, smooth balls", queries, true, elastic_balls},
+      {"runs.on_a_table", "solids thrown onto a table", queries, true, on_a_table},
+      {"runs.cradle", "equal balls in a row, with gaps", queries, true, cradle},
+      {"runs.ties", "pairs that meet at one time", queries, true, ties},
+      {"runs.one_impact", "two elastic, smooth bodies that meet once", queries, true, one_impact},
+      {"runs.tops", "bodies whose moments differ, turning", queries, true, tops},
+      {"runs.pushed", "forces that begin and change", queries, true, pushed},
+      {"runs.apart", "bodies that never meet", queries, true, apart},
+      {"runs.at_rest", "balls and blocks at rest on a table", queries, true, at_rest_on_a_table},
+      {"runs.bouncing", "a ball that bounces, and comes to rest", queries, true, bouncing},
+      {"runs.far_apart", "two bodies that set out 2^4 to 2^60 sizes apart", queries, false, far_apart},
+  };
+}
+
+}  // namespace touchstone::properties

@@ -1,0 +1,229 @@
+// A ball on tables: it slides, rolls, falls, rebounds. Also blocks and stacks, for which only laws are known, no exact
+// answer.
+//
+// Lengths are multiples of 2⁻⁴, and tilts are rotations with small integer quaternions, so that contacts touch exactly.
+// Speeds are chosen such that something changes during the motion; in some families they are within 2⁻²⁰ of the value
+// at which it would not.
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include "properties/scenes/families.h"
+
+namespace touchstone::properties {
+namespace {
+
+constexpr double g = 9.75;  // exact in floats
+
+double sixteenths(Random& random, int lo, int hi) { return random.whole(lo, hi) / 16; }
+
+/// The nearest multiple of 2^-bits: the same on every machine, like a square root.
+double rounded(double x, int bits) { return std::ldexp(std::floor(std::ldexp(x, bits) + 0.5), -bits); }
+
+Body plate(const Vec3& half, const Pose& X_WB, const Material& material) {
+  return {"table", Box{half}, X_WB, {}, material, Fixed{}};
+}
+
+Material some_surface(Random& random) {
+  return {random.pick({0.0, 0.0, 0.5}), random.pick({0.0, 0.0625, 0.125, 0.25, 0.5, 1.0})};
+}
+
+Mass some_mass(Random& random, double r) {
+  if (random.one_in(2)) return Density{random.pick({1.0, 1000.0})};
+  // A nearly hollow ball, one with a heavy core, and one in between.
+  const double m = random.pick({0.5, 1.0, 4.0});
+  return MassProperties{m, Vec3::Zero(), Mat3(random.pick({0.625, 0.25, 0.4375}) * m * r * r * Mat3::Identity())};
+}
+
+Body ball(Random& random, double r, const Vec3& p) {
+  return {"ball", Sphere{r}, {p, {}}, {}, {1, 16}, some_mass(random, r)};
+}
+
+/// The angular velocity with which a ball of velocity v rolls on a face with normal n.
+Vec3 rolling(const Vec3& v, const Vec3& n, double r) { return n.cross(v) / r; }
+
+Motion sampled_at(double end) {
+  Motion motion;
+  for (int i = 1; i <= 8; ++i) motion.sample_times.push_back(end * i / 8);
+  return motion;
+}
+
+Scene table_scene(Random& random, double r) {
+  Scene scene;
+  scene.gravity = Vec3(0, 0, -g);
+  const Vec3 half{sixteenths(random, 32, 64), sixteenths(random, 32, 64), sixteenths(random, 8, 32)};
+  scene.bodies = {ball(random, r, Vec3(0, 0, r)), plate(half, {Vec3(0, 0, -half.z()), {}}, some_surface(random))};
+  return scene;
+}
+
+double some_radius(Random& random) { return random.pick({0.0625, 0.125, 0.25, 0.5}); }
+
+/// Slides with spin about any axis, so that its path curves.
+Scene slides(Random& random) {
+  const double r = some_radius(random);
+  Scene scene = table_scene(random, r);
+  scene.bodies[1].material.friction = random.pick({0.0625, 0.125, 0.25, 0.5});
+  const double vx = sixteenths(random, -24, 24), vy = sixteenths(random, -24, 24);
+  scene.bodies[0].velocity.v_WBcm = Vec3(vx, vy, 0);
+  const double wx = random.whole(-8, 8), wy = random.whole(-8, 8), wz = random.whole(-8, 8);
+  scene.bodies[0].velocity.w_WB = Vec3(wx, wy, wz);
+  scene.motion = sampled_at(random.pick({0.25, 0.5, 1.0}));
+  return scene;
+}
+
+/// Rolls off the edge fast enough to leave it at once, and falls onto a floor.
+Scene falls(Random& random) {
+  const double r = some_radius(random);
+  Scene scene = table_scene(random, r);
+  const double least = rounded(std::sqrt(r * g), 4);
+  const Vec3 v{least + sixteenths(random, 4, 48), random.one_in(2) ? 0 : sixteenths(random, -8, 8), 0};
+  scene.bodies[0].velocity = {v, rolling(v, Vec3::UnitZ(), r)};
+  const double floor = -sixteenths(random, 40, 80);
+  scene.bodies.push_back(plate(Vec3(64, 64, 1), {Vec3(0, 0, floor - 1), {}}, some_surface(random)));
+  if (random.one_in(4)) std::swap(scene.bodies[0], scene.bodies[2]);
+  scene.motion = sampled_at(random.pick({1.0, 1.5, 2.0}));
+  return scene;
+}
+
+/// Rolls over the edge with v² above g r by only 2⁻⁴ to 2⁻¹² of it.
+Scene barely_flies(Random& random) {
+  const double r = some_radius(random);
+  Scene scene = table_scene(random, r);
+  const double v = rounded(std::sqrt(r * g), 16) * (1 + std::ldexp(1.0, -random.between(1, 12)));
+  const Vec3 velocity(rounded(v, 16) + 0x1p-16, 0, 0);
+  scene.bodies[0].velocity = {velocity, rolling(velocity, Vec3::UnitZ(), r)};
+  const double half = std::get<Box>(scene.bodies[1].shape).half_extents.x();
+  scene.motion = sampled_at(rounded(1.25 * half / v, 4) + 0.0625);
+  return scene;
+}
+
+/// A box on the table, in the ball's path.
+Scene obstacle(Random& random) {
+  const double r = some_radius(random);
+  Scene scene = table_scene(random, r);
+  const Vec3 v{sixteenths(random, 8, 48), random.one_in(2) ? 0 : sixteenths(random, -4, 4), 0};
+  scene.bodies[0].velocity = {v, random.one_in(3) ? Vec3::Zero() : rolling(v, Vec3::UnitZ(), r)};
+  const double hx = sixteenths(random, 2, 8), hz = sixteenths(random, 1, 16);
+  const Material surface{random.pick({0.25, 0.5, 1.0}), random.pick({0.0, 0.0, 0.125, 0.5})};
+  scene.bodies.push_back(plate(Vec3(hx, 1, hz), {Vec3(r + hx + sixteenths(random, 4, 12), 0, hz), {}}, surface));
+  scene.motion = sampled_at(random.pick({0.5, 1.0}));
+  return scene;
+}
+
+/// A face tilted about y: downhill is (c, 0, −s), with n = (s, 0, c), tan = s/c = 4/3, 3/4, 5/12 or 8/15.
+struct Slope {
+  Quaternion q;
+  double c, s, over;  ///< cos = c/over, sin = s/over
+};
+constexpr Slope slopes[] = {
+    {{2, 0, 1, 0}, 3, 4, 5}, {{3, 0, 1, 0}, 4, 3, 5}, {{5, 0, 1, 0}, 12, 5, 13}, {{4, 0, 1, 0}, 15, 8, 17}};
+
+/// The ball at `along` · (c, 0, −s)/16 from the middle of the top face, touching it exactly: h + r is a multiple of
+/// over/16.
+Scene on_slope(Random& random, const Slope& slope, double along) {
+  const double r = slope.over / 16 * random.pick({0.25, 0.5});
+  const int steps = random.between(1, 3);
+  const double h = steps * slope.over / 16 - r;
+  const Vec3 n = Vec3(slope.s, 0, slope.c) / 16, down = Vec3(slope.c, 0, -slope.s) / 16;
+  Scene scene;
+  scene.gravity = Vec3(0, 0, -g);
+  scene.bodies = {ball(random, r, steps * n + along * down),
+                  plate(Vec3(slope.over / 4, 2, h), {Vec3::Zero(), slope.q}, some_surface(random))};
+  return scene;
+}
+
+/// Slides and rolls uphill and downhill.
+Scene slope(Random& random) {
+  const Slope& tilt = slopes[random.below(4)];
+  Scene scene = on_slope(random, tilt, random.between(-1, 1));
+  const Vec3 down = Vec3(tilt.c, 0, -tilt.s) / 16;
+  const double speed = random.whole(-6, 6) / 2;
+  const double r = std::get<Sphere>(scene.bodies[0].shape).radius;
+  const double spin = random.one_in(2) ? speed * tilt.over / 16 / r : random.whole(-6, 6);  // rolling, or arbitrary
+  scene.bodies[0].velocity = {speed * down, Vec3(0, spin, 0)};
+  scene.motion = sampled_at(random.pick({0.25, 0.5}));
+  return scene;
+}
+
+/// Rolls uphill and reverses before the edge, by 2⁻⁶ to 2⁻³⁰ of the distance.
+Scene barely_stays(Random& random) {
+  const Slope& tilt = slopes[1 + random.below(3)];
+  Scene scene = on_slope(random, tilt, 0);
+  Body& rolls = scene.bodies[0];
+  rolls.mass = Density{1};
+  scene.bodies[1].material = {0, 2};
+  const double r = std::get<Sphere>(rolls.shape).radius, half = tilt.over / 4;
+  const double critical = std::sqrt(2 * 5.0 / 7 * g * tilt.s / tilt.over * half) / tilt.over;
+  const double k =
+      std::ldexp(std::floor(std::ldexp(critical * (1 - std::ldexp(1.0, -random.between(6, 30))), 34)), -34);
+  rolls.velocity = {Vec3(-k * tilt.c, 0, k * tilt.s), Vec3(0, -k * tilt.over / r, 0)};
+  scene.motion = sampled_at(random.pick({0.5, 1.0}));
+  return scene;
+}
+
+/// Falls onto the table with spin; with restitution it falls again.
+Scene drops(Random& random) {
+  const double r = some_radius(random);
+  Scene scene = table_scene(random, r);
+  scene.bodies[1].material.friction = random.pick({0.0625, 0.125, 0.25, 0.5});
+  scene.bodies[0].X_WB.p_WB.z() += sixteenths(random, 1, 16);
+  const double vx = sixteenths(random, -16, 16), wy = random.whole(-16, 16), wx = random.whole(-4, 4);
+  scene.bodies[0].velocity = {Vec3(vx, 0, 0), Vec3(wx, wy, 0)};
+  scene.motion = sampled_at(random.pick({0.5, 0.75}));
+  return scene;
+}
+
+Body block(const Vec3& half, const Pose& X_WB, double density) {
+  return {"block", Box{half}, X_WB, {}, {0, 0.5}, Density{density}};
+}
+
+/// A block on a slope, with friction close to the tangent of its angle.
+Scene block_on_slope(Random& random) {
+  const Slope& tilt = slopes[random.below(4)];
+  Scene scene = on_slope(random, tilt, 0);
+  const double r = std::get<Sphere>(scene.bodies[0].shape).radius;
+  const Pose X_WB{scene.bodies[0].X_WB.p_WB, tilt.q};
+  scene.bodies[0] = block(Vec3(2 * r, r, r), X_WB, 1);
+  const int side = random.sign();
+  scene.bodies[0].material.friction =
+      rounded(tilt.s / tilt.c * (1 + side * std::ldexp(1.0, -random.between(1, 8))), 16);
+  scene.bodies[1].material = {0, 16};
+  scene.motion = sampled_at(0.25);
+  return scene;
+}
+
+/// Boxes on boxes, each up to a hundred times as heavy as the one below.
+Scene stack(Random& random) {
+  Scene scene;
+  scene.gravity = Vec3(0, 0, -g);
+  scene.bodies = {plate(Vec3(4, 4, 1), {Vec3(0, 0, -1), {}}, {0, 0.5})};
+  double top = 0;
+  const int count = random.between(2, 3);
+  for (int i = 0; i < count; ++i) {
+    const double hz = sixteenths(random, 4, 8), x = sixteenths(random, -2, 2), y = sixteenths(random, -2, 2);
+    const double density = random.pick({1.0, 1.0, 10.0, 100.0});
+    scene.bodies.push_back(block(Vec3(0.5, 0.5, hz), {Vec3(x, y, top + hz), {}}, density));
+    top += 2 * hz;
+  }
+  scene.motion = sampled_at(0.25);
+  return scene;
+}
+
+}  // namespace
+
+std::vector<Family> table_families() {
+  const std::vector<std::string> queries = {"constraint"};
+  return {
+      {"tables.slides", "a ball that slides on a table, with spin", queries, true, slides},
+      {"tables.falls", "a ball that rolls off a table onto a floor", queries, false, falls},
+      {"tables.barely_flies", "a ball over the edge, v² above g r by a half to 2^-12 of it", queries, false,
+       barely_flies},
+      {"tables.obstacle", "a box in the ball's way", queries, false, obstacle},
+      {"tables.slope", "a ball that slides or rolls on a tilted table", queries, false, slope},
+      {"tables.barely_stays", "a ball that turns just before the upper edge", queries, false, barely_stays},
+      {"tables.drops", "a ball that falls on a table with spin", queries, true, drops},
+      {"tables.block", "a block on a slope, friction near the tangent", queries, false, block_on_slope},
+      {"tables.stack", "two or three boxes on each other, the upper up to 100 times as heavy", queries, false, stack},
+  };
+}
+
+}  // namespace touchstone::properties

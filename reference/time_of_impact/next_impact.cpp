@@ -1,0 +1,112 @@
+#include "reference/time_of_impact/next_impact.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "reference/ballistic_motion.h"
+#include "reference/distance.h"
+#include "reference/exact/linear.h"
+#include "reference/exact/rational.h"
+#include "reference/time_of_impact/initial_contact.h"
+
+namespace touchstone::reference {
+namespace {
+
+using Meeting = TimeOfImpact::Meeting;
+
+double start_of(const Scene& pair) { return std::max(pair.motion->start_times[0], pair.motion->start_times[1]); }
+
+Scene at(const Scene& pair, double time) {
+  Scene then = pair;
+  for (std::size_t b = 0; b < 2; ++b) {
+    if (pair.motion->start_times[b] != time) then.bodies[b] = moved(pair, b, time);
+  }
+  return then;
+}
+
+double gap(const Scene& pair, double time) { return distance(at(pair, time)).distance.lo; }
+
+NextImpact next_of(const TimeOfImpactTruth& truth) {
+  if (truth.meeting == Meeting::miss) return {};
+  return {truth.meeting == Meeting::hit, truth.time.lo, false};
+}
+
+/// A time at which the two are more than the envelope apart, not long after this is first so.
+std::optional<double> time_outside(const Scene& pair, double envelope, double from, double until) {
+  for (int k = 20; k >= 0; --k) {
+    const double time = from + std::ldexp(until - from, -2 * k);
+    if (time > from && gap(pair, time) > envelope) return time;
+  }
+  return std::nullopt;
+}
+
+Triple exact(const RationalVec3& v) { return {value_of(v.x), value_of(v.y), value_of(v.z)}; }
+
+Vec3 rounded(const Three<Float>& v) {
+  return {static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])};
+}
+
+double radius(const Body& body, int part) { return core_of(body, part).radius; }
+
+}  // namespace
+
+Body moved(const Scene& scene, std::size_t index, double time) {
+  const BallisticTruth truth = ballistic_state(scene, index, time);
+  if (!std::isfinite(truth.R_WB[0][0].hi - truth.R_WB[0][0].lo)) throw MotionUnknown();
+  const auto middle = [](const Interval& i) { return i.lo + (i.hi - i.lo) / 2; };
+  const auto vec = [&](const std::array<Interval, 3>& v) { return Vec3(middle(v[0]), middle(v[1]), middle(v[2])); };
+  const auto& q = truth.q_WB;
+  Body body = scene.bodies[index];
+  body.X_WB = {vec(truth.p_WB), {middle(q[0]), middle(q[1]), middle(q[2]), middle(q[3])}};
+  body.velocity = {vec(truth.v_WBcm), vec(truth.w_WB)};
+  return body;
+}
+
+NextImpact next_impact(const Scene& pair, double envelope) {
+  const double start = start_of(pair);
+  const double now = gap(pair, start);
+  if (now > envelope / 2) return next_of(time_of_distance(pair, envelope / 2, start));
+  if (now > 0 && now < envelope * 0x1p-20) return {false, start, true};
+  const TimeOfImpactTruth nearer = now > 0 ? time_of_distance(pair, now * 63 / 64, start) : time_of_impact(pair);
+  if (const std::optional<double> time = time_outside(pair, envelope, start, nearer.time.lo)) {
+    return next_of(time_of_distance(pair, envelope / 2, *time));
+  }
+  NextImpact next = next_of(nearer);
+  next.micro_bounces = true;
+  return next;
+}
+
+std::optional<Contact> contact(const Scene& pair) {
+  const Body& A = pair.bodies[0];
+  const Body& B = pair.bodies[1];
+  const DistanceTruth apart = distance(pair);
+  const BallisticStart a = ballistic_start(pair, 0), b = ballistic_start(pair, 1);
+  InitialContact touch;
+  if (apart.verdict == Verdict::separated) {
+    touch.n = exact(apart.difference);
+    const auto speed = [&](const Triple& x) {
+      return mpq_class(dot(touch.n, minus(velocity(a, x), velocity(b, minus(x, touch.n)))));
+    };
+    const std::vector<Triple> points = closest_points_on_A(A, apart.part_A, B, apart.part_B, touch.n);
+    touch.x = *std::ranges::min_element(points, {}, speed);
+    touch.y = minus(touch.x, touch.n);
+    if (speed(touch.x) >= 0) return std::nullopt;
+  } else {
+    touch = initial_contact(A, apart.part_A, a, B, apart.part_B, b, 0);
+    if (touch.kind != InitialContact::Kind::approaching) return std::nullopt;
+  }
+  const Three<Float> n = float_of(touch.n);
+  const Three<Float> nhat = scaled(Float(1 / sqrt(inner(n, n))), n);
+  const Float half(0.5);
+  const Float lean = half * (Float(radius(B, apart.part_B)) - Float(radius(A, apart.part_A)));
+  Contact result;
+  result.p_WC = rounded(plus(scaled(half, float_of(plus(touch.x, touch.y))), scaled(lean, nhat)));
+  result.nhat_BA_W = rounded(nhat);
+  result.law = pair.motion->law;
+  result.restitution = std::min(A.material.restitution, B.material.restitution);
+  result.friction = std::min(A.material.friction, B.material.friction);
+  return result;
+}
+
+}  // namespace touchstone::reference
