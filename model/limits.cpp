@@ -37,6 +37,10 @@ void positive(double number, const std::string& place) {
   if (!(number > 0)) throw InputError(place, "expected a number above 0" + found(number));
 }
 
+void not_negative(double number, const std::string& place) {
+  if (number < 0) throw InputError(place, "expected a number that is not negative" + found(number));
+}
+
 void validate(const Pose& X, const std::string& place) {
   finite(X.p_WB, place + ".p");
   const Quaternion& q = X.q_WB;
@@ -143,8 +147,7 @@ void validate_restitution(double e, const std::string& place) {
 void validate(const Material& material, const std::string& place) {
   validate_restitution(material.restitution, place + ".restitution");
   finite(material.friction, place + ".friction");
-  if (material.friction < 0)
-    throw InputError(place + ".friction", "expected a number that is not negative" + found(material.friction));
+  not_negative(material.friction, place + ".friction");
 }
 
 void validate(const Body& body, const std::string& place) {
@@ -195,7 +198,7 @@ void validate(const Contact& contact, const Scene& scene, const std::string& pla
   validate_restitution(contact.restitution, place + ".restitution");
   const double mu = contact.friction;
   if (std::isnan(mu)) throw InputError(place + ".friction", "NaN; expected a number");
-  if (mu < 0) throw InputError(place + ".friction", "expected a number that is not negative" + found(mu));
+  not_negative(mu, place + ".friction");
   if (is_fixed(scene.bodies[0]) && is_fixed(scene.bodies[1])) {
     throw InputError(place, "both bodies are fixed; expected one that an impulse moves");
   }
@@ -261,7 +264,7 @@ void validate_since(const std::vector<double>& since, std::size_t bodies, double
   }
   for (std::size_t i = 0; i < since.size(); ++i) {
     finite(since[i], item(place, i));
-    if (since[i] < 0) throw InputError(item(place, i), "expected a number that is not negative" + found(since[i]));
+    not_negative(since[i], item(place, i));
     if (since[i] > first)
       throw InputError(item(place, i), "expected no more than the motion's first sample time" + found(since[i]));
   }
@@ -269,13 +272,12 @@ void validate_since(const std::vector<double>& since, std::size_t bodies, double
 
 void validate_pushes(const Motion& motion, const std::vector<Body>& bodies, const std::string& place) {
   finite(motion.force_bound, place + ".force_bound");
-  if (motion.force_bound < 0)
-    throw InputError(place + ".force_bound", "expected a number that is not negative" + found(motion.force_bound));
+  not_negative(motion.force_bound, place + ".force_bound");
   for (std::size_t i = 0; i < motion.forces.size(); ++i) {
     const AppliedForce& push = motion.forces[i];
     const std::string here = item(place + ".forces", i);
     finite(push.time, here + ".time");
-    if (push.time < 0) throw InputError(here + ".time", "expected a number that is not negative" + found(push.time));
+    not_negative(push.time, here + ".time");
     if (i > 0 && push.time < motion.forces[i - 1].time) {
       throw InputError(here + ".time", "expected no less than the time of the force before it" + found(push.time));
     }
