@@ -10,7 +10,8 @@
 namespace touchstone::fast {
 namespace {
 
-/// From this many vertices on, climbing costs less than scanning all of them (measured: 20 cost the same).
+/// From this many vertices on, climbing costs less than scanning all of them (measured, docs/measured/plan.md:
+/// 20 cost the same).
 constexpr std::size_t worth_climbing = 24;
 
 std::size_t most_vertices(const Sphere&) { return 0; }

@@ -5,6 +5,8 @@
 namespace touchstone::fast {
 namespace {
 
+// A node with at most this many bodies is a leaf. A choice: smaller leaves mean more nodes to visit, larger ones more
+// box tests.
 constexpr std::size_t few = 8;
 
 // Beyond this depth doubles cannot halve the cubes further: bodies this close stay together.

@@ -10,6 +10,7 @@
 namespace touchstone::fast {
 namespace {
 
+// A float holds each smaller id exactly (fast/broad_phase/wrapped_cells.h).
 constexpr BodyId id_limit = BodyId{1} << 24U;
 
 // So that differences of two coordinates, and their sums with an extent, stay finite.

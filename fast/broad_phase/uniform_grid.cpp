@@ -6,7 +6,11 @@
 namespace touchstone::fast {
 namespace {
 
+// The cost of an entry in a cell's list relative to that of a box test, in the model that chooses the size of cells. A
+// choice: an entry is written, sorted and read. The minimum of the model is flat.
 constexpr double entry_per_test = 3;
+
+// A choice that bounds memory where a few bodies are much larger than the others.
 constexpr double entries_per_body = 16;
 
 double modelled_cost(double x, double density) {

@@ -6,6 +6,8 @@
 namespace touchstone::fast {
 namespace {
 
+// The cells of a level are four times as wide as those of the level before: twelve levels hold sizes from 1 to 2^22.
+// Still larger bodies share the last level.
 constexpr std::size_t most_levels = 12;
 
 // Measured best on the coherent and the ratio world at 1,000 to 100,000 bodies (1.6 to 3 tried): wider cells mean more
@@ -15,6 +17,8 @@ constexpr double cells_per_distance = 2.25;
 // The limit of the mean number of bodies in a body's cell. Uniformly spread bodies have 1 + cells_per_distance³ ≈ 12.4;
 // some crowding is accepted.
 constexpr double crowd_allowed = 32;
+
+// Cells across the world. Coordinates within it are floats with 24 bits: the last four are left for places in a cell.
 constexpr double greatest_units = 0x1p20;
 
 }  // namespace

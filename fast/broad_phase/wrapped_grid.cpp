@@ -11,10 +11,12 @@ constexpr std::uint32_t none = 0xffffffff;
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
-// After so many sorts the cells are laid out again: bodies may have gathered or grown.
+// After so many sorts the cells are laid out again: bodies may have gathered or grown. A choice: less often keeps cells
+// that no longer fit; more often spends more time on the layout, which costs a few passes over all boxes.
 constexpr int sorts_per_layout = 64;
 
-// How many steps ahead in a list its targets are prefetched.
+// How many steps ahead in a list its targets are prefetched. A choice: far enough to cover the latency of main memory,
+// and so near that what is fetched stays in the cache until it is used.
 constexpr std::size_t look_ahead = 12;
 
 void prefetch([[maybe_unused]] const void* what) {

@@ -18,7 +18,7 @@ long greatest_exponent(const Vector& v) {
 /// A product of powers of two that doubles can represent, since k may be beyond their range.
 Dyadic power_of_two(long k) {
   Dyadic power = 1;
-  constexpr long step = 1000;
+  constexpr long step = 1000;  // 2^1000 and 2^-1000 are normal doubles
   for (; k >= step; k -= step) power = power * std::ldexp(1.0, step);
   for (; k <= -step; k += step) power = power * std::ldexp(1.0, -step);
   return power * std::ldexp(1.0, static_cast<int>(k));

@@ -8,12 +8,16 @@
 namespace touchstone::fast::impulse {
 namespace {
 
+/// A choice: a higher order makes phases longer and each of them dearer. By direction the n-th term costs the same as
+/// the first, by time it costs n times as much (fast/impulse/phase.h).
 constexpr std::size_t time_order = 20, direction_order = 32;
 
 /// Near a root of η the direction hardly changes while s does, so it determines s with ever fewer digits: time is
-/// better.
+/// better. The limits are choices between the two ways, which agree where both apply: they decide about time alone.
 constexpr double slowest_turn = 1.0 / 32;  // relative to rate()
 constexpr double shortest_turn = 1.0 / 64;
+
+/// tan of half a turn of 53°, and units of 1/rate. A choice: beyond them the series seldom converge within their order.
 constexpr double longest_turn = 0.5, longest_time = 8;
 
 constexpr auto inverses = [] {

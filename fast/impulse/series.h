@@ -7,6 +7,7 @@
 
 namespace touchstone::fast::impulse {
 
+/// One more than the greatest order in use (fast/impulse/phase.cpp).
 inline constexpr std::size_t most_terms = 33;
 
 /// x_0 + x_1 t + … + x_order t^order.

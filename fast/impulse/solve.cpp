@@ -11,7 +11,8 @@
 namespace touchstone::fast::impulse {
 namespace {
 
-/// Where u_n should be 0, rounding leaves this much, relative to |u|.
+/// Where u_n should be 0, rounding leaves less than this, relative to |u|. A choice: some ten roundings in each of a
+/// few phases. A speed below it counts as 0.
 constexpr double noise = 64 * 0x1p-53;
 
 class ImpactSolver {
@@ -107,7 +108,8 @@ class ImpactSolver {
     }
   }
 
-  static constexpr int most_compressions = 16;  ///< one more was enough in all cases seen so far
+  /// A choice that ends the loop: one more was enough in all cases seen so far.
+  static constexpr int most_compressions = 16;
 
   Impact i_;
   double speeds_;

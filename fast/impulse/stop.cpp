@@ -8,7 +8,11 @@
 namespace touchstone::fast::impulse {
 namespace {
 
+/// tan of half the turn that is left. A choice: from farther away slip is followed by phases (fast/impulse/phase.h),
+/// which also end at the stop, in more steps.
 constexpr double farthest = 0.5;
+
+/// A choice: a series that needs more terms converges slower than phases do.
 constexpr std::size_t terms = 64;
 
 struct Direction {

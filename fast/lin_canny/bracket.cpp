@@ -53,6 +53,8 @@ Vec3 direction(const PosedHull& A, const PosedHull& B, const Closest& c) {
     const Vec3 e = edge_in_pair(A, a);
     const Vec3 f = edge_in_pair(B, b);
     const Vec3 n = (e / std::sqrt(A.hull->edge(a.index).squared)).cross(f / std::sqrt(B.hull->edge(b.index).squared));
+    // The squared sine of the angle between the edges. A choice: a smaller limit gives up digits of n by cancellation,
+    // a larger one uses the difference of the points where n is better. Any direction gives a valid bound.
     constexpr double clearly_crossing = 0x1p-10;
     return n.squaredNorm() > clearly_crossing ? along_difference(n, d) : across(across(d, e), f);
   }

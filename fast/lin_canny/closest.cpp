@@ -93,7 +93,9 @@ Closest edge_edge(const PosedHull& A, int e, const PosedHull& B, int f) {
   const double dw = d.dot(w);
   const double gw = g.dot(w);
   const double sine = dd * gg - dg * dg;
-  constexpr double parallel = 0x1p-44;  // less is rounding
+  // The squared sine. d and g round by at most turn_error each and dd·gg and dg² by a few u more: together less than
+  // 2^-46. What is below 2^-44 is mostly rounding.
+  constexpr double parallel = 0x1p-44;
   double s = sine > parallel * dd * gg ? std::clamp((gg * dw - dg * gw) / sine, 0.0, 1.0) : 0.0;
   const double r = std::clamp((s * dg - gw) / gg, 0.0, 1.0);
   s = std::clamp((r * dg + dw) / dd, 0.0, 1.0);

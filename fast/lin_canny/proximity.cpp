@@ -10,7 +10,8 @@ namespace touchstone::fast::lin_canny {
 namespace {
 
 /// The bracket's width is twice the rounding error if the walk ended at the closest features; but a witness in a face
-/// is not quite below the vertex, and the direction not quite the best.
+/// is not quite below the vertex, and the direction not quite the best. So half as much again is allowed. A choice:
+/// more would give wider enclosures, less would compute exactly more often.
 constexpr double explained_by_rounding = 3;
 
 bool fit_doubles(const PosedHull& A, const PosedHull& B) {

@@ -8,6 +8,7 @@
 namespace touchstone::fast::lin_canny {
 namespace {
 
+/// A choice that ends a search: where it makes progress, it takes a few steps more than a simplex has vertices.
 constexpr int most_vertices = 40;
 
 struct Point {

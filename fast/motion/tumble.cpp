@@ -9,6 +9,7 @@
 namespace touchstone::fast::motion {
 namespace {
 
+/// No two unit vectors differ by more.
 constexpr double nothing_known = 2;
 
 /// A with δω' = A δω.

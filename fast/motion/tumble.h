@@ -50,6 +50,7 @@ class Tumble {
   bool follows(double tau) const;
 
  private:
+  /// A choice: a step is as long as the series converges. A higher order makes longer steps and costs more for each.
   static constexpr int order = 20;
   using Terms = std::array<double, 7>;  ///< of q and ω
 

@@ -10,7 +10,10 @@
 namespace touchstone::fast::motion {
 namespace {
 
+/// In units of 1/Ω. A choice that bounds the number of steps to store: at most 2^11 of 8 units while rounding permits.
 constexpr double longest = 0x1p14;
+
+/// Up to this relative error the factor 1.5 below covers the terms of second order.
 constexpr double well_known = 0x1p-6;
 
 /// Converges quadratically: each iteration squares the difference.

@@ -14,6 +14,7 @@ namespace {
 using motion::Centre;
 using Kind = TimeOfImpact::Meeting;
 
+/// A choice that ends a search: contacts that need more are left undecided, after a second or less.
 constexpr int most_queries = 200'000;
 
 /// t + h, or a double less than that where rounding would exceed it.

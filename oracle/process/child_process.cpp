@@ -27,6 +27,8 @@ namespace {
 
 using Clock = ChildProcess::Clock;
 
+// All choices. What is kept of stderr has room for the last lines of a sanitizer's report; the times are long for a
+// process that is alive and short for a person who waits.
 constexpr std::size_t kept_of_stderr = 4096;
 constexpr std::size_t quoted_of_stderr = 400;
 constexpr int tick_ms = 20;                   // between two checks of the clocks

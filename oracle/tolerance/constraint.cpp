@@ -14,6 +14,8 @@ namespace {
 using Change = reference::ConstraintTruth::Change;
 using Mode = reference::ConstraintTruth::Mode;
 
+// The bounds are those of a method of first order that takes so many steps in a motion. A choice: 4096 steps are usual,
+// and an engine may take steps four times as long. More steps would be stricter.
 constexpr double steps_granted = 1024;
 constexpr double roundings = 0x1p14;  // of a coordinate: a few for each step, for more steps than are granted
 

@@ -20,7 +20,8 @@ Real solver(const Impact& impact) {
 }
 
 // How much a relative change of K, or of u, can change the impulse, all in energy norms. Measured by differences over
-// nine classes of contacts: at most 46 and 19. This is not a theorem; there is none where the law itself jumps.
+// nine classes of contacts: at most 46 and 19 (docs/design/impulse.md; no program repeats it). This is not a theorem;
+// there is none where the law itself jumps.
 constexpr Real of_K = 64;
 constexpr Real of_u = 32;
 

@@ -34,7 +34,8 @@ Vec3 force(const Motion& motion, std::size_t body, double time) {
   return latest;
 }
 
-// Moments that differ by less count as equal.
+// Moments that differ by less, relative to the greatest, count as equal. They come from doubles and are computed in
+// long doubles, so 2^-40 is far above their rounding. A choice: the bounds hold on both sides of it.
 constexpr Real equal = 0x1p-40L;
 
 // The greatest rate of a torque-free rotation, Ω² = 2T(1/I₁ + 1/I₃) − L²/(I₁I₃), moments ascending.

@@ -22,7 +22,8 @@
 namespace touchstone::oracle::truth {
 
 /// Each function caches the last few scenes of this thread. The returned reference stays valid until the thread has
-/// asked about `remembered` other scenes.
+/// asked about `remembered` other scenes. A choice: a property uses a scene and at most a few images of it, and the
+/// scene comes again for each subject.
 inline constexpr int remembered = 8;
 
 const std::vector<std::optional<reference::MassTruth>>& mass(const Scene& scene);
@@ -35,7 +36,8 @@ const reference::PenetrationTruth& penetration(const Scene& scene);
 /// Computed to `some` digits for every subject, so a scene's truth does not depend on the subject.
 const reference::ImpulseTruth& impulse(const Scene& scene);
 
-/// A trajectory consists of many ballistic motions, and several properties judge it: more of these are cached.
+/// A trajectory consists of many ballistic motions, and several properties judge it: more of these are cached. A
+/// choice: enough for the events of most scenes that are drawn.
 inline constexpr int remembered_motions = 256;
 const reference::TimeOfImpactTruth& time_of_impact(const Scene& scene);
 const reference::TimeOfImpactTruth& time_of_distance(const Scene& scene, double apart, double from = 0);

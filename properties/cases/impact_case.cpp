@@ -12,6 +12,8 @@
 namespace touchstone::properties {
 namespace {
 
+// Of quantities that are 0 or positive in exact arithmetic: long doubles round by 2^-64, and a few roundings add up to
+// less than this.
 constexpr Real margin = 0x1p-60L;
 
 }  // namespace
