@@ -176,7 +176,8 @@ Scene tiny_pixels(Random& random) {
   Raster raster = small_raster(random);
   raster.pixel = std::ldexp(1.0, random.between(-58, -44));
   const Body A = at_rest(Box{Vec3::Constant(3)}, {Vec3(-3, -3, 0), {}});  // its corner is at 0
-  const Body B = at_rest(tetrahedron({0, 0, 0}, {-2, 5, 1}, {4, 1, -1}, {1, 1, 4}), {{}, small_quaternion(random)});
+  const Body B =
+      at_rest(tetrahedron({0, 0, 0}, {-2, 5, 1}, {4, 1, -1}, {1, 1, 4}), {Vec3::Zero(), small_quaternion(random)});
   raster.x *= raster.pixel;
   raster.y *= raster.pixel;
   return under(raster, pair(random, A, B));
