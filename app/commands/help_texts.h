@@ -80,7 +80,7 @@ Exit codes:
 inline constexpr const char* ask = R"(
 Examples:
   touchstone ask distance scene.json
-  touchstone ask impulse docs/scenes/impact_painleve.json
+  touchstone ask impulse docs/scenes/impact/painleve.json
   touchstone import part.stl | touchstone ask mass - --json
 
 Bodies 0 and 1 are A and B; if there are more, the answer begins with their names. Numbers are read as the exact
@@ -94,7 +94,7 @@ Exit codes:
 
 inline constexpr const char* plan = R"(
 Examples:
-  touchstone plan docs/scenes/swarm.json
+  touchstone plan docs/scenes/broad_phase/swarm.json
   touchstone plan dominoes
   touchstone plan scene.json --json
 
@@ -110,7 +110,7 @@ Exit codes:
 inline constexpr const char* simulate = R"(
 Examples:
   touchstone simulate bouncing_ball
-  touchstone simulate docs/scenes/motion_turntable.json --engine bullet --until 3
+  touchstone simulate docs/scenes/motion/rolling/turntable.json --engine bullet --until 3
   touchstone simulate pool_break --out events.jsonl --replay replay.html
   touchstone simulate scene.json --engine "exec:python3 my_engine.py"
 

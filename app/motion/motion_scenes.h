@@ -18,7 +18,7 @@ struct MotionScene {
   std::function<double(const Trajectory&)> error;
 };
 
-/// All scenes, by name; docs/scenes/motion_NAME.json is the same scene as a file. No bodies overlap at the start.
+/// All scenes, by name; each is also a file NAME.json below docs/scenes/motion. No bodies overlap at the start.
 const std::vector<MotionScene>& motion_scenes();
 
 /// The known scene that equals this one but for its sample times; null if there is none.

@@ -123,7 +123,8 @@ TEST_CASE("plan: says of each named scene what it needs") {
   };
   for (const Expected& expected : named) {
     CAPTURE(expected.scene);
-    const Scene scene = reference::completed(read_scene(TOUCHSTONE_SOURCE "/docs/scenes/" + expected.scene + ".json"));
+    const Scene scene =
+        reference::completed(read_scene(TOUCHSTONE_SOURCE "/docs/scenes/broad_phase/" + expected.scene + ".json"));
     const Plan chosen = plan(scene);
     CHECK(chosen.strategy == expected.strategy);
     for (const std::string& what : expected.used) CHECK(has(chosen.used, what));

@@ -38,7 +38,7 @@ inline Scene scene(const ImpactProblem& problem) {
 
 inline Mat3 diagonal(double x, double y, double z) { return Vec3(x, y, z).asDiagonal(); }
 
-// Impacts with a name; docs/scenes holds each of them as impact_<name>.json. A body on a fixed one realises any K.
+// Impacts with a name; docs/scenes/impact holds each of them as NAME.json. A body on a fixed one realises any K.
 
 /// Newton's law creates energy where slip stops: a rod at 45°, K = [[5/2, −3/2], [−3/2, 5/2]] in its plane. Velocities
 /// are 5 times those of the literature, so that they are doubles.

@@ -32,7 +32,7 @@ Rational energy_change(const ImpulseTruth& t) { return dot(t.P_A_W, plus(t.u0_W,
 /// Both within what is stated.
 bool near(const Rational& a, const Rational& b, double error = 1e-44) { return std::abs((a - b).nearest()) <= error; }
 
-TEST_CASE("impulse: the scenes in docs/scenes are those of the tests") {
+TEST_CASE("impulse: the scenes in docs/scenes/impact are those of the tests") {
   using Make = std::function<Scene()>;
   const std::vector<std::pair<std::string, Make>> named = {
       {"newton_paradox", [] { return tests::newton_paradox(); }},
@@ -45,7 +45,7 @@ TEST_CASE("impulse: the scenes in docs/scenes are those of the tests") {
   for (const auto& [name, make] : named) {
     Scene scene = make();
     scene.name = "impact_" + name;
-    const std::string path = TOUCHSTONE_SOURCE "/docs/scenes/" + scene.name + ".json";
+    const std::string path = TOUCHSTONE_SOURCE "/docs/scenes/impact/" + name + ".json";
     CHECK(read_scene(path) == scene);
   }
 }

@@ -50,7 +50,7 @@ MotionScene pi_billiard() {
 }
 
 /// A chaotic scene: the error of one impact grows by a factor of ten and more until the next. Truth: the same impacts
-/// computed with 60 digits (tests/app/pool_break.py).
+/// computed with 60 digits (tests/app/motion/pool_break.py).
 MotionScene pool_break() {
   std::vector<Body> bodies{ball(0.5, {-3, 0.0625, 0}, {{8, 0, 0}, {0, 0, 0}})};
   for (int row = 0; row < 5; ++row) {

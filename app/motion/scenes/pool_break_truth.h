@@ -1,4 +1,4 @@
-// Made by tests/app/pool_break.py, which a test runs again: 19 impacts with 60 digits, rounded to doubles.
+// Made by tests/app/motion/pool_break.py, which a test runs again: 19 impacts with 60 digits, rounded to doubles.
 #pragma once
 
 #include <array>

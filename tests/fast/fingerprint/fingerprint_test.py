@@ -43,8 +43,9 @@ def compiled(files, options, folder):
 
 class Fingerprints(unittest.TestCase):
     def said(self, program, scenes, **environment):
-        return subprocess.run([program, *(SOURCE / f"docs/scenes/motion_{name}.json" for name in scenes)], check=True,
-                              capture_output=True, text=True, env={**os.environ, **environment}).stdout.splitlines()
+        files = {path.stem: path for path in (SOURCE / "docs/scenes/motion").rglob("*.json")}
+        return subprocess.run([program, *(files[name] for name in scenes)], check=True, capture_output=True, text=True,
+                              env={**os.environ, **environment}).stdout.splitlines()
 
     @unittest.skipUnless(shutil.which(COMPILER), f"{COMPILER} is not installed")
     def test_every_build_gives_the_pinned_bits(self):

@@ -8,7 +8,7 @@ from browser import Browser
 from program import *
 
 SHOTS = os.environ.get("TOUCHSTONE_SCREENSHOTS")  # a folder for screenshots, to be inspected by eye
-PLAYER = f"exec:/usr/bin/python3 {SOURCE / 'tests/app/motion_engine.py'} right"
+PLAYER = f"exec:/usr/bin/python3 {SOURCE / 'tests/app/motion/motion_engine.py'} right"
 COLOURS = """(() => { replay.seek(replay.time);  // draws, in the same task as the reading
   const gl = replay.canvas.getContext('webgl2') || replay.canvas.getContext('webgl'), seen = new Set();
   const w = gl.drawingBufferWidth, h = gl.drawingBufferHeight, all = new Uint8Array(4 * w * h);

@@ -4,6 +4,9 @@
 #include <Eigen/Geometry>
 #include <cmath>
 #include <cstdlib>
+#include <filesystem>
+#include <map>
+#include <string>
 
 #include "model/json.h"
 #include "model/limits.h"
@@ -68,10 +71,17 @@ TEST_CASE("motion scenes: each is valid, complete and starts without overlap") {
   }
 }
 
-TEST_CASE("motion scenes: the files in docs/scenes are these") {
+// For a new scene, create an empty file of its name there, and run this test with TOUCHSTONE_UPDATE=1.
+TEST_CASE("motion scenes: the files below docs/scenes/motion are these") {
+  std::map<std::string, std::string> files;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(TOUCHSTONE_SOURCE "/docs/scenes/motion")) {
+    if (entry.is_regular_file()) files[entry.path().stem().string()] = entry.path().string();
+  }
+  CHECK(files.size() == motion_scenes().size());
   for (const MotionScene& motion : motion_scenes()) {
-    const std::string path = std::string(TOUCHSTONE_SOURCE) + "/docs/scenes/motion_" + motion.scene.name + ".json";
-    CAPTURE(path);
+    CAPTURE(motion.scene.name);
+    REQUIRE(files.contains(motion.scene.name));
+    const std::string& path = files[motion.scene.name];
     if (std::getenv("TOUCHSTONE_UPDATE") != nullptr) write_text(path, text_of(json_of(motion.scene)));
     CHECK(read_scene(path) == motion.scene);
   }

@@ -67,7 +67,7 @@ def run():
 
 if __name__ == "__main__":
     looks, impacts = run()
-    print(f"""// Made by tests/app/pool_break.py, which a test runs again: {impacts} impacts with 60 digits, rounded to doubles.
+    print(f"""// Made by tests/app/motion/pool_break.py, which a test runs again: {impacts} impacts with 60 digits, rounded to doubles.
 #pragma once
 
 #include <array>

@@ -8,7 +8,7 @@ from program import *
 class Plan(Test):
     def test_a_file_and_a_name(self):
         for name in ("gas", "dominoes"):
-            by_file = self.succeeds("plan", SOURCE / f"docs/scenes/motion_{name}.json")
+            by_file = self.succeeds("plan", SOURCE / f"docs/scenes/motion/crowds/{name}.json")
             self.assertEqual(self.succeeds("plan", name), by_file)
         said = json.loads(self.succeeds("plan", "gas", "--json"))
         self.assertEqual((said["scene"], said["used"][0]["what"]), ("gas", "meetings in closed form"))

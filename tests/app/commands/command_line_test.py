@@ -147,7 +147,7 @@ class Stdin(Test):
 
 class SceneByName(Test):
     def test_it_can_be_asked_about(self):
-        by_file = self.succeeds("ask", "mass", SOURCE / "docs/scenes/motion_newtons_cradle.json")
+        by_file = self.succeeds("ask", "mass", SOURCE / "docs/scenes/motion/billiards/newtons_cradle.json")
         self.assertEqual(self.succeeds("ask", "mass", "newtons_cradle"), by_file)
 
 

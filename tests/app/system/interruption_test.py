@@ -9,7 +9,7 @@ import xml.etree.ElementTree
 from program import *
 
 SIGNALS = {signal.SIGHUP: 129, signal.SIGINT: 130, signal.SIGTERM: 143}
-HANGING_ENGINE = f"exec:/usr/bin/python3 {SOURCE / 'tests/app/motion_engine.py'} hangs"
+HANGING_ENGINE = f"exec:/usr/bin/python3 {SOURCE / 'tests/app/motion/motion_engine.py'} hangs"
 FOREVER = ["--time-limit", 3600]
 
 

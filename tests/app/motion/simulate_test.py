@@ -4,20 +4,18 @@ import os
 import pty
 import re
 import signal
-import sys
 import time
 import unittest
 
+import pool_break
 from program import *
 
-sys.path.insert(0, str(SOURCE / "tests/app"))
-import pool_break  # noqa: E402
 
-MOTIONS = sorted(p.name for p in (SOURCE / "docs/scenes").glob("motion_*.json"))
+MOTIONS = sorted(path.stem for path in (SOURCE / "docs/scenes/motion").rglob("*.json"))
 
 
 def engine(trick):
-    return f"exec:/usr/bin/python3 {SOURCE / 'tests/app/motion_engine.py'} {trick}"
+    return f"exec:/usr/bin/python3 {SOURCE / 'tests/app/motion/motion_engine.py'} {trick}"
 
 
 def rows(text):
@@ -69,14 +67,14 @@ class Simulate(Test):
     def test_a_known_scene_tells_the_error(self):
         out = self.succeeds("simulate", "bouncing_ball_forever", "--engine", engine("right"))
         self.assertLess(float(re.search(r"truth .* off by (\S+)", out)[1]), 1e-12)
-        file = SOURCE / "docs/scenes/motion_bouncing_ball_forever.json"
+        file = SOURCE / "docs/scenes/motion/bouncing/bouncing_ball_forever.json"
         out = self.succeeds("simulate", file, "--engine", engine("right"), "--until", 5)
         self.assertLess(float(re.search(r"truth .* off by (\S+)", out)[1]), 1e-12)
         out = self.succeeds("simulate", "bouncing_ball", "--engine", engine("right"))  # its e is 1/2
         self.assertGreater(float(re.search(r"truth .* off by (\S+)", out)[1]), 0.5)
 
     def test_the_error_is_told_with_its_time(self):
-        looks = json.loads((SOURCE / "docs/scenes/motion_bouncing_ball_forever.json").read_text())["motion"]["sample_times"]
+        looks = json.loads((SOURCE / "docs/scenes/motion/bouncing/bouncing_ball_forever.json").read_text())["motion"]["sample_times"]
         for until, known in ((looks[0], looks[0]), (2 * looks[-1], looks[-1])):
             out = self.succeeds("simulate", "bouncing_ball_forever", "--engine", engine("right"), "--until", until)
             self.assertEqual(float(re.search(r"truth .* off by \S+ until (\S+) s", out)[1]), known)
@@ -237,7 +235,7 @@ class Simulate(Test):
 class Scenes(Test):
     def test_the_list_names_the_files(self):
         named = re.findall(r"(?m)^(\w+) ", self.succeeds("list", "motions"))
-        self.assertEqual([f"motion_{name}.json" for name in named], MOTIONS)
+        self.assertEqual(named, MOTIONS)
 
     def test_fast_is_near_the_truth(self):
         # An impact may come an envelope too early, 2^-30 of a size; the contacts of balls are found more exactly.
@@ -249,10 +247,10 @@ class Scenes(Test):
 
     def test_the_pool_break_is_what_60_digits_say(self):
         told = (SOURCE / "app/motion/scenes/pool_break_truth.h").read_text()
-        made = subprocess.run(["/usr/bin/python3", SOURCE / "tests/app/pool_break.py"], capture_output=True, text=True, check=True)
+        made = subprocess.run(["/usr/bin/python3", SOURCE / "tests/app/motion/pool_break.py"], capture_output=True, text=True, check=True)
         self.assertEqual(made.stdout, told)
         looks, _ = pool_break.run()
-        bodies = json.loads((SOURCE / "docs/scenes/motion_pool_break.json").read_text())["bodies"]
+        bodies = json.loads((SOURCE / "docs/scenes/motion/billiards/pool_break.json").read_text())["bodies"]
         self.assertEqual([b["X_WB"]["p"][:2] for b in bodies], [[float(x), float(y)] for (x, y), _ in pool_break.start()])
         self.assertEqual(len(looks), 16)
 
