@@ -23,7 +23,8 @@ Trajectory constrained(const Scene& scene, const ConstraintOptions& options) {
     if (since != 0) throw InputError("motion.start_times", "a body that starts later than another; not stepped");
   }
   const double end = motion.sample_times.back(), longest = options.step.value_or(end / steps_per_motion);
-  if (!(longest > 0) || !(end / longest < most_steps)) throw InputError("step", "expected one that ends the flight");
+  if (!(longest > 0) || !(end / longest < most_steps))
+    throw InputError("step", "expected at least the duration of the motion / 2^24");
   constraint::Stepper stepper(scene, longest, options.sweeps);
   Trajectory trajectory;
   double time = 0;

@@ -79,21 +79,23 @@ void choose_bounds(const Scene& scene, Plan& plan) {
   note(plan.used, climbing, "hill climbing on six extremal vertices",
        "with " + least + " vertices or more, placed again and again");
   note(plan.left_out, plain, "vertices", "made of spheres and boxes, whose extent is a formula");
-  note(plan.left_out, small, "hill climbing", "with fewer than " + least + " vertices: looking at all costs no more");
+  note(plan.left_out, small, "hill climbing",
+       "with fewer than " + least + " vertices: scanning them all costs no more");
   note(plan.left_out, once, "hill climbing", "placed only once: no frame before to climb from");
 }
 
 void choose_memory(const Scene& scene, Plan& plan) {
   if (scene.frames.size() < 2) {
     plan.left_out.push_back(
-        {"memory between frames", is_sequence(scene) ? "the film has one frame" : "the scene stands still"});
+        {"memory between frames", is_sequence(scene) ? "the sequence has one frame" : "the scene has no frames"});
     return;
   }
   const std::vector<int> times = times_placed(scene);
   const auto moving = static_cast<std::size_t>(std::ranges::count_if(times, [](int t) { return t > 1; }));
   plan.used.push_back({"memory between frames", counted(scene.frames.size(), "frame", "frames") +
                                                     ": pairs are kept, and only bodies that moved are checked"});
-  note(plan.left_out, times.size() - moving, "later frames", "never placed again: filed once, never asked again");
+  note(plan.left_out, times.size() - moving, "later frames",
+       "never placed again: entered once into the broad phase, never queried again");
 }
 
 }  // namespace

@@ -51,14 +51,13 @@ bool has_acceleration(const Scene& scene) { return !scene.gravity.isZero(0) || !
 /// no micro-bounces, unless a body's own rotation presses it back (fast/simulation/loop_islands.cpp).
 void plan_contact(const Scene& scene, const Sorts& sorts, Plan& plan) {
   const std::size_t may = has_acceleration(scene) ? sorts.pairs() : sorts.pairs() - sorts.closed();
-  note(
-      plan.used, may, "pair", "pairs", "contact mode",
-      " may come to stay in contact: rest, slip and rolling in closed form on a face, else steps until they part; each "
-      "hand-over is an event");
+  note(plan.used, may, "pair", "pairs", "contact mode",
+       " may come to stay in contact: rest, slip and rolling in closed form on a face, else steps until they separate; "
+       "each change is an event");
   note(plan.left_out, sorts.pairs() - may, "pair", "pairs", "contact mode",
        " of balls and blocks that nothing presses together");
-  const std::string whole = "each body flies in one piece from event to event";
-  plan.left_out.push_back({"time steps", may > 0 ? whole + ", but in contact" : whole});
+  const std::string whole = "each body follows one ballistic trajectory from event to event";
+  plan.left_out.push_back({"time steps", may > 0 ? whole + ", except in contact" : whole});
 }
 
 }  // namespace
@@ -67,18 +66,18 @@ void plan_motion(const Scene& scene, Plan& plan) {
   const Sorts sorts = sorts_of(scene);
   const std::size_t closed = sorts.closed();
   const auto turning = [&](Turning how) { return sorts.turning[static_cast<std::size_t>(how)]; };
-  note(plan.used, closed, "pair", "pairs", "meetings in closed form",
-       " of balls, or of a ball and a block that does not turn");
+  note(plan.used, closed, "pair", "pairs", "times of impact in closed form",
+       " of balls, or of a ball and a block that does not rotate");
   note(plan.used, sorts.pairs() - closed, "pair", "pairs", "conservative advancement",
        " of other shapes: steps on certified distances");
   note(plan.used, turning(Turning::tumbling), "body", "bodies", "Euler's equations",
        " with three different moments of inertia");
   plan_contact(scene, sorts, plan);
-  note(plan.left_out, sorts.fixed_pairs(), "pair", "pairs", "pairs of fixed bodies", ": nothing becomes of a meeting");
+  note(plan.left_out, sorts.fixed_pairs(), "pair", "pairs", "pairs of fixed bodies", ": they never move");
   note(plan.left_out, sorts.pairs(), "pair", "pairs", "all pairs",
-       " would be asked after every event; now only where boxes over a frame meet");
+       " would be queried after every event; now only those whose swept boxes overlap");
   note(plan.left_out, sorts.stationary, "body", "bodies", "later frames",
-       " standing still: filed once, never asked first again");
+       " that do not move: entered once into the broad phase, never the first of a query");
   note(plan.left_out, sorts.balls - sorts.fixed_balls, "ball", "balls", "attitudes of balls",
        ": whatever the spin, no point of the space that a ball fills moves");
   note(plan.left_out, turning(Turning::steady) + turning(Turning::precessing), "body", "bodies", "Euler's equations",

@@ -133,7 +133,7 @@ Finding boxes_change(const Scene& before, const std::optional<Scene>& moved, dou
         }
         return judge::at_most(
             most, judge::in_ulps(after, card, allowed), defect, [&] { return words::text(second[at]); },
-            [&] { return words::text(change(first[at])) + ", from the box before"; });
+            [&] { return words::text(change(first[at])) + ", transformed from the first box"; });
       });
     });
   });
@@ -180,7 +180,7 @@ Finding relabels(const Scene& scene, Subject& subject) {
 
 // The box of a body depends on that body only: reversing the order of the bodies changes no bit of it.
 Finding alone(const Scene& scene, Subject& subject) {
-  if (scene.bodies.size() < 2) return judge::outside("one body");
+  if (scene.bodies.size() < 2) return judge::outside("a scene of one body");
   return of_boxes(scene, subject, [&](const Bounds& said) {
     return given_boxes(swapped(scene), subject, [&](const Bounds& reversed) {
       for (std::size_t i = 0; i < said.size(); ++i) {
@@ -226,21 +226,21 @@ std::vector<Property> bounds_properties() {
        {"TS-BOUNDS-2"},
        "no box is wider than rounding and the declared margin explain",
        tight},
-      {"bounds.translated", "bounds", {"TS-BOUNDS-3"}, "moving the world moves the boxes alike", translates},
-      {"bounds.turned", "bounds", {"TS-BOUNDS-3"}, "renaming the axes renames the boxes' axes", turns},
+      {"bounds.translated", "bounds", {"TS-BOUNDS-3"}, "translating the world translates the boxes", translates},
+      {"bounds.turned", "bounds", {"TS-BOUNDS-3"}, "permuting the world's axes permutes the boxes' axes", turns},
       {"bounds.scaled",
        "bounds",
        {"TS-BOUNDS-4"},
-       "a change of unit by 2^20 or 2^-20 scales the boxes, nothing else",
+       "scaling all lengths by 2^20 or 2^-20 scales the boxes exactly",
        scales},
       {"bounds.relabelled", "bounds", {"TS-BOUNDS-5"}, "the order of a polytope's vertices changes nothing", relabels},
       {"bounds.alone", "bounds", {"TS-BOUNDS-6"}, "a body's box does not depend on the other bodies", alone},
       {"bounds.survives",
        "bounds",
        {"TS-BOUNDS-7"},
-       "the boxes come, finite and with lo ≤ hi, however extreme the scene",
+       "every valid scene has an answer: finite boxes with lo ≤ hi",
        lives},
-      {"bounds.repeats", "bounds", {"TS-BOUNDS-8"}, "the same question has the same answer, bit for bit", again},
+      {"bounds.repeats", "bounds", {"TS-BOUNDS-8"}, "the same query has the same answer, bit for bit", again},
   };
 }
 

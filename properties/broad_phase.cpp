@@ -59,7 +59,7 @@ Finding misses_none(const Scene& scene, Subject& subject) {
     double deepest = 0;  // boxes that only touch overlap by 0 and still count as missed
     for (const Pair& pair : missed) deepest = std::max(deepest, -gap(scene, pair).nearest());
     Finding finding = judge::wrong_by(deepest, judge::in_ulps(scene, subject.card(), 0), Defect::missed,
-                                      "without " + words::text(missed), "every pair whose closed boxes meet");
+                                      "without " + words::text(missed), "every pair whose closed boxes intersect");
     finding.margin = Interval{deepest, deepest};
     return finding;
   });
@@ -165,7 +165,7 @@ std::vector<Property> broad_phase_properties() {
       {"broad_phase.misses_none",
        "broad_phase",
        {"TS-BROAD-PHASE-1"},
-       "every pair whose closed boxes meet is reported",
+       "every pair whose closed boxes intersect is reported",
        misses_none},
       {"broad_phase.adds_none",
        "broad_phase",
@@ -177,20 +177,24 @@ std::vector<Property> broad_phase_properties() {
        {"TS-BROAD-PHASE-3"},
        "pairs are i < j, sorted, each once",
        well_formed},
-      {"broad_phase.translated", "broad_phase", {"TS-BROAD-PHASE-4"}, "moving the world changes no pair", translates},
-      {"broad_phase.turned", "broad_phase", {"TS-BROAD-PHASE-4"}, "renaming the axes changes no pair", turns},
+      {"broad_phase.translated",
+       "broad_phase",
+       {"TS-BROAD-PHASE-4"},
+       "translating the world changes no pair",
+       translates},
+      {"broad_phase.turned", "broad_phase", {"TS-BROAD-PHASE-4"}, "permuting the world's axes changes no pair", turns},
       {"broad_phase.scaled",
        "broad_phase",
        {"TS-BROAD-PHASE-5"},
-       "a change of unit by 2^20 or 2^-20 changes no pair",
+       "scaling all lengths by 2^20 or 2^-20 changes no pair",
        scales},
       {"broad_phase.relabelled",
        "broad_phase",
        {"TS-BROAD-PHASE-6"},
-       "the order of the bodies renames the pairs, nothing else",
+       "reordering the bodies renumbers the pairs, nothing else",
        relabels},
-      {"broad_phase.survives", "broad_phase", {"TS-BROAD-PHASE-7"}, "the pairs come, however extreme the scene", lives},
-      {"broad_phase.repeats", "broad_phase", {"TS-BROAD-PHASE-8"}, "the same question has the same answer", again},
+      {"broad_phase.survives", "broad_phase", {"TS-BROAD-PHASE-7"}, "every valid scene has an answer", lives},
+      {"broad_phase.repeats", "broad_phase", {"TS-BROAD-PHASE-8"}, "the same query has the same answer", again},
   };
 }
 

@@ -27,7 +27,7 @@ namespace words = oracle::words;
 
 template <class JudgeIt>
 Finding of_sequence(const Scene& sequence, Subject& subject, JudgeIt&& judge_it) {
-  if (!is_sequence(sequence)) return judge::outside("not a film");
+  if (!is_sequence(sequence)) return judge::outside("the scene has no frames");
   return of_scene(sequence, subject, [&] {
     return judge::given(subject.pair_history(sequence), [&](const PairHistory& said) {
       if (said.size() == sequence.frames.size()) return judge_it(said);
@@ -68,7 +68,7 @@ Finding misses_none(const Scene& sequence, Subject& subject) {
       for (const Pair& pair : missed) deepest = std::max(deepest, -gap(truth::sequence_bounds(sequence)[f], pair));
       Finding finding =
           judge::wrong_by(deepest, judge::in_ulps(snapshot(sequence, f), subject.card(), 0), Defect::missed,
-                          in_frame(f, "without " + words::text(missed)), "every pair whose closed boxes meet");
+                          in_frame(f, "without " + words::text(missed)), "every pair whose closed boxes intersect");
       finding.margin = Interval{deepest, deepest};
       return finding;
     }
@@ -110,7 +110,7 @@ Finding absent(const Scene& sequence, Subject& subject) {
         for (const int body : {pair.first, pair.second}) {
           if (there[f][static_cast<std::size_t>(body)]) continue;
           return judge::wrong(Defect::phantom, in_frame(f, "with " + words::text(PairSet{pair})),
-                              "none: body " + std::to_string(body) + " is not there");
+                              "no pair of body " + std::to_string(body) + ", which is not in the scene at this frame");
         }
       }
     }
@@ -141,7 +141,7 @@ Finding events(const Scene& sequence, Subject& subject) {
       const auto judged = [&](const std::string& word, const PairSet& claimed, const PairSet& due) {
         if (as_set(claimed, sequence) == due) return judge::holds();
         return judge::wrong(Defect::inconsistent, in_frame(f, word + ' ' + words::text(claimed)),
-                            words::text(due) + ", what its own sets of pairs gained or lost");
+                            words::text(due) + ", the change of its own sets of pairs");
       };
       const Finding begun = judged("begun", *said[f].begun, without(now, before));
       if (begun.outcome != oracle::Outcome::holds) return begun;
@@ -181,7 +181,7 @@ struct Image {
 };
 
 Finding pairs_kept(const Scene& sequence, const Image& image, Subject& subject, Defect defect) {
-  if (!is_sequence(sequence)) return judge::outside("not a film");
+  if (!is_sequence(sequence)) return judge::outside("the scene has no frames");
   return of_moved(image.sequence, subject, [&](const Scene& other) {
     return of_sequence(sequence, subject, [&](const PairHistory& first) {
       return of_sequence(other, subject, [&](const PairHistory& second) {
@@ -215,7 +215,7 @@ Scene with_still_frames(const Scene& sequence) {
 }
 
 Finding keeps_still(const Scene& sequence, Subject& subject) {
-  if (!is_sequence(sequence)) return judge::outside("not a film");
+  if (!is_sequence(sequence)) return judge::outside("the scene has no frames");
   const Scene slow = with_still_frames(sequence);
   return of_sequence(slow, subject, [&](const PairHistory& said) {
     for (std::size_t f = 0; f < said.size(); ++f) {
@@ -223,8 +223,9 @@ Finding keeps_still(const Scene& sequence, Subject& subject) {
       const PairSet changed = difference(as_set(said[f - 1].pairs, sequence), as_set(said[f].pairs, sequence));
       for (const PairSet& pairs : {changed, as_set(said[f].begun.value_or(PairSet{}), sequence),
                                    as_set(said[f].ended.value_or(PairSet{}), sequence)}) {
-        const Finding finding = none_but_free(slow, f, pairs, subject.card(), Defect::inconsistent,
-                                              "nothing moved, yet there begin or end", "no pair that begins or ends");
+        const Finding finding =
+            none_but_free(slow, f, pairs, subject.card(), Defect::inconsistent,
+                          "no body moved, but these pairs begin or end", "no pair that begins or ends");
         if (finding.outcome != oracle::Outcome::holds) return finding;
       }
     }
@@ -274,7 +275,7 @@ Finding lives(const Scene& sequence, Subject& subject) {
 }
 
 Finding again(const Scene& sequence, Subject& subject) {
-  if (!is_sequence(sequence)) return judge::outside("not a film");
+  if (!is_sequence(sequence)) return judge::outside("the scene has no frames");
   return of_scene(sequence, subject,
                   [&] { return repeats(&Subject::pair_history, sequence, swapped(sequence), subject); });
 }
@@ -287,18 +288,19 @@ Property about(const std::string& what, int clause, const std::string& says, Fin
 
 std::vector<Property> broad_phase_sequence_properties() {
   return {
-      about("misses_none", 9, "in every frame, every pair whose closed boxes meet is reported", misses_none),
-      about("adds_none", 10, "in no frame a pair whose boxes are further apart than rounding and the declared margin",
+      about("misses_none", 9, "in every frame, every pair whose closed boxes intersect is reported", misses_none),
+      about("adds_none", 10,
+            "in no frame is a pair reported whose boxes are further apart than rounding and the declared margin",
             adds_none),
-      about("absent", 11, "a body that is not there has no pair", absent),
-      about("well_formed", 12, "one entry a frame, its pairs i < j, sorted, each once", well_formed),
-      about("events", 13, "what begins and ends is what the set of pairs gains and loses", events),
-      about("keeps_still", 14, "a frame in which nothing moves begins and ends nothing", keeps_still),
-      about("path_free", 15, "the pairs are those of where the bodies are, whichever way they came there", path_free),
-      about("turned", 16, "renaming the axes changes no pair of any frame", turns),
-      about("relabelled", 16, "the order of the bodies renames the pairs, nothing else", relabels),
-      about("survives", 17, "the pairs of every frame come, however extreme the film", lives),
-      about("repeats", 18, "the same film has the same answer", again),
+      about("absent", 11, "a body that has been removed is in no pair", absent),
+      about("well_formed", 12, "the answer has one entry per frame, with pairs i < j, sorted, each once", well_formed),
+      about("events", 13, "the begin and end events are the differences of successive sets of pairs", events),
+      about("keeps_still", 14, "a frame in which no body moves has no begin or end events", keeps_still),
+      about("path_free", 15, "the pairs of a frame depend only on the poses in it, not on earlier frames", path_free),
+      about("turned", 16, "permuting the world's axes changes no pair of any frame", turns),
+      about("relabelled", 16, "reordering the bodies renumbers the pairs, nothing else", relabels),
+      about("survives", 17, "every valid sequence has an answer", lives),
+      about("repeats", 18, "the same sequence has the same answer", again),
   };
 }
 

@@ -34,7 +34,7 @@ std::string at(const Scene& scene, std::size_t sample) {
 /// The worst finding over all samples. The first failure ends the search.
 template <class JudgeSample>
 Finding each_sample(const RollingCase& asked, JudgeSample&& judge_sample) {
-  Finding worst = judge::outside("a change may be at each of the looks");
+  Finding worst = judge::outside("an event may be at each of the sample times");
   for (std::size_t i = 0; i < asked.samples(); ++i) {
     const Finding finding = judge_sample(i);
     if (finding.outcome == oracle::Outcome::outside) continue;
@@ -59,7 +59,7 @@ Finding place(const Scene& scene, Subject& subject) {
 Finding velocity(const Scene& scene, Subject& subject) {
   return of_rolling(scene, subject, [](const RollingCase& asked) {
     return each_sample(asked, [&](std::size_t i) {
-      if (!asked.bounds[i].settled) return judge::outside("a change may be at the look");
+      if (!asked.bounds[i].settled) return judge::outside("an event may be at the sample time");
       const Velocity& V = asked.ball(i).velocity;
       const double error =
           std::max(off(V.v_WBcm, asked.exact(i).v_WB), asked.radius() * off(V.w_WB, asked.exact(i).w_WB));
@@ -90,7 +90,7 @@ Finding contacts(const Scene& scene, Subject& subject) {
       exact.push_back(std::move(event));
     }
     return each_sample(asked, [&](std::size_t i) {
-      if (!asked.bounds[i].settled) return judge::outside("a change may be at the look");
+      if (!asked.bounds[i].settled) return judge::outside("an event may be at the sample time");
       const double time = asked.scene.motion->sample_times[i];
       const auto said = in_contact(*asked.said.events, time), truth = in_contact(exact, time);
       if (said == truth) return judge::holds();
@@ -107,7 +107,7 @@ Scene as_at(Scene scene, const std::vector<State>& states) {
 
 Finding apart(const Scene& scene, Subject& subject) {
   return of_steps(scene, subject, [&](const Trajectory& said) {
-    if (said.states.empty()) return judge::silent("any look");
+    if (said.states.empty()) return judge::silent("any state");
     const double bound = tolerance::overlap_of_step(scene);
     Finding worst;
     // Only the last sample is judged: an overlap, once there, does not disappear.
@@ -128,7 +128,7 @@ Finding apart(const Scene& scene, Subject& subject) {
               return "bodies " + std::to_string(a) + " and " + std::to_string(b) + " overlap by " + text(depth.lo) +
                      " m" + at(scene, said.states.size() - 1);
             },
-            [] { return std::string("they touch at most"); });
+            [] { return std::string("no overlap"); });
         if (finding.outcome == oracle::Outcome::fails) return finding;
         if (finding.error >= worst.error) worst = finding;
       }
@@ -161,7 +161,8 @@ Finding energy_falls(const Scene& scene, Subject& subject) {
   return of_steps(scene, subject, [&](const Trajectory& said) {
     for (const Body& body : scene.bodies) {
       const bool moves = std::holds_alternative<Fixed>(body.mass) && body.velocity != Velocity{};
-      if (moves || !scene.motion->forces.empty()) return judge::outside("something from outside does work");
+      if (moves || !scene.motion->forces.empty())
+        return judge::outside("an applied force or a moving fixed body may do work");
     }
     std::vector<State> before;
     for (const Body& body : scene.bodies) before.push_back({body.X_WB, body.velocity});
@@ -174,7 +175,7 @@ Finding energy_falls(const Scene& scene, Subject& subject) {
       const Finding finding = judge::at_most(
           std::max(0.0, now - last), {allowed + rounding, 1, "J"}, Defect::wrong_energy,
           [&] { return "energy rises by " + text(now - last) + " J" + at(scene, i); },
-          [] { return std::string("it never rises"); });
+          [] { return std::string("energy never rises"); });
       if (finding.outcome == oracle::Outcome::fails) return finding;
       if (finding.error > worst.error) worst = finding;
       last = now;
@@ -215,7 +216,7 @@ Finding fixed(const Scene& scene, Subject& subject) {
       finding = judge::holds();
       for (const std::vector<State>& states : said.states) {
         const bool stays = states[k].X_WB.p_WB == body.X_WB.p_WB && states[k].velocity == body.velocity;
-        if (!stays) return judge::wrong(Defect::drifts, "a fixed body moves", "it stays where it is");
+        if (!stays) return judge::wrong(Defect::drifts, "a fixed body moves", "a fixed body does not move");
       }
     }
     return finding;
@@ -231,11 +232,11 @@ Finding covariant(const Scene& scene, const std::optional<Scene>& moved, Subject
       return judge::given(subject.constraint(other), [&](const Trajectory& said) {
         if (!fault_of_steps(other, said).empty()) return judge::outside("not a trajectory; see constraint.survives");
         return each_sample(asked, [&](std::size_t i) {
-          if (i >= said.states.size()) return judge::outside("not so far");
+          if (i >= said.states.size()) return judge::outside("the second answer ends before this sample");
           const Vec3 p = asked.ball(i).X_WB.p_WB;
           const Vec3 q = back(said.states[i][static_cast<std::size_t>(asked.truth.ball)].X_WB.p_WB);
           return judge::at_most((p - q).norm(), metres(2 * asked.bounds[i].place), Defect::moved_with_frame,
-                                [&] { return text(q) + ", moved back," + at(asked.scene, i); },
+                                [&] { return text(q) + ", transformed back," + at(asked.scene, i); },
                                 [&] { return text(p); });
         });
       });
@@ -273,17 +274,33 @@ Finding repeats_itself(const Scene& scene, Subject& subject) {
 std::vector<Property> constraint_properties() {
   const std::string query = "constraint";
   return {
-      {"constraint.agrees", query, {"TS-CONSTRAINT-1"}, "The ball is where it is.", place},
-      {"constraint.velocity", query, {"TS-CONSTRAINT-2"}, "It moves and spins as it does.", velocity},
-      {"constraint.contacts", query, {"TS-CONSTRAINT-3"}, "It touches what it touches.", contacts},
-      {"constraint.fixed", query, {"TS-CONSTRAINT-4"}, "Fixed bodies stay where they are.", fixed},
-      {"constraint.moved", query, {"TS-CONSTRAINT-5"}, "The world moves, the ball with it.", moved},
-      {"constraint.turned", query, {"TS-CONSTRAINT-5"}, "The world turns, the ball with it.", turned_world},
-      {"constraint.apart", query, {"TS-CONSTRAINT-6"}, "Bodies do not sink into each other.", apart},
-      {"constraint.energy", query, {"TS-CONSTRAINT-7"}, "Energy never rises.", energy_falls},
-      {"constraint.cone", query, {"TS-CONSTRAINT-8"}, "Contacts push, and friction is in its cone.", cone},
-      {"constraint.survives", query, {"TS-CONSTRAINT-9"}, "An answer comes, finite and whole.", survives_any},
-      {"constraint.repeats", query, {"TS-CONSTRAINT-10"}, "The same scene, the same answer.", repeats_itself},
+      {"constraint.agrees", query, {"TS-CONSTRAINT-1"}, "the ball's centre is where the exact solution has it", place},
+      {"constraint.velocity",
+       query,
+       {"TS-CONSTRAINT-2"},
+       "the ball's velocity and spin are those of the exact solution",
+       velocity},
+      {"constraint.contacts",
+       query,
+       {"TS-CONSTRAINT-3"},
+       "the reported contacts of the ball are those of the exact solution",
+       contacts},
+      {"constraint.fixed", query, {"TS-CONSTRAINT-4"}, "fixed bodies do not move", fixed},
+      {"constraint.moved", query, {"TS-CONSTRAINT-5"}, "translating the world translates the trajectory", moved},
+      {"constraint.turned", query, {"TS-CONSTRAINT-5"}, "rotating the world rotates the trajectory", turned_world},
+      {"constraint.apart", query, {"TS-CONSTRAINT-6"}, "bodies do not penetrate each other", apart},
+      {"constraint.energy", query, {"TS-CONSTRAINT-7"}, "energy never rises", energy_falls},
+      {"constraint.cone", query, {"TS-CONSTRAINT-8"}, "contact impulses push, and friction stays in its cone", cone},
+      {"constraint.survives",
+       query,
+       {"TS-CONSTRAINT-9"},
+       "every valid scene has an answer that is finite and complete",
+       survives_any},
+      {"constraint.repeats",
+       query,
+       {"TS-CONSTRAINT-10"},
+       "the same scene has the same answer, bit for bit",
+       repeats_itself},
   };
 }
 

@@ -54,7 +54,7 @@ Finding enclosure(const Scene& scene, Subject& subject) {
     return judge::explained(judge::at_most(
                                 short_by, judge::in_ulps(scene, subject.card(), 0), Defect::broken_enclosure,
                                 [&] { return words::text(*said.enclosure); },
-                                [&] { return "an interval that holds " + words::text(exact); }),
+                                [&] { return "an interval that contains " + words::text(exact); }),
                             scene);
   });
 }
@@ -125,7 +125,7 @@ Finding features(const Scene& scene, Subject& subject) {
       return "a pair among " + words::text(exact.feature_A) + " and " + words::text(exact.feature_B);
     };
     const auto gap = oracle::feature_gap(scene.bodies[0], *said.feature_A, scene.bodies[1], *said.feature_B);
-    if (!gap) return judge::wrong(Defect::wrong_feature, observed() + ", which are not there", expected());
+    if (!gap) return judge::wrong(Defect::wrong_feature, observed() + ", which do not exist", expected());
     const double allowed = tolerance::distance(scene, subject.card().precision);
     return judge::explained(
         judge::at_most(*gap - exact.core_squared.sqrt_enclosure().lo, judge::in_ulps(scene, subject.card(), allowed),
@@ -200,8 +200,8 @@ Finding again(const Scene& scene, Subject& subject) {
 
 std::vector<Property> distance_properties() {
   return {
-      {"distance.verdict", "distance", {"TS-DISTANCE-1"}, "the verdict is the exact one", verdict},
-      {"distance.value", "distance", {"TS-DISTANCE-2"}, "the distance is the exact one within rounding", value},
+      {"distance.verdict", "distance", {"TS-DISTANCE-1"}, "the verdict is exact", verdict},
+      {"distance.value", "distance", {"TS-DISTANCE-2"}, "the distance is exact within rounding", value},
       {"distance.witnesses_on_bodies",
        "distance",
        {"TS-DISTANCE-3"},
@@ -215,7 +215,7 @@ std::vector<Property> distance_properties() {
       {"distance.features",
        "distance",
        {"TS-DISTANCE-4"},
-       "the closest features hold a closest pair of points",
+       "the closest features contain a closest pair of points",
        features},
       {"distance.symmetric",
        "distance",
@@ -225,24 +225,24 @@ std::vector<Property> distance_properties() {
       {"distance.translated",
        "distance",
        {"TS-DISTANCE-7"},
-       "moving both bodies alike changes neither the distance nor the verdict",
+       "translating both bodies changes neither the distance nor the verdict",
        translates},
       {"distance.turned",
        "distance",
        {"TS-DISTANCE-7"},
-       "turning the world changes neither the distance nor the verdict",
+       "rotating the world changes neither the distance nor the verdict",
        turns},
       {"distance.scaled",
        "distance",
        {"TS-DISTANCE-8"},
-       "a change of unit by 2^20 or 2^-20 scales the distance, nothing else",
+       "scaling all lengths by 2^20 or 2^-20 scales the distance exactly",
        scales},
       {"distance.relabelled",
        "distance",
        {"TS-DISTANCE-9"},
        "the order of a polytope's vertices changes nothing",
        relabels},
-      {"distance.enclosure", "distance", {"TS-DISTANCE-5"}, "the enclosure holds the exact distance", enclosure},
+      {"distance.enclosure", "distance", {"TS-DISTANCE-5"}, "the enclosure contains the exact distance", enclosure},
       {"distance.enclosure_tight",
        "distance",
        {"TS-DISTANCE-13"},
@@ -256,9 +256,9 @@ std::vector<Property> distance_properties() {
       {"distance.survives",
        "distance",
        {"TS-DISTANCE-11"},
-       "the answer comes, finite and with sense, however extreme the pair",
+       "every valid pair has an answer that is finite and consistent",
        lives},
-      {"distance.repeats", "distance", {"TS-DISTANCE-12"}, "the same question has the same answer, bit for bit", again},
+      {"distance.repeats", "distance", {"TS-DISTANCE-12"}, "the same query has the same answer, bit for bit", again},
   };
 }
 

@@ -32,7 +32,8 @@ Finding moves_as(const ImpactCase& asked, const SaidImpact& said, const After& e
 Finding agrees(const Scene& scene, Subject& subject) {
   return of_answered_impact(scene, subject, [](const ImpactCase& asked, const SaidImpact& said) {
     const reference::ImpulseTruth& truth = oracle::truth::impulse(asked.scene);
-    if (truth.ambiguous || asked.law_jumps()) return judge::outside("the law itself jumps here");
+    if (truth.ambiguous || asked.law_jumps())
+      return judge::outside("the impulse is a discontinuous function of the data here");
     After expected;
     for (std::size_t i = 0; i < 2; ++i) expected[i] = {exact(truth.after[i].v_WBcm), exact(truth.after[i].w_WB)};
     return moves_as(asked, said, expected);
@@ -41,9 +42,10 @@ Finding agrees(const Scene& scene, Subject& subject) {
 
 Finding error_bound(const Scene& scene, Subject& subject) {
   return of_answered_impact(scene, subject, [](const ImpactCase& asked, const SaidImpact& said) {
-    if (!said.answer.error || !said.answer.P_A_W) return judge::silent("how far its impulse may be off");
+    if (!said.answer.error || !said.answer.P_A_W) return judge::silent("an error bound of its impulse");
     const reference::ImpulseTruth& truth = oracle::truth::impulse(asked.scene);
-    if (truth.ambiguous || asked.law_jumps()) return judge::outside("the law itself jumps here");
+    if (truth.ambiguous || asked.law_jumps())
+      return judge::outside("the impulse is a discontinuous function of the data here");
     const Point off = said.answer.P_A_W->cast<Real>() - exact(truth.P_A_W);
     // The truth's own error plus the rounding of its three coordinates to doubles.
     const double enclosed =
@@ -58,9 +60,10 @@ Finding error_bound(const Scene& scene, Subject& subject) {
 
 Finding decided(const Scene& scene, Subject& subject) {
   return of_answered_impact(scene, subject, [](const ImpactCase& asked, const SaidImpact& said) {
-    if (!asked.regular()) return judge::outside("mu |K_tn| > K_nn: the law may jump");
+    if (!asked.regular()) return judge::outside("mu |K_tn| > K_nn: the impulse may be discontinuous");
     if (!said.answer.ambiguous) return judge::holds();
-    return judge::wrong(Defect::inconsistent, "the law jumps near here", "an impact that depends smoothly on its data");
+    return judge::wrong(Defect::inconsistent, "ambiguous: the impulse is discontinuous near these data",
+                        "not ambiguous: the impulse is continuous here");
   });
 }
 
@@ -70,7 +73,7 @@ Finding momentum(const Scene& scene, Subject& subject) {
     Real size = said.P.norm();
     for (std::size_t i = 0; i < 2; ++i) {
       const oracle::ImpactBody& body = asked.impact.bodies[i];
-      if (body.fixed) return judge::outside("a fixed body takes any momentum");
+      if (body.fixed) return judge::outside("one body is fixed, and takes up momentum");
       change += body.mass * (said.after[i].v_WBcm - body.v_WBcm);
       size += body.mass * said.after[i].v_WBcm.norm();
     }
@@ -78,8 +81,7 @@ Finding momentum(const Scene& scene, Subject& subject) {
         tolerance::momentum(asked.scene, asked.impact, said.answer.after, said.P.norm(), asked.precision);
     return judge::at_most(
         static_cast<double>(change.norm()), in_ulps_of(asked, size, allowed, "the momenta"), Defect::wrong_momentum,
-        [&] { return "the pair's momentum changes by " + text(change); },
-        [] { return std::string("it does not change"); });
+        [&] { return "the pair's momentum changes by " + text(change); }, [] { return std::string("no change"); });
   });
 }
 
@@ -100,7 +102,7 @@ Finding angular_momentum(const Scene& scene, Subject& subject) {
       const Real size = body.moments[2] * said.after[i].w_WB.norm() + body.p_BcmC_W.norm() * P;
       const Finding finding = judge::at_most(
           static_cast<double>(rest.norm()), in_ulps_of(asked, size, allowed, "the angular momentum"),
-          Defect::wrong_momentum, [&] { return "spin gains " + text(spin); },
+          Defect::wrong_momentum, [&] { return "angular momentum changes by " + text(spin); },
           [&] { return text(moment) + ", the moment of the impulse"; });
       if (finding.outcome == oracle::Outcome::fails || finding.error > worst.error) worst = finding;
       if (worst.outcome == oracle::Outcome::fails) return worst;
@@ -114,7 +116,7 @@ Finding fixed(const Scene& scene, Subject& subject) {
     for (std::size_t i = 0; i < 2; ++i) {
       if (!asked.impact.bodies[i].fixed) continue;
       if (said.answer.after[i] == asked.scene.bodies[i].velocity) return judge::holds();
-      return judge::wrong(Defect::wrong_velocity, text(said.after), "the fixed body's velocity as before");
+      return judge::wrong(Defect::wrong_velocity, text(said.after), "the fixed body keeps its velocity");
     }
     return judge::outside("no body is fixed");
   });
@@ -130,7 +132,7 @@ Finding stated(const Scene& scene, Subject& subject) {
     return judge::at_most(
         static_cast<double>(difference(asked, said.after, made)),
         of_energy(asked, said.allowed + static_cast<double>(rounded)), Defect::inconsistent,
-        [&] { return text(said.after); }, [&] { return text(made) + ", by the impulse that is stated"; });
+        [&] { return text(said.after); }, [&] { return text(made) + ", from the stated impulse"; });
   });
 }
 
@@ -229,7 +231,8 @@ Finding stuck(const Scene& scene, Subject& subject) {
     if (asked.slips() || !asked.approaching()) return judge::outside("slip, or no approach");
     const Point held = asked.impact.K_inverse * asked.impact.nhat_BA_W;  // ∝ (−M⁻¹ k, 1)
     const Real along = asked.impact.nhat_BA_W.dot(held), across = (held - along * asked.impact.nhat_BA_W).norm();
-    if (!(across <= asked.mu() * along * (1 - 0x1p-40L))) return judge::outside("friction does not hold it");
+    if (!(across <= asked.mu() * along * (1 - 0x1p-40L)))
+      return judge::outside("friction is too weak for sticking from the start");
     return moves_as(asked, said, asked.moved_by(-(1 + asked.e()) * asked.impact.u_n() * held));
   });
 }
@@ -244,7 +247,8 @@ Finding straight(const Scene& scene, Subject& subject) {
     if (asked.slips()) {
       const Point along = impact.u_t() / s;
       const Real M = along.dot(impact.K * along);
-      if ((impact.K * along - M * along).norm() > 0x1p-58L * M) return judge::outside("slip turns");
+      if ((impact.K * along - M * along).norm() > 0x1p-58L * M)
+        return judge::outside("the direction of slip changes during the impact");
       P -= std::min(asked.contact.friction == 0 ? 0 : asked.mu() * P_n, s / M) * along;
     }
     return moves_as(asked, said, asked.moved_by(P));
@@ -264,7 +268,8 @@ Finding normal_velocity(const ImpactCase& asked, const SaidImpact& said, Real er
 
 Finding no_approach(const Scene& scene, Subject& subject) {
   return of_answered_impact(scene, subject, [](const ImpactCase& asked, const SaidImpact& said) {
-    if (!asked.regular()) return judge::outside("mu |K_tn| > K_nn: not every law ends with bodies that part");
+    if (!asked.regular())
+      return judge::outside("mu |K_tn| > K_nn: under some laws the bodies still approach afterwards");
     const Real left = -asked.impact.nhat_BA_W.dot(said.u);
     return normal_velocity(asked, said, std::max<Real>(0, left), "u·n ≥ 0");
   });
@@ -274,7 +279,7 @@ Finding newton(const Scene& scene, Subject& subject) {
   return of_answered_impact(scene, subject, [](const ImpactCase& asked, const SaidImpact& said) {
     if (asked.contact.law != Law::newton || !asked.approaching()) return judge::outside("another law, or no approach");
     if (std::isinf(asked.contact.friction) && asked.slips() && !asked.uncoupled()) {
-      return judge::outside("infinite friction stops slip at once, and u_n jumps with it");
+      return judge::outside("infinite friction stops slip at once, and u_n changes with it");
     }
     const Real wanted = -asked.e() * asked.impact.u_n();
     return normal_velocity(asked, said, std::abs(asked.impact.nhat_BA_W.dot(said.u) - wanted), "u·n = " + text(wanted));
@@ -284,7 +289,7 @@ Finding newton(const Scene& scene, Subject& subject) {
 Finding plastic(const Scene& scene, Subject& subject) {
   return of_answered_impact(scene, subject, [](const ImpactCase& asked, const SaidImpact& said) {
     if (asked.contact.restitution != 0 || !asked.approaching()) return judge::outside("e > 0, or no approach");
-    if (!asked.regular()) return judge::outside("mu |K_tn| > K_nn: another compression may follow");
+    if (!asked.regular()) return judge::outside("mu |K_tn| > K_nn: a second compression may follow");
     return normal_velocity(asked, said, std::abs(asked.impact.nhat_BA_W.dot(said.u)), "u·n = 0");
   });
 }
@@ -292,7 +297,7 @@ Finding plastic(const Scene& scene, Subject& subject) {
 Finding separating(const Scene& scene, Subject& subject) {
   return of_answered_impact(scene, subject, [](const ImpactCase& asked, const SaidImpact& said) {
     if (asked.approaching()) return judge::outside("the bodies approach");
-    if (asked.law_jumps()) return judge::outside("the law itself jumps here");
+    if (asked.law_jumps()) return judge::outside("the impulse is a discontinuous function of the data here");
     return moves_as(asked, said, asked.moved_by(Point::Zero()));
   });
 }
@@ -312,37 +317,61 @@ Finding survives_any(const Scene& scene, Subject& subject) {
 std::vector<Property> impulse_properties() {
   const std::string query = "impulse";
   return {
-      {"impulse.agrees", query, {"TS-IMPULSE-1"}, "The velocities after the impact are those of the law.", agrees},
-      {"impulse.error_bound", query, {"TS-IMPULSE-2"}, "The impulse is off by no more than is stated.", error_bound},
-      {"impulse.decided", query, {"TS-IMPULSE-3"}, "Nothing is called ambiguous where the law is continuous.", decided},
-      {"impulse.momentum", query, {"TS-IMPULSE-4"}, "The pair keeps its momentum.", momentum},
+      {"impulse.agrees",
+       query,
+       {"TS-IMPULSE-1"},
+       "the velocities after the impact are those of the impact law",
+       agrees},
+      {"impulse.error_bound",
+       query,
+       {"TS-IMPULSE-2"},
+       "the error of the impulse is within the stated bound",
+       error_bound},
+      {"impulse.decided",
+       query,
+       {"TS-IMPULSE-3"},
+       "an impact is not called ambiguous where the impulse is a continuous function of the data",
+       decided},
+      {"impulse.momentum", query, {"TS-IMPULSE-4"}, "the momentum of the pair is conserved", momentum},
       {"impulse.angular_momentum",
        query,
        {"TS-IMPULSE-5"},
-       "Each body keeps its angular momentum about C.",
+       "the angular momentum of each body about C is conserved",
        angular_momentum},
-      {"impulse.fixed", query, {"TS-IMPULSE-6"}, "A fixed body moves as before.", fixed},
-      {"impulse.stated", query, {"TS-IMPULSE-7"}, "The stated impulse makes the velocities.", stated},
-      {"impulse.push", query, {"TS-IMPULSE-8"}, "The bodies never pull.", push},
-      {"impulse.cone", query, {"TS-IMPULSE-9"}, "The impulse is in the friction cone.", cone},
-      {"impulse.energy", query, {"TS-IMPULSE-10"}, "At least the energy that theory says is lost.", energy},
-      {"impulse.energy_floor", query, {"TS-IMPULSE-11"}, "No more energy is lost than can be.", energy_floor},
+      {"impulse.fixed", query, {"TS-IMPULSE-6"}, "a fixed body keeps its velocity", fixed},
+      {"impulse.stated", query, {"TS-IMPULSE-7"}, "the velocities follow from the stated impulse", stated},
+      {"impulse.push", query, {"TS-IMPULSE-8"}, "the normal impulse is not negative", push},
+      {"impulse.cone", query, {"TS-IMPULSE-9"}, "the impulse is in the friction cone", cone},
+      {"impulse.energy", query, {"TS-IMPULSE-10"}, "the impact loses at least the energy that theory requires", energy},
+      {"impulse.energy_floor",
+       query,
+       {"TS-IMPULSE-11"},
+       "the impact loses no more energy than is possible",
+       energy_floor},
       {"impulse.frictionless",
        query,
        {"TS-IMPULSE-12"},
-       "Without friction, −(1 + e) u_n/K_nn along the normal.",
+       "without friction the impulse is −(1 + e) u_n/K_nn along the normal",
        frictionless},
-      {"impulse.stuck", query, {"TS-IMPULSE-13"}, "What sticks from the start takes −(1 + e) u_n K⁻¹ n.", stuck},
+      {"impulse.stuck",
+       query,
+       {"TS-IMPULSE-13"},
+       "if contact sticks from the start, the impulse is −(1 + e) u_n K⁻¹ n",
+       stuck},
       {"impulse.straight",
        query,
        {"TS-IMPULSE-14"},
-       "Balls and their like: friction mu P_n until slip stops.",
+       "if normal and slip are uncoupled, the friction impulse is mu P_n until slip stops",
        straight},
-      {"impulse.no_approach", query, {"TS-IMPULSE-15"}, "The bodies do not approach after.", no_approach},
-      {"impulse.newton", query, {"TS-IMPULSE-16"}, "By Newton's law they part at e times their approach.", newton},
-      {"impulse.plastic", query, {"TS-IMPULSE-17"}, "With e = 0 they stay together along the normal.", plastic},
-      {"impulse.separating", query, {"TS-IMPULSE-18"}, "Bodies that part are left alone.", separating},
-      {"impulse.survives", query, {"TS-IMPULSE-25"}, "An answer comes, finite, however hard the impact.", survives_any},
+      {"impulse.no_approach", query, {"TS-IMPULSE-15"}, "the bodies do not approach after the impact", no_approach},
+      {"impulse.newton",
+       query,
+       {"TS-IMPULSE-16"},
+       "by Newton's law the speed of separation is e times the speed of approach",
+       newton},
+      {"impulse.plastic", query, {"TS-IMPULSE-17"}, "with e = 0 the bodies do not separate along the normal", plastic},
+      {"impulse.separating", query, {"TS-IMPULSE-18"}, "separating bodies get no impulse", separating},
+      {"impulse.survives", query, {"TS-IMPULSE-25"}, "every valid impact has a finite answer", survives_any},
   };
 }
 

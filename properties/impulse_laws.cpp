@@ -25,7 +25,7 @@ Moving same(const Moving& V) { return V; }
 Finding changes(const Scene& scene, const std::optional<Scene>& other, Subject& subject, Defect defect,
                 const Predict& predict, Real times = 1, bool exchanged = false) {
   return of_answered_impact(scene, subject, [&](const ImpactCase& asked, const SaidImpact& first) {
-    if (asked.law_jumps()) return judge::outside("the law itself jumps here");
+    if (asked.law_jumps()) return judge::outside("the impulse is a discontinuous function of the data here");
     return of_moved(other, subject, [&](const Scene& second_scene) {
       return of_answered_impact(second_scene, subject, [&](const ImpactCase& asked_then, const SaidImpact& second) {
         After expected;
@@ -33,7 +33,7 @@ Finding changes(const Scene& scene, const std::optional<Scene>& other, Subject& 
         const double allowed = static_cast<double>(times) * first.allowed + second.allowed;
         return judge::at_most(
             static_cast<double>(difference(asked_then, second.after, expected)), of_energy(asked_then, allowed), defect,
-            [&] { return text(second.after); }, [&] { return text(expected) + ", as the other answer has it"; });
+            [&] { return text(second.after); }, [&] { return text(expected) + ", from the other answer"; });
       });
     });
   });
@@ -124,7 +124,7 @@ Scene with(Scene scene, Law law, double e) {
 Finding poisson(const Scene& scene, Subject& subject) {
   return of_answered_impact(scene, subject, [&](const ImpactCase& asked, const SaidImpact& said) {
     if (asked.contact.law != Law::poisson || !asked.regular())
-      return judge::outside("another law, or another compression");
+      return judge::outside("another law, or a second compression");
     const Scene plastic = with(scene, Law::poisson, 0);
     const ImpactCase asked_then(plastic, asked.precision);
     return answered(asked_then, subject, [&](const SaidImpact& compressed) {
@@ -163,16 +163,32 @@ Finding repeats_itself(const Scene& scene, Subject& subject) {
 std::vector<Property> impulse_law_properties() {
   const std::string query = "impulse";
   return {
-      {"impulse.poisson", query, {"TS-IMPULSE-19"}, "The normal impulse is 1 + e times that with e = 0.", poisson},
-      {"impulse.laws", query, {"TS-IMPULSE-20"}, "Where theory has one answer, the three laws have it.", laws},
-      {"impulse.swapped", query, {"TS-IMPULSE-21"}, "Who is A and who B changes nothing.", swapped_bodies},
-      {"impulse.moved", query, {"TS-IMPULSE-22"}, "Where the world stands changes nothing.", moved},
-      {"impulse.turned", query, {"TS-IMPULSE-22"}, "Turning the world turns the velocities.", turned_world},
-      {"impulse.mirrored", query, {"TS-IMPULSE-22"}, "A mirrored impact is the mirror's impact.", mirrored_world},
-      {"impulse.galilean", query, {"TS-IMPULSE-23"}, "A velocity that all share changes nothing else.", galilean},
-      {"impulse.scaled", query, {"TS-IMPULSE-24"}, "Lengths times s: velocities times s.", scaled_world},
-      {"impulse.faster", query, {"TS-IMPULSE-24"}, "Velocities times s before: times s after.", faster},
-      {"impulse.repeats", query, {"TS-IMPULSE-26"}, "The same impact, the same answer, bit for bit.", repeats_itself},
+      {"impulse.poisson",
+       query,
+       {"TS-IMPULSE-19"},
+       "by Poisson's law the normal impulse is 1 + e times that with e = 0",
+       poisson},
+      {"impulse.laws",
+       query,
+       {"TS-IMPULSE-20"},
+       "where the laws of Poisson, Stronge and Newton agree in theory, their answers agree",
+       laws},
+      {"impulse.swapped", query, {"TS-IMPULSE-21"}, "swapping A and B changes no velocity", swapped_bodies},
+      {"impulse.moved", query, {"TS-IMPULSE-22"}, "translating the world changes no velocity", moved},
+      {"impulse.turned", query, {"TS-IMPULSE-22"}, "rotating the world rotates the velocities", turned_world},
+      {"impulse.mirrored", query, {"TS-IMPULSE-22"}, "reflecting the world reflects the velocities", mirrored_world},
+      {"impulse.galilean",
+       query,
+       {"TS-IMPULSE-23"},
+       "a velocity added to both bodies is added to the result",
+       galilean},
+      {"impulse.scaled", query, {"TS-IMPULSE-24"}, "scaling all lengths by s scales the velocities by s", scaled_world},
+      {"impulse.faster",
+       query,
+       {"TS-IMPULSE-24"},
+       "scaling the velocities before by s scales those after by s",
+       faster},
+      {"impulse.repeats", query, {"TS-IMPULSE-26"}, "the same impact has the same answer, bit for bit", repeats_itself},
   };
 }
 

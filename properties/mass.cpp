@@ -100,7 +100,8 @@ Finding given_masses(const Scene& scene, Subject& subject, JudgeIt&& judge_it) {
       return m.has_value() != std::holds_alternative<Fixed>(body.mass);
     });
     if (!one_a_body) {
-      return judge::wrong(Defect::wrong_mass, "not one entry a movable body", "an entry a body, none for a fixed one");
+      return judge::wrong(Defect::wrong_mass, "entries that do not fit the bodies",
+                          "one entry per body, empty for a fixed body");
     }
     return judge_it(said);
   });
@@ -158,7 +159,9 @@ Finding possible(const Scene& scene, Subject& subject) {
               allowance(scene.bodies[i], *exact[i], Part::inertia, zero_mass > 0 ? 0 : eigenvalues, precision),
               Defect::wrong_mass,
               [&] { return "principal moments " + words::text(lambda) + ", mass " + words::text(said[i]->mass); },
-              [] { return std::string("mass > 0, and principal moments > 0 none above the sum of the others"); }));
+              [] {
+                return std::string("mass > 0, and principal moments > 0, none greater than the sum of the other two");
+              }));
     }
     return worst;
   });
@@ -187,7 +190,8 @@ double widest(const MassTruth& m, Part part) {
 Finding obeys(const Scene& before, const std::optional<Scene>& moved, const Law& law, Subject& subject, Defect defect) {
   const bool uniform =
       std::ranges::all_of(before.bodies, [](const Body& b) { return std::holds_alternative<Density>(b.mass); });
-  if (!uniform || before.bodies.empty()) return judge::outside("mass properties that do not follow from the shape");
+  if (!uniform || before.bodies.empty())
+    return judge::outside("mass properties that are given, not computed from the shape");
   return of_moved(moved, subject, [&](const Scene& after) {
     return of_masses(before, subject, [&](const Masses& first) {
       return of_masses(after, subject, [&](const Masses& second) {
@@ -298,31 +302,39 @@ std::vector<Property> mass_properties() {
        {"TS-MASS-3"},
        "the inertia about the centre of mass is the exact one within rounding",
        judging(Part::inertia)},
-      {"mass.pose_free", "mass", {"TS-MASS-5"}, "where a body stands changes nothing in its own frame", pose_free},
+      {"mass.pose_free",
+       "mass",
+       {"TS-MASS-5"},
+       "a body's pose does not change its mass properties in its own frame",
+       pose_free},
       {"mass.turned",
        "mass",
        {"TS-MASS-6"},
-       "renaming the body's axes renames the centre's and the inertia's axes",
+       "permuting the body's axes permutes those of the centre of mass and of the inertia",
        turns},
       {"mass.shifted",
        "mass",
        {"TS-MASS-6"},
-       "shifting the shape in its frame shifts the centre and leaves the inertia about it",
+       "translating the shape in its frame translates the centre of mass and keeps the inertia about it",
        shifts},
       {"mass.scaled",
        "mass",
        {"TS-MASS-7"},
-       "lengths times s: mass times s³, centre times s, inertia times s⁵",
+       "scaling lengths by s scales mass by s³, centre of mass by s, inertia by s⁵",
        scales},
-      {"mass.density", "mass", {"TS-MASS-7"}, "density times s: mass and inertia times s, the centre stays", density},
-      {"mass.relabelled", "mass", {"TS-MASS-8"}, "the order of a polytope's vertices changes nothing", relabels},
-      {"mass.possible", "mass", {"TS-MASS-4"}, "the inertia is one that matter can have", possible},
-      {"mass.survives",
+      {"mass.density",
        "mass",
-       {"TS-MASS-9"},
-       "the answer comes, finite and with mass > 0, however extreme the body",
-       lives},
-      {"mass.repeats", "mass", {"TS-MASS-10"}, "the same question has the same answer, bit for bit", again},
+       {"TS-MASS-7"},
+       "scaling density by s scales mass and inertia by s, and keeps the centre of mass",
+       density},
+      {"mass.relabelled", "mass", {"TS-MASS-8"}, "the order of a polytope's vertices changes nothing", relabels},
+      {"mass.possible",
+       "mass",
+       {"TS-MASS-4"},
+       "the inertia is physically possible: positive principal moments that obey the triangle inequality",
+       possible},
+      {"mass.survives", "mass", {"TS-MASS-9"}, "every valid body has an answer: finite, with mass > 0", lives},
+      {"mass.repeats", "mass", {"TS-MASS-10"}, "the same query has the same answer, bit for bit", again},
   };
 }
 

@@ -60,7 +60,7 @@ Finding depth(const Scene& scene, Subject& subject) {
 template <class JudgeIt>
 Finding of_direction(const Scene& scene, Subject& subject, JudgeIt&& judge_it) {
   return of_answer(scene, subject, [&](const Penetration& said) {
-    if (truth::distance(scene).verdict != Verdict::overlapping) return judge::outside("no common interior");
+    if (truth::distance(scene).verdict != Verdict::overlapping) return judge::outside("the bodies do not overlap");
     if (!said.depth || !said.nhat_BA_W) return judge::silent("a depth with its direction");
     return judge::explained(judge_it(*said.depth, *said.nhat_BA_W), scene);
   });
@@ -157,8 +157,12 @@ Finding again(const Scene& scene, Subject& subject) {
 
 std::vector<Property> penetration_properties() {
   return {
-      {"penetration.verdict", "penetration", {"TS-PENETRATION-1"}, "the verdict is the exact one", verdict},
-      {"penetration.depth", "penetration", {"TS-PENETRATION-2"}, "the depth is the least one within rounding", depth},
+      {"penetration.verdict", "penetration", {"TS-PENETRATION-1"}, "the verdict is exact", verdict},
+      {"penetration.depth",
+       "penetration",
+       {"TS-PENETRATION-2"},
+       "the depth is the least separating distance within rounding",
+       depth},
       {"penetration.separates",
        "penetration",
        {"TS-PENETRATION-3"},
@@ -173,17 +177,17 @@ std::vector<Property> penetration_properties() {
       {"penetration.translated",
        "penetration",
        {"TS-PENETRATION-6"},
-       "moving both bodies alike changes neither depth nor verdict",
+       "translating both bodies changes neither depth nor verdict",
        translates},
       {"penetration.turned",
        "penetration",
        {"TS-PENETRATION-6"},
-       "turning the world changes neither depth nor verdict",
+       "rotating the world changes neither depth nor verdict",
        turns},
       {"penetration.scaled",
        "penetration",
        {"TS-PENETRATION-7"},
-       "a change of unit by 2^20 or 2^-20 scales the depth, nothing else",
+       "scaling all lengths by 2^20 or 2^-20 scales the depth exactly",
        scales},
       {"penetration.relabelled",
        "penetration",
@@ -198,12 +202,12 @@ std::vector<Property> penetration_properties() {
       {"penetration.survives",
        "penetration",
        {"TS-PENETRATION-10"},
-       "the answer comes, finite and with sense, however extreme the pair",
+       "every valid pair has an answer that is finite and consistent",
        lives},
       {"penetration.repeats",
        "penetration",
        {"TS-PENETRATION-11"},
-       "the same question has the same answer, bit for bit",
+       "the same query has the same answer, bit for bit",
        again},
   };
 }

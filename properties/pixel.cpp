@@ -45,7 +45,7 @@ Finding given_pixels(const Scene& scene, Subject& subject, JudgeIt&& judge_it) {
                        fits(said.meet_sampled) && fits(said.meet_conservative);
     if (whole) return judge_it(said);
     return judge::wrong(Defect::garbage, "masks of another number or size",
-                        "one of each kind a body, of the raster's size");
+                        "one sampled and one conservative mask per body, of the raster's size");
   });
 }
 
@@ -141,7 +141,7 @@ Finding narrow(const Scene& scene, Subject& subject) {
           return judge::holds();
         }
         return judge::wrong(Defect::loose_box, place(i, j) + " is in the conservative mask" + whose,
-                            "nothing of the picture within " + std::to_string(around) + " pixels");
+                            "no point of the image within " + std::to_string(around) + " pixels");
       });
     });
   });
@@ -158,14 +158,15 @@ Finding overlap(const Scene& scene, Subject& subject) {
 
 Finding meets(const Scene& scene, Subject& subject) {
   return of_pixels_of_two(scene, subject, [&](const Pixels& said) {
-    return same_mask(*scene.raster, said.meet_sampled, truth::pixel(scene).meet_sampled, "where A and B meet");
+    return same_mask(*scene.raster, said.meet_sampled, truth::pixel(scene).meet_sampled,
+                     "the mask of common points of A and B above pixel centres");
   });
 }
 
 Finding may_meet(const Scene& scene, Subject& subject) {
   return of_pixels_of_two(scene, subject, [&](const Pixels& said) {
     return holds_mask(*scene.raster, truth::pixel(scene).meet_conservative, said.meet_conservative, Defect::missed,
-                      "where A and B may meet");
+                      "the conservative mask of common points of A and B");
   });
 }
 
@@ -178,7 +179,7 @@ Finding comes_near(const Scene& scene, Subject& subject) {
           truth::depths_come_near(scene, i, j, around, 2 * tolerance::pixel(scene, precision))) {
         return judge::holds();
       }
-      return judge::wrong(Defect::phantom, place(i, j) + " is where A and B may meet",
+      return judge::wrong(Defect::phantom, place(i, j) + " is in the conservative mask of common points of A and B",
                           "no common depth within " + std::to_string(around) + " pixels");
     });
   });
@@ -210,8 +211,8 @@ Finding counts(const Scene& scene, Subject& subject) {
 Finding bracket(const Scene& scene, Subject& subject) {
   return of_pixels_of_two(scene, subject, [&](const Pixels& said) {
     const Raster& raster = *scene.raster;
-    std::vector<Finding> all = {
-        holds_mask(raster, said.meet_sampled, said.meet_conservative, Defect::inconsistent, "where A and B may meet")};
+    std::vector<Finding> all = {holds_mask(raster, said.meet_sampled, said.meet_conservative, Defect::inconsistent,
+                                           "the conservative mask of common points of A and B")};
     for (std::size_t b = 0; b < 2; ++b) {
       const std::string whose = " of bodies[" + std::to_string(b) + "]";
       const std::string sampled_mask = "the sampled mask" + whose;
@@ -329,31 +330,33 @@ std::vector<Property> pixel_properties() {
   };
   return {
       property("pixel.sampled", {"TS-PIXEL-1"},
-               "a pixel is sampled exactly if its centre is in the body's closed picture", sampled),
-      property("pixel.conservative", {"TS-PIXEL-2"}, "no pixel whose closed square meets the picture is left out",
-               conservative),
+               "a pixel is sampled exactly if its centre is in the body's closed image", sampled),
+      property("pixel.conservative", {"TS-PIXEL-2"},
+               "every pixel whose closed square intersects the image is in the conservative mask", conservative),
       property("pixel.narrow", {"TS-PIXEL-3"},
-               "no marked pixel is further from the picture than one pixel and rounding", narrow),
-      property("pixel.overlap", {"TS-PIXEL-4"}, "the masks overlap in as many pixels, first where they do", overlap),
-      property("pixel.meet", {"TS-PIXEL-5"}, "bodies meet above exactly those centres above which they share a point",
-               meets),
-      property("pixel.may_meet", {"TS-PIXEL-6"}, "no pixel above whose square the bodies share a point is left out",
-               may_meet),
-      property("pixel.comes_near", {"TS-PIXEL-7"}, "where bodies may meet, they come to one depth within a pixel",
-               comes_near),
-      property("pixel.counts", {"TS-PIXEL-4"}, "the overlap is that of the subject's own masks", counts),
+               "no pixel of the conservative mask is further from the image than one pixel and rounding", narrow),
+      property("pixel.overlap", {"TS-PIXEL-4"}, "the count and the first pixel of the overlap are exact", overlap),
+      property("pixel.meet", {"TS-PIXEL-5"},
+               "a pixel is marked as common exactly if the bodies share a point above its centre", meets),
+      property("pixel.may_meet", {"TS-PIXEL-6"},
+               "every pixel above whose square the bodies share a point is marked conservatively", may_meet),
+      property("pixel.comes_near", {"TS-PIXEL-7"},
+               "where a common point is marked, the bodies reach one depth within a pixel", comes_near),
+      property("pixel.counts", {"TS-PIXEL-4"}, "the stated overlap is that of the subject's own masks", counts),
       property("pixel.bracket", {"TS-PIXEL-8"},
-               "what sampling finds, the conservative test finds; both only where the masks are", bracket),
-      property("pixel.symmetric", {"TS-PIXEL-9"}, "swapping the bodies and the shift changes nothing but the names",
-               symmetric),
-      property("pixel.translated", {"TS-PIXEL-10"}, "moving the world and its raster changes no sample", translates),
-      property("pixel.stepped", {"TS-PIXEL-10"}, "moving the bodies by whole pixels moves the samples by as many",
+               "each sampled mask is part of its conservative mask, and common pixels are in both bodies' masks",
+               bracket),
+      property("pixel.symmetric", {"TS-PIXEL-9"},
+               "swapping the bodies and negating the shift changes no mask and no overlap", symmetric),
+      property("pixel.translated", {"TS-PIXEL-10"}, "translating the world and its raster changes no sample",
+               translates),
+      property("pixel.stepped", {"TS-PIXEL-10"}, "translating the bodies by whole pixels shifts the samples by as many",
                steps),
-      property("pixel.shifted", {"TS-PIXEL-11"}, "shifting B's mask is moving B by whole pixels", shifts),
-      property("pixel.scaled", {"TS-PIXEL-12"}, "a change of unit by 2^20 or 2^-20 changes no sample", scales),
-      property("pixel.survives", {"TS-PIXEL-13"}, "the masks come, of the raster's size, however extreme the scene",
-               lives),
-      property("pixel.repeats", {"TS-PIXEL-14"}, "the same question has the same answer, bit for bit", again),
+      property("pixel.shifted", {"TS-PIXEL-11"}, "shifting B's mask has the overlap of translating B by whole pixels",
+               shifts),
+      property("pixel.scaled", {"TS-PIXEL-12"}, "scaling all lengths by 2^20 or 2^-20 changes no sample", scales),
+      property("pixel.survives", {"TS-PIXEL-13"}, "every valid scene has an answer: masks of the raster's size", lives),
+      property("pixel.repeats", {"TS-PIXEL-14"}, "the same query has the same answer, bit for bit", again),
   };
 }
 

@@ -42,7 +42,7 @@ Finding ordered(const Scene& scene, Subject& subject) {
 // before the event and the one after it are correct there.
 Finding ballistic_segments(const Scene& scene, Subject& subject) {
   return of_timeline(scene, subject, [&](const TrajectoryCase& asked, const Timeline& timeline) {
-    Finding worst = judge::outside("no look in flight");
+    Finding worst = judge::outside("no sample in ballistic motion");
     for (const std::vector<Segment>& segments : timeline) {
       for (const Segment& segment : segments) {
         for (std::size_t sample = 0; sample < asked.samples(); ++sample) {
@@ -62,7 +62,7 @@ Finding ballistic_segments(const Scene& scene, Subject& subject) {
 // motion.
 Finding event_states(const Scene& scene, Subject& subject) {
   return of_timeline(scene, subject, [&](const TrajectoryCase& asked, const Timeline& timeline) {
-    Finding worst = judge::outside("no event in flight");
+    Finding worst = judge::outside("no event in ballistic motion");
     for (std::size_t e = 0; e < asked.events(); ++e) {
       const Event& event = (*asked.said.events)[e];
       if (!is_struck(event) && event.kind != Kind::push) continue;
@@ -101,7 +101,7 @@ bool of_segments_together(const Scene& scene, const std::vector<Segment>& of_a, 
 /// The same for all pairs of which at least one body is not fixed.
 template <class JudgeIt>
 Finding of_pairs_in_motion(const TrajectoryCase& asked, const Timeline& timeline, JudgeIt&& judge_it) {
-  Finding worst = judge::outside("no two in flight");
+  Finding worst = judge::outside("no two bodies in ballistic motion at one time");
   for (std::size_t i = 0; i < timeline.size(); ++i) {
     for (std::size_t j = i + 1; j < timeline.size(); ++j) {
       if (asked.is_fixed(i) && asked.is_fixed(j)) continue;
@@ -131,7 +131,7 @@ Finding none_missed(const Scene& scene, Subject& subject) {
                        judge::at_most(
                            depth, in_ulps_of_place(asked, slack), Defect::missed,
                            [&] { return "no impact of the pair until " + oracle::words::text(until) + " s"; },
-                           [&] { return std::string("an impact before they overlap"); }));
+                           [&] { return std::string("an impact before the bodies overlap"); }));
       };
       const Scene at_first = oracle::pair_at(pair, from);
       if (truth::distance(at_first).verdict == Verdict::overlapping) return overlap(judge::margin(at_first).lo);
@@ -172,9 +172,11 @@ Finding in_contact(const TrajectoryCase& asked, const Event& event, const Scene&
         off, in_ulps_of_place(asked, allowed), defect, [&] { return text(event); }, [law] { return std::string(law); });
   };
   Finding worst;
-  if (worse(worst, within(apart, near, Defect::phantom, "an impact within the envelope"))) return worst;
+  if (worse(worst, within(apart, near, Defect::phantom, "bodies within the contact tolerance at the impact")))
+    return worst;
   for (const Body& body : there.bodies) {
-    if (worse(worst, within(judge::off_body(body, event.p_WC), near, Defect::wrong_witness, "C within the envelope"))) {
+    if (worse(worst, within(judge::off_body(body, event.p_WC), near, Defect::wrong_witness,
+                            "contact point C within the contact tolerance of both bodies"))) {
       return worst;
     }
   }
@@ -188,7 +190,7 @@ Finding in_contact(const TrajectoryCase& asked, const Event& event, const Scene&
   const double allowed = near + 2 * size * tolerance::normal(there, apart, asked.precision);
   const Real overlap = overlap_along(n, there.bodies[0], there.bodies[1]);
   worse(worst, within(static_cast<double>(std::max<Real>(0, overlap)), allowed, Defect::wrong_normal,
-                      "a normal whose plane parts the two"));
+                      "a normal whose plane separates the two bodies"));
   return worst;
 }
 
@@ -247,7 +249,7 @@ Finding impulses(const Scene& scene, Subject& subject) {
         const ImpactCase impact(question, asked.precision);
         const bool in_domain = tolerance::impact_in_range(impact.impact, asked.precision) &&
                                tolerance::impact_is_sure(impact.impact, asked.precision);
-        if (!in_domain) return judge::outside("an impact whose law rounding may change");
+        if (!in_domain) return judge::outside("rounding may change the kind of impact");
         const Impulse answer{{event.after_a.velocity, event.after_b.velocity}, event.P_A_W, {}, {}};
         const SaidImpact said(impact, answer);
         const std::array<tolerance::BallisticBound, 2> before = {
@@ -257,8 +259,8 @@ Finding impulses(const Scene& scene, Subject& subject) {
         const double u_n = static_cast<double>(impact.impact.u_n());
         const double speed = flown / static_cast<double>(std::sqrt(impact.impact.least_mass()));
         Finding worst = judge::at_most(
-            std::max(0.0, u_n), {speed, speed, "errors of the flight"}, Defect::phantom, [&] { return text(event); },
-            [] { return std::string("an impact of bodies that approach"); });
+            std::max(0.0, u_n), {speed, speed, "errors of the trajectory"}, Defect::phantom,
+            [&] { return text(event); }, [] { return std::string("an impact of bodies that approach"); });
         if (worst.outcome == Outcome::fails) return worst;
         const reference::ImpulseTruth& law = truth::impulse(question);
         if (law.ambiguous || impact.law_jumps()) return worst;
@@ -288,7 +290,7 @@ bool spheres_apart(const Body& a, const State& at, const Body& b, const State& b
 // No sample shows two bodies that overlap deeper than the envelope.
 Finding solid(const Scene& scene, Subject& subject) {
   return of_trajectory(scene, subject, [&](const TrajectoryCase& asked) {
-    Finding worst = asked.samples() > 0 ? judge::holds() : judge::outside("no look");
+    Finding worst = asked.samples() > 0 ? judge::holds() : judge::outside("no sample");
     for (std::size_t sample = 0; sample < asked.samples(); ++sample) {
       const std::vector<State>& states = asked.said.states[sample];
       for (std::size_t i = 0; i < states.size(); ++i) {
@@ -303,11 +305,12 @@ Finding solid(const Scene& scene, Subject& subject) {
           const double deep = overlap ? judge::margin(pair).lo : 0;
           const double allowed = envelope(scene) + tolerance::distance(pair, asked.precision);
           const auto seen = [&] {
-            return "bodies " + std::to_string(i) + " and " + std::to_string(j) + " in each other at " +
+            return "bodies " + std::to_string(i) + " and " + std::to_string(j) + " overlap at " +
                    oracle::words::text(asked.time(sample)) + " s";
           };
-          if (worse(worst, judge::at_most(deep, in_ulps_of_place(asked, allowed), Defect::overdeep, seen,
-                                          [] { return std::string("none deeper than the envelope"); }))) {
+          if (worse(worst, judge::at_most(deep, in_ulps_of_place(asked, allowed), Defect::overdeep, seen, [] {
+                      return std::string("no overlap deeper than the contact tolerance");
+                    }))) {
             return worst;
           }
         }
@@ -322,13 +325,33 @@ Finding solid(const Scene& scene, Subject& subject) {
 std::vector<Property> simulation_properties() {
   const std::string query = "simulation", clause = "TS-SIMULATION-";
   return {
-      {"simulation.ordered", query, {clause + "1"}, "states and events come whole and in order", ordered},
-      {"simulation.flights", query, {clause + "2"}, "between events bodies fly", ballistic_segments},
-      {"simulation.event_states", query, {clause + "3"}, "an event moves no body", event_states},
-      {"simulation.none_missed", query, {clause + "4"}, "no two bodies pass into each other", none_missed},
-      {"simulation.contacts", query, {clause + "5"}, "an impact is where the two nearly touch", contacts},
-      {"simulation.impulses", query, {clause + "6"}, "an impact does what the law says", impulses},
-      {"simulation.solid", query, {clause + "7"}, "nobody sees one body in another", solid},
+      {"simulation.ordered",
+       query,
+       {clause + "1"},
+       "each sample has a state for each body, and the events are in order",
+       ordered},
+      {"simulation.flights",
+       query,
+       {clause + "2"},
+       "between events each body follows its ballistic trajectory",
+       ballistic_segments},
+      {"simulation.event_states", query, {clause + "3"}, "an event changes no pose", event_states},
+      {"simulation.none_missed", query, {clause + "4"}, "an impact is reported before two bodies overlap", none_missed},
+      {"simulation.contacts",
+       query,
+       {clause + "5"},
+       "at an impact the bodies are in contact, and its point and normal are right",
+       contacts},
+      {"simulation.impulses",
+       query,
+       {clause + "6"},
+       "an impact changes the velocities as the impact law says",
+       impulses},
+      {"simulation.solid",
+       query,
+       {clause + "7"},
+       "in no sample do bodies overlap deeper than the contact tolerance",
+       solid},
   };
 }
 

@@ -96,7 +96,7 @@ Sum<Point> momentum_of(const std::vector<ImpactBody>& bodies) {
 Finding momentum(const Scene& scene, Subject& subject) {
   return of_trajectory(scene, subject, [&](const TrajectoryCase& asked) {
     if (any_fixed(scene) || !scene.motion->forces.empty() || !start_at_once(scene)) {
-      return judge::outside("a fixed body or a push takes and gives momentum");
+      return judge::outside("a fixed body or an applied force changes momentum");
     }
     const std::vector<ImpactBody> first = bodies_at(scene, first_states(scene));
     const Sum<Point> before = momentum_of(first);
@@ -105,7 +105,7 @@ Finding momentum(const Scene& scene, Subject& subject) {
       mass += first[i].mass;
       off = std::max(off, mass_error(asked, i, first[i]));
     }
-    Finding worst = judge::outside("no look");
+    Finding worst = judge::outside("no sample");
     for (std::size_t sample = 0; sample < asked.samples(); ++sample) {
       const Real seconds = asked.time(sample) - start_of_all(scene);
       const Sum<Point> now = momentum_of(bodies_at(scene, asked.said.states[sample]));
@@ -145,14 +145,14 @@ Finding angular_momentum(const Scene& scene, Subject& subject) {
     if (any_fixed(scene) || !scene.motion->forces.empty() || !scene.gravity.isZero(0) || !start_at_once(scene)) {
       return judge::outside("forces or fixed bodies");
     }
-    if (!std::ranges::all_of(first, round)) return judge::outside("moments that differ");
+    if (!std::ranges::all_of(first, round)) return judge::outside("principal moments that differ");
     const Sum<Point> before = angular_momentum_of(first);
     Real off = 0;
     for (std::size_t i = 0; i < first.size(); ++i) {
       const Real I = tolerance::mass(scene.bodies[i], asked.precision).inertia / first[i].moments[0];
       off = std::max({off, mass_error(asked, i, first[i]), I});
     }
-    Finding worst = judge::outside("no look");
+    Finding worst = judge::outside("no sample");
     for (std::size_t sample = 0; sample < asked.samples(); ++sample) {
       const Sum<Point> now = angular_momentum_of(bodies_at(scene, asked.said.states[sample]));
       judge::Allowance allowed = of_sum(asked, before.size + now.size, "ulps of the angular momenta");
@@ -210,7 +210,7 @@ Finding energy_between_samples(const TrajectoryCase& asked, bool kept) {
   Sum<Real> before = energy_of(asked, bodies);
   Real off = pose_error(asked, bodies);
   const Real lifted = lift(asked, bodies);
-  Finding worst = judge::outside("no look");
+  Finding worst = judge::outside("no sample");
   for (std::size_t sample = 0; sample < asked.samples(); ++sample) {
     bodies = bodies_at(asked.scene, asked.said.states[sample]);
     const Sum<Real> now = energy_of(asked, bodies);
@@ -246,7 +246,7 @@ Finding energy(const Scene& scene, Subject& subject) {
   return of_trajectory(scene, subject, [&](const TrajectoryCase& asked) {
     const bool law_loses = scene.motion->law == Law::poisson || frictionless(scene);
     if (!law_loses || !scene.motion->forces.empty() || !fixed_rest(scene) || !start_at_once(scene)) {
-      return judge::outside("a law, a force or a fixed body that may make energy");
+      return judge::outside("a law, a force or a fixed body that may add energy");
     }
     return energy_between_samples(asked, false);
   });
@@ -256,7 +256,7 @@ Finding elastic_energy(const Scene& scene, Subject& subject) {
   return of_trajectory(scene, subject, [&](const TrajectoryCase& asked) {
     if (!elastic(scene) || !frictionless(scene)) return judge::outside("impacts that lose energy");
     if (!scene.motion->forces.empty() || !fixed_rest(scene) || !start_at_once(scene)) {
-      return judge::outside("a force or a fixed body that may make energy");
+      return judge::outside("a force or a fixed body that may add energy");
     }
     return energy_between_samples(asked, true);
   });
@@ -284,12 +284,13 @@ bool contacts_decided(const TrajectoryCase& asked) {
 Finding whole(const Scene& scene, Subject& subject) {
   return of_trajectory(scene, subject, [&](const TrajectoryCase& asked) {
     if (!elastic(scene) || !scene.gravity.isZero(0) || !scene.motion->forces.empty()) {
-      return judge::outside("impacts may pile up");
+      return judge::outside("impacts may accumulate");
     }
     if (!asked.said.complete_until) return judge::holds();
     if (!contacts_decided(asked)) return judge::outside(too_far_to_decide);
-    return judge::wrong(Defect::inconsistent, "whole until " + oracle::words::text(asked.end) + " s",
-                        "whole until " + oracle::words::text(scene.motion->sample_times.back()) + " s");
+    return judge::wrong(
+        Defect::inconsistent, "the trajectory is complete until " + oracle::words::text(asked.end) + " s",
+        "the trajectory is complete until " + oracle::words::text(scene.motion->sample_times.back()) + " s");
   });
 }
 
@@ -312,13 +313,33 @@ Finding repeats_itself(const Scene& scene, Subject& subject) {
 std::vector<Property> simulation_law_properties() {
   const std::string query = "simulation", clause = "TS-SIMULATION-";
   return {
-      {"simulation.momentum", query, {clause + "8"}, "bodies alone keep their momentum", momentum},
-      {"simulation.angular_momentum", query, {clause + "9"}, "and their angular momentum", angular_momentum},
+      {"simulation.momentum",
+       query,
+       {clause + "8"},
+       "without applied forces and fixed bodies, only gravity changes the momentum",
+       momentum},
+      {"simulation.angular_momentum",
+       query,
+       {clause + "9"},
+       "without gravity, applied forces and fixed bodies, angular momentum is conserved",
+       angular_momentum},
       {"simulation.energy", query, {clause + "10"}, "energy never rises", energy},
-      {"simulation.elastic_energy", query, {clause + "11"}, "elastic bodies keep it", elastic_energy},
-      {"simulation.whole", query, {clause + "12"}, "elastic bodies without gravity are followed to the end", whole},
-      {"simulation.survives", query, {clause + "20"}, "any valid question ends with sense", survives_any},
-      {"simulation.repeats", query, {clause + "21"}, "the same question, the same answer", repeats_itself},
+      {"simulation.elastic_energy",
+       query,
+       {clause + "11"},
+       "elastic impacts without friction conserve energy",
+       elastic_energy},
+      {"simulation.whole",
+       query,
+       {clause + "12"},
+       "a simulation of elastic bodies without gravity reaches its end",
+       whole},
+      {"simulation.survives",
+       query,
+       {clause + "20"},
+       "every valid scene has an answer that is finite and consistent",
+       survives_any},
+      {"simulation.repeats", query, {clause + "21"}, "the same query has the same answer, bit for bit", repeats_itself},
   };
 }
 

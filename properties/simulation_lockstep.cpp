@@ -52,7 +52,7 @@ Finding lockstep(const Scene& scene, Subject& subject) {
       scene, subject, [&](const TrajectoryCase& asked, const Event& event, const std::vector<Segment>& segments) {
         const Scene ballistic_scene = segment_scene(scene, segments, asked.end);
         const std::optional<MotionCase> pair = motion_case(ballistic_scene, asked.precision);
-        if (!pair) return judge::outside("pairs that set out overlapping");
+        if (!pair) return judge::outside("a pair overlaps where its segments begin");
         if (!pair->sure()) return judge::outside(too_far_to_decide);
         ++impacts;
         return in_enclosure(*pair, envelope(scene), event);
@@ -67,7 +67,7 @@ std::vector<Property> simulation_lockstep_properties() {
   return {{"simulation.lockstep",
            "simulation",
            {"TS-SIMULATION-22"},
-           "each impact comes when the reference, started anew, says that it may",
+           "each impact comes when the reference, restarted from the subject's own states, says that it may",
            lockstep}};
 }
 

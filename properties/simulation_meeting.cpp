@@ -25,17 +25,18 @@ Finding agree(const MotionCase& pair, const TimeOfImpact& said, const Trajectory
   const Event* first = run.events->empty() ? nullptr : &run.events->front();
   if (said.meeting == Meeting::miss) {
     if (first == nullptr) return judge::holds();
-    if (near.meeting != Meeting::miss) return judge::outside("they come within the envelope: an impact is allowed");
+    if (near.meeting != Meeting::miss)
+      return judge::outside("the bodies come within the contact tolerance: an impact is allowed");
     return judge::wrong(Defect::inconsistent, text(*first), text(said));
   }
   const std::optional<double> latest = pair.latest();
-  if (near.meeting != Meeting::hit || !latest) return judge::outside("they graze: rounding decides");
-  if (!said.time) return judge::silent("when they meet");
+  if (near.meeting != Meeting::hit || !latest) return judge::outside("the bodies graze: rounding decides");
+  if (!said.time) return judge::silent("the time of impact");
   if (first == nullptr) {
-    if (complete_until(pair.scene, run) < *latest) return judge::silent("its events until the two meet");
+    if (complete_until(pair.scene, run) < *latest) return judge::silent("its events until the time of impact");
     return judge::wrong(Defect::missed, "no impact", text(said));
   }
-  if (first->kind != Event::Kind::impact) return judge::outside("a contact in which the two rest");
+  if (first->kind != Event::Kind::impact) return judge::outside("a resting contact, not an impact");
   const double window = *latest - near.time.lo + 4 * oracle::unit_roundoff(pair.precision) * pair.end;
   return judge::at_most(
       std::abs(first->time - *said.time), {window, window, "windows"}, Defect::inconsistent,
@@ -46,8 +47,8 @@ Finding one_meeting(const Scene& scene, Subject& subject) {
   return of_answered_motion(scene, subject, [&](const MotionCase& pair, const TimeOfImpact& said) {
     const auto fixed = [](const Body& body) { return std::holds_alternative<Fixed>(body.mass); };
     if (fixed(scene.bodies[0]) && fixed(scene.bodies[1])) return judge::outside("two fixed bodies have no impact");
-    if (!scene.motion->forces.empty()) return judge::outside("pushes");
-    if (said.meeting == Meeting::undecided) return judge::silent("whether they meet");
+    if (!scene.motion->forces.empty()) return judge::outside("applied forces");
+    if (said.meeting == Meeting::undecided) return judge::silent("whether the bodies touch");
     return judge::given(subject.simulation(scene), [&](const Trajectory& run) {
       if (!fault_in_form(scene, run).empty()) return judge::outside("not a trajectory; see simulation.ordered");
       return run.events ? agree(pair, said, run) : judge::silent("its events");
@@ -61,7 +62,7 @@ std::vector<Property> simulation_meeting_properties() {
   return {{"simulation.one_meeting",
            "simulation",
            {"TS-SIMULATION-23"},
-           "the first impact of two bodies comes when the same subject says that they meet",
+           "the first impact of two bodies comes at the time of impact that the same subject states",
            one_meeting}};
 }
 

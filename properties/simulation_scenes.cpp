@@ -57,13 +57,13 @@ bool all_pairs(const Scene& scene, oracle::Precision precision, GoOn&& go_on) {
 // Bodies that never touch are in ballistic motion throughout, so all their states are known, even without events.
 Finding alone(const Scene& scene, Subject& subject) {
   return of_trajectory(scene, subject, [&](const TrajectoryCase& asked) {
-    if (!scene.motion->forces.empty()) return judge::outside("pushes");
+    if (!scene.motion->forces.empty()) return judge::outside("applied forces");
     const bool apart = all_pairs(scene, asked.precision, [](const MotionCase& pair) {
       return pair.truth.meeting == Meeting::miss && !pair.earliest();
     });
-    if (!apart) return judge::outside("bodies that meet");
+    if (!apart) return judge::outside("bodies that may touch");
     if (asked.events() > 0) return judge::wrong(Defect::phantom, text(asked.said.events->front()), "no event");
-    Finding worst = judge::outside("no look");
+    Finding worst = judge::outside("no sample");
     for (std::size_t sample = 0; sample < asked.samples(); ++sample) {
       for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
         const State& said = asked.said.states[sample][i];
@@ -103,7 +103,7 @@ std::optional<FirstImpact> first_impact(const Scene& scene, const Trajectory& sa
 Finding first_impact_unchanged(const Scene& scene, const std::optional<Scene>& other, Subject& subject) {
   return of_timeline(scene, subject, [&](const TrajectoryCase& asked, const Timeline&) {
     const std::optional<FirstImpact> first = first_impact(scene, asked.said, asked.precision);
-    if (!first) return judge::outside("no first impact that is clear");
+    if (!first) return judge::outside("the first impact is not clear: rounding decides");
     return of_moved(other, subject, [&](const Scene& moved) {
       return judge::given(subject.simulation(moved), [&](const Trajectory& said) {
         const Event* event = first_event(said);
@@ -113,7 +113,7 @@ Finding first_impact_unchanged(const Scene& scene, const std::optional<Scene>& o
         if (event == nullptr)
           return judge::wrong(Defect::moved_with_frame, "no impact", text(*first_event(asked.said)));
         return judge::at_most(
-            std::abs(event->time - first->time), {2 * first->window, first->window, "times of freedom"},
+            std::abs(event->time - first->time), {2 * first->window, first->window, "windows of the first impact"},
             Defect::moved_with_frame, [&] { return text(*event); },
             [&] { return text(*first_event(asked.said)) + ", as before"; });
       });
@@ -160,7 +160,8 @@ Finding bystanders(const Scene& scene, Subject& subject) {
           if (states.size() == more.bodies.size()) states.resize(static_cast<std::size_t>(others));
         }
         if (said == asked.said) return judge::holds();
-        return judge::wrong(Defect::inconsistent, "another way of the others", "the same bits with a ball far away");
+        return judge::wrong(Defect::inconsistent, "another trajectory of the other bodies",
+                            "the same bits with a ball far away");
       });
     });
   });
@@ -194,7 +195,7 @@ Finding reversible(const Scene& scene, Subject& subject) {
   return of_timeline(scene, subject, [&](const TrajectoryCase& asked, const Timeline&) {
     const bool once = asked.events() == 1 && asked.said.events->front().kind == Event::Kind::impact;
     if (!may_go_back(scene) || !once || asked.said.states.empty())
-      return judge::outside("not one elastic impact of balls");
+      return judge::outside("not exactly one elastic impact of balls");
     Scene back = scene;
     const std::vector<State>& there = asked.said.states.back();
     for (std::size_t i = 0; i < 2; ++i) {
@@ -210,7 +211,7 @@ Finding reversible(const Scene& scene, Subject& subject) {
     const double allowed = back_home(scene, asked.said.events->front(), end, slack);
     if (std::isinf(allowed)) return judge::outside("a grazing impact");
     return judge::given(subject.simulation(back), [&](const Trajectory& said) {
-      if (!fault_in_form(back, said).empty() || said.states.empty()) return judge::silent("the way back");
+      if (!fault_in_form(back, said).empty() || said.states.empty()) return judge::silent("the reversed trajectory");
       Finding worst;
       for (std::size_t i = 0; i < 2; ++i) {
         const Vec3 p = said.states.back()[i].X_WB.p_WB, home = scene.bodies[i].X_WB.p_WB;
@@ -304,7 +305,7 @@ Finding rests(const Scene& scene, Subject& subject) {
         }
       }
     }
-    return asked.samples() > 0 ? worst : judge::silent("where anything is later");
+    return asked.samples() > 0 ? worst : judge::silent("any state");
   });
 }
 
@@ -374,7 +375,7 @@ Finding bounces(const Scene& scene, Subject& subject) {
         return worst;
       }
     }
-    return asked.samples() > 0 ? worst : judge::silent("where anything is later");
+    return asked.samples() > 0 ? worst : judge::silent("any state");
   });
 }
 
@@ -383,14 +384,30 @@ Finding bounces(const Scene& scene, Subject& subject) {
 std::vector<Property> simulation_scene_properties() {
   const std::string query = "simulation", clause = "TS-SIMULATION-";
   return {
-      {"simulation.alone", query, {clause + "13"}, "bodies that never meet fly", alone},
-      {"simulation.rotated", query, {clause + "14"}, "turning the world changes no first impact", rotated},
-      {"simulation.translated", query, {clause + "14"}, "moving the world changes no first impact", shifted},
-      {"simulation.galilean", query, {clause + "15"}, "nor does a velocity of all bodies", galilean},
-      {"simulation.bystanders", query, {clause + "16"}, "who never touches changes no bit", bystanders},
-      {"simulation.reversible", query, {clause + "17"}, "an elastic impact of balls runs backwards", reversible},
-      {"simulation.rests", query, {clause + "18"}, "what rests neither sinks nor creeps", rests},
-      {"simulation.bounces", query, {clause + "19"}, "a ball bounces as high as it should, and comes to rest", bounces},
+      {"simulation.alone",
+       query,
+       {clause + "13"},
+       "bodies that never touch follow their ballistic trajectories",
+       alone},
+      {"simulation.rotated", query, {clause + "14"}, "rotating the world changes no first impact", rotated},
+      {"simulation.translated", query, {clause + "14"}, "translating the world changes no first impact", shifted},
+      {"simulation.galilean",
+       query,
+       {clause + "15"},
+       "a velocity added to all bodies changes no first impact",
+       galilean},
+      {"simulation.bystanders",
+       query,
+       {clause + "16"},
+       "a body that touches no other changes no bit of the others",
+       bystanders},
+      {"simulation.reversible", query, {clause + "17"}, "an elastic impact of balls is reversible in time", reversible},
+      {"simulation.rests", query, {clause + "18"}, "bodies at rest on a table neither sink nor drift", rests},
+      {"simulation.bounces",
+       query,
+       {clause + "19"},
+       "each bounce of a ball has the height that its restitution allows, and the ball comes to rest",
+       bounces},
   };
 }
 

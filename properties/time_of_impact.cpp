@@ -33,10 +33,10 @@ bool in(const Interval& interval, double x) { return interval.lo <= x && x <= in
 
 // At the claimed time the two bodies touch to within rounding, and have not overlapped deeper than that before.
 Finding touches_at(const MotionCase& asked, const TimeOfImpact& said) {
-  if (!said.time) return judge::silent("when they meet");
+  if (!said.time) return judge::silent("the time of impact");
   const double time = std::clamp(*said.time, asked.start, asked.end);
   if (std::abs(time - *said.time) > rounding(asked)) {
-    return judge::wrong(Defect::inconsistent, text(said), "a time of the flight");
+    return judge::wrong(Defect::inconsistent, text(said), "a time within the motion");
   }
   if (asked.truth.meeting == Meeting::hit && in(asked.truth.time, time)) return judge::holds();
   const double apart = asked.gap(time), deep = -asked.deepest(time);
@@ -49,7 +49,8 @@ Finding touches_at(const MotionCase& asked, const TimeOfImpact& said) {
 }
 
 Finding no_miss(const MotionCase& asked, const TimeOfImpact& said) {
-  if (asked.truth.meeting == Meeting::undecided) return judge::outside("they graze: the reference does not tell");
+  if (asked.truth.meeting == Meeting::undecided)
+    return judge::outside("the bodies graze: the reference does not decide");
   return judge::at_most(
       -asked.deepest(asked.end), in_ulps_of_place(asked, asked.slack), Defect::missed, [&] { return text(said); },
       [&] { return text(asked.truth); });
@@ -57,7 +58,7 @@ Finding no_miss(const MotionCase& asked, const TimeOfImpact& said) {
 
 Finding agrees(const Scene& scene, Subject& subject) {
   return of_answered_motion(scene, subject, [](const MotionCase& asked, const TimeOfImpact& said) {
-    if (said.meeting == Meeting::undecided) return judge::silent("whether they meet");
+    if (said.meeting == Meeting::undecided) return judge::silent("whether the bodies touch");
     return said.meeting == Meeting::hit ? touches_at(asked, said) : no_miss(asked, said);
   });
 }
@@ -83,7 +84,7 @@ Finding enclosure(const Scene& scene, Subject& subject) {
       return met ? judge::holds() : wrong(Defect::broken_enclosure, said, asked);
     }
     if (said.meeting == Meeting::miss) return hits ? wrong(Defect::missed, said, asked) : judge::holds();
-    if (!said.gap) return judge::silent("how near they come");
+    if (!said.gap) return judge::silent("the gap to which the bodies come");
     const auto near = oracle::truth::time_of_distance(asked.scene, *said.gap);
     const bool comes_near = near.meeting != Meeting::miss && near.time.lo <= said.enclosure->hi;
     return comes_near ? judge::holds() : wrong(Defect::broken_enclosure, said, asked);
@@ -94,8 +95,8 @@ Finding enclosure(const Scene& scene, Subject& subject) {
 // the allowance.
 Finding tight(const Scene& scene, Subject& subject) {
   return of_answered_motion(scene, subject, [](const MotionCase& asked, const TimeOfImpact& said) {
-    if (said.meeting != Meeting::hit || !said.enclosure) return judge::silent("the enclosure of a meeting");
-    if (asked.truth.meeting != Meeting::hit) return judge::outside("they do not meet, or only graze");
+    if (said.meeting != Meeting::hit || !said.enclosure) return judge::silent("an enclosure of the time of impact");
+    if (asked.truth.meeting != Meeting::hit) return judge::outside("the bodies do not touch, or only graze");
     const double slack = tolerance::moving_distance(asked.scene, asked.truth.time.hi,
                                                     std::max(asked.precision, oracle::Precision::binary64));
     const double lo = std::clamp(said.enclosure->lo, asked.start, asked.end);
@@ -110,20 +111,20 @@ Finding tight(const Scene& scene, Subject& subject) {
 // approach, unless their approach speed is itself a rounding error.
 Finding start(const Scene& scene, Subject& subject) {
   return of_answered_motion(scene, subject, [](const MotionCase& asked, const TimeOfImpact& said) {
-    if (asked.gap(asked.start) != 0) return judge::outside("they do not touch at the start");
+    if (asked.gap(asked.start) != 0) return judge::outside("the bodies do not touch at the start");
     if (asked.truth.meeting == Meeting::hit && asked.truth.at_start) {
       if (said.meeting == Meeting::hit) return touches_at(asked, said);
-      return said.meeting == Meeting::miss ? no_miss(asked, said) : judge::silent("whether they meet");
+      return said.meeting == Meeting::miss ? no_miss(asked, said) : judge::silent("whether the bodies touch");
     }
-    if (asked.truth.at_start) return judge::outside("neither parting nor approaching");
+    if (asked.truth.at_start) return judge::outside("neither separating nor approaching at the start");
     for (double after = asked.moment; asked.start + after < asked.end; after *= 2) {
       const double apart = asked.gap(asked.start + after);
       if (apart <= asked.slack) continue;
       if (said.meeting != Meeting::hit) return judge::holds();
-      if (!said.time) return judge::silent("when they meet");
+      if (!said.time) return judge::silent("the time of impact");
       return *said.time >= asked.start + after ? judge::holds() : wrong(Defect::phantom, said, asked);
     }
-    return judge::outside("they do not part");
+    return judge::outside("the bodies do not separate at the start");
   });
 }
 
@@ -149,16 +150,16 @@ std::optional<Sure> surely(const MotionCase& given) {
 /// by the window.
 Finding one_meeting(const MotionCase& asked, const TimeOfImpact& first, const TimeOfImpact& second, Defect defect) {
   if (first.meeting == Meeting::undecided || second.meeting == Meeting::undecided) {
-    return judge::silent("whether they meet");
+    return judge::silent("whether the bodies touch");
   }
   const std::optional<Sure> sure = surely(asked);
-  if (!sure) return judge::outside("they graze: rounding decides");
+  if (!sure) return judge::outside("the bodies graze: rounding decides");
   if (first.meeting != second.meeting) return judge::wrong(defect, text(second), text(first) + ", as before");
   if (first.meeting == Meeting::miss || !sure->hit) return judge::holds();
-  if (!first.time || !second.time) return judge::silent("when they meet");
+  if (!first.time || !second.time) return judge::silent("the time of impact");
   return judge::at_most(
-      std::abs(*first.time - *second.time), {2 * sure->window, sure->window, "times of rounding"}, defect,
-      [&] { return text(second); }, [&] { return text(first) + ", as before"; });
+      std::abs(*first.time - *second.time), {2 * sure->window, sure->window, "uncertainties of the time of impact"},
+      defect, [&] { return text(second); }, [&] { return text(first) + ", as before"; });
 }
 
 /// Queries both scenes and compares the answers. `told` maps the second answer's time to the first scene.
@@ -258,18 +259,19 @@ double cut(const MotionCase& asked) {
 Finding ends_early(const Scene& scene, Subject& subject) {
   return of_answered_motion(scene, subject, [&](const MotionCase& asked, const TimeOfImpact& whole) {
     const std::optional<Sure> sure = surely(asked);
-    if (!sure || !sure->hit || asked.truth.at_start) return judge::outside("no clear meeting after the start");
+    if (!sure || !sure->hit || asked.truth.at_start) return judge::outside("no clear time of impact after the start");
     const double before = cut(asked), after = (*asked.latest() + asked.end) / 2;
     const auto until = [&](double time, auto&& judge_it) {
       Scene shorter = scene;
       shorter.motion->sample_times = {time};
       return judge::given(subject.time_of_impact(shorter), judge_it);
     };
-    if (!(before > asked.start && before < *asked.earliest())) return judge::outside("it meets as soon as it starts");
+    if (!(before > asked.start && before < *asked.earliest()))
+      return judge::outside("the contact comes too soon after the start");
     const Finding first = until(before, [&](const TimeOfImpact& said) {
       return said.meeting != Meeting::hit
                  ? judge::holds()
-                 : judge::wrong(Defect::inconsistent, text(said), "no meeting before " + oracle::words::text(before));
+                 : judge::wrong(Defect::inconsistent, text(said), "no contact before " + oracle::words::text(before));
     });
     if (first.outcome != oracle::Outcome::holds) return first;
     return until(after,
@@ -280,7 +282,7 @@ Finding ends_early(const Scene& scene, Subject& subject) {
 Finding taken_up(const Scene& scene, Subject& subject) {
   return of_motion(scene, subject, [&](const MotionCase& asked) {
     const bool open = asked.truth.meeting == Meeting::undecided;
-    if (asked.truth.at_start || open) return judge::outside("no time between the start and the meeting");
+    if (asked.truth.at_start || open) return judge::outside("no time between the start and the contact");
     return unchanged(scene, taken_up_at(scene, cut(asked)), subject, Defect::inconsistent);
   });
 }
@@ -297,9 +299,10 @@ Finding reversible(const Scene& scene, Subject& subject) {
 }
 
 Finding survives_any(const Scene& scene, Subject& subject) {
-  if (!scene.motion || scene.bodies.size() != 2) return judge::outside("not two bodies in flight");
+  if (!scene.motion || scene.bodies.size() != 2) return judge::outside("not two bodies with a motion");
   return survives<TimeOfImpact>(&Subject::time_of_impact, scene, subject, [&](const TimeOfImpact& said) -> std::string {
-    if (said.time && (*said.time < 0 || *said.time > (1 + 0x1p-20) * end_of(scene))) return "a time beyond the flight";
+    if (said.time && (*said.time < 0 || *said.time > (1 + 0x1p-20) * end_of(scene)))
+      return "a time beyond the end of the motion";
     if (said.enclosure && said.enclosure->lo > said.enclosure->hi) return "an enclosure whose ends are exchanged";
     if (said.gap && *said.gap < 0) return "a gap below 0";
     return {};
@@ -307,7 +310,7 @@ Finding survives_any(const Scene& scene, Subject& subject) {
 }
 
 Finding repeats_itself(const Scene& scene, Subject& subject) {
-  if (!scene.motion || scene.bodies.size() != 2) return judge::outside("not two bodies in flight");
+  if (!scene.motion || scene.bodies.size() != 2) return judge::outside("not two bodies with a motion");
   return repeats<TimeOfImpact>(&Subject::time_of_impact, scene, swapped(scene), subject);
 }
 
@@ -316,27 +319,91 @@ Finding repeats_itself(const Scene& scene, Subject& subject) {
 std::vector<Property> time_of_impact_properties() {
   const std::string query = "time_of_impact", clause = "TS-TIME-OF-IMPACT-";
   return {
-      {"time_of_impact.agrees", query, {clause + "1"}, "they meet when they do, or miss each other", agrees},
-      {"time_of_impact.decided", query, {clause + "2"}, "what is clear is decided", decided},
-      {"time_of_impact.enclosure", query, {clause + "3"}, "a claimed enclosure is never late, and holds", enclosure},
+      {"time_of_impact.agrees",
+       query,
+       {clause + "1"},
+       "the bodies are said to touch exactly if they do, and at the right time",
+       agrees},
+      {"time_of_impact.decided", query, {clause + "2"}, "a clear hit or a clear miss is decided", decided},
+      {"time_of_impact.enclosure", query, {clause + "3"}, "a stated enclosure contains the time of impact", enclosure},
       {"time_of_impact.tight", query, {clause + "4"}, "an enclosure is as narrow as rounding allows", tight},
-      {"time_of_impact.start", query, {clause + "5"}, "contact at the start counts if they approach", start},
-      {"time_of_impact.symmetric", query, {clause + "6"}, "swapping the bodies changes nothing", symmetric},
-      {"time_of_impact.rotated", query, {clause + "7"}, "turning the world changes nothing", rotated},
-      {"time_of_impact.translated", query, {clause + "7"}, "moving the world changes nothing", shifted},
-      {"time_of_impact.galilean", query, {clause + "8"}, "a velocity of all bodies changes nothing", galilean},
-      {"time_of_impact.gravity", query, {clause + "9"}, "gravity that both feel changes nothing", gravity},
-      {"time_of_impact.scaled", query, {clause + "10"}, "the unit of length does not matter", length},
-      {"time_of_impact.hastened", query, {clause + "11"}, "the unit of time does not matter", pace},
-      {"time_of_impact.later", query, {clause + "12"}, "a later start is a later meeting", clock},
-      {"time_of_impact.shortened", query, {clause + "13"}, "the flight's end decides what is seen alone", ends_early},
-      {"time_of_impact.taken_up", query, {clause + "13"}, "a flight taken up on its way goes on", taken_up},
-      {"time_of_impact.reversible", query, {clause + "14"}, "a flight that misses does so backwards", reversible},
-      {"time_of_impact.mass", query, {clause + "15"}, "mass does not matter to bodies in free fall", mass},
-      {"time_of_impact.spin_of_balls", query, {clause + "16"}, "a ball's spin does not matter", spin_of_balls},
-      {"time_of_impact.coefficients", query, {clause + "17"}, "what rules impacts does not matter", coefficients},
-      {"time_of_impact.survives", query, {clause + "18"}, "any valid question ends with sense", survives_any},
-      {"time_of_impact.repeats", query, {clause + "19"}, "the same question, the same answer", repeats_itself},
+      {"time_of_impact.start",
+       query,
+       {clause + "5"},
+       "contact at the start counts if the bodies approach there",
+       start},
+      {"time_of_impact.symmetric",
+       query,
+       {clause + "6"},
+       "swapping the bodies does not change the time of impact",
+       symmetric},
+      {"time_of_impact.rotated",
+       query,
+       {clause + "7"},
+       "rotating the world does not change the time of impact",
+       rotated},
+      {"time_of_impact.translated",
+       query,
+       {clause + "7"},
+       "translating the world does not change the time of impact",
+       shifted},
+      {"time_of_impact.galilean",
+       query,
+       {clause + "8"},
+       "a velocity added to both bodies does not change the time of impact",
+       galilean},
+      {"time_of_impact.gravity",
+       query,
+       {clause + "9"},
+       "gravity that acts on both bodies does not change the time of impact",
+       gravity},
+      {"time_of_impact.scaled",
+       query,
+       {clause + "10"},
+       "scaling all lengths does not change the time of impact",
+       length},
+      {"time_of_impact.hastened", query, {clause + "11"}, "scaling time by s scales the time of impact by s", pace},
+      {"time_of_impact.later",
+       query,
+       {clause + "12"},
+       "delaying both starts by s delays the time of impact by s",
+       clock},
+      {"time_of_impact.shortened",
+       query,
+       {clause + "13"},
+       "a motion that ends earlier has the same time of impact, or a miss if it ends before",
+       ends_early},
+      {"time_of_impact.taken_up",
+       query,
+       {clause + "13"},
+       "a motion restarted from its own later state has the same time of impact",
+       taken_up},
+      {"time_of_impact.reversible",
+       query,
+       {clause + "14"},
+       "a motion that misses also misses when reversed in time",
+       reversible},
+      {"time_of_impact.mass", query, {clause + "15"}, "mass does not change the time of impact in free fall", mass},
+      {"time_of_impact.spin_of_balls",
+       query,
+       {clause + "16"},
+       "a ball's spin does not change the time of impact",
+       spin_of_balls},
+      {"time_of_impact.coefficients",
+       query,
+       {clause + "17"},
+       "restitution and friction do not change the time of impact",
+       coefficients},
+      {"time_of_impact.survives",
+       query,
+       {clause + "18"},
+       "every valid scene has an answer that is finite and consistent",
+       survives_any},
+      {"time_of_impact.repeats",
+       query,
+       {clause + "19"},
+       "the same query has the same answer, bit for bit",
+       repeats_itself},
   };
 }
 

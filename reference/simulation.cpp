@@ -65,7 +65,7 @@ class Simulation {
     while (const std::optional<PendingEvent> pending = next()) {
       sample_until(pending->time);
       if (pending->b >= 0) {
-        const std::string why = pending->known ? apply_impact(*pending) : "whether they meet is undecided";
+        const std::string why = pending->known ? apply_impact(*pending) : "whether the bodies touch is undecided";
         if (!why.empty()) return give_up(*pending, why);
       }
       if (pending->b < 0) apply_force(*pending);

@@ -76,7 +76,7 @@ TimeOfImpactTruth at_start(const Parts& parts, const Question& question, Meeting
   if (!std::holds_alternative<Compound>(A.shape) && !std::holds_alternative<Compound>(B.shape)) {
     what << " by " << penetration(scene).depth.hi << " m";
   }
-  throw InputError("bodies", what.str() + " where their flight begins; expected bodies that are apart");
+  throw InputError("bodies", what.str() + " where their motion begins; expected bodies that are apart");
 }
 
 /// One of the bodies started earlier, so the poses are known only to rounding, and so is an overlap.
@@ -152,7 +152,7 @@ TimeOfImpactTruth first_within(const Scene& scene, double apart, std::optional<d
   leave_out_turning(B, starts[1]);
   const double end = scene.motion->sample_times.back();
   const double from = std::max({starts[0].start_time.get_d(), starts[1].start_time.get_d(), earliest.value_or(0)});
-  if (from > end) throw InputError("motion.sample_times", "the flight ends before the time that is asked about");
+  if (from > end) throw InputError("motion.sample_times", "the motion ends before the time that is queried");
   const bool poses_hold = starts[0].start_time == from && starts[1].start_time == from;
   const Question question = {scene, starts, apart, from, end, poses_hold, !earliest};
   std::optional<TimeOfImpactTruth> first;

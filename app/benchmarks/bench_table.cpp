@@ -102,7 +102,7 @@ std::string left_out_text(const std::vector<BenchRow>& rows) {
     if (!row.left_out.empty())
       text += fmt::format("{:<10}{:>8}  {}: {}\n", row.workload, row.bodies, row.name, row.left_out);
   }
-  return text.empty() ? "nobody\n" : text;
+  return text.empty() ? "none\n" : text;
 }
 
 std::string counted_text(const std::vector<BenchRow>& rows) {

@@ -92,7 +92,7 @@ std::string left_out(const std::vector<WorkPrecision>& rows) {
     if (!row.left_out.empty())
       text += fmt::format("{:<12}{:>6}  {}: {}\n", row.workload, row.size, row.name, row.left_out);
   }
-  return "\nLeft out\n" + (text.empty() ? "nobody\n" : text);
+  return "\nLeft out\n" + (text.empty() ? "none\n" : text);
 }
 
 std::optional<double> number(const std::string& field) {

@@ -156,7 +156,7 @@ void print_energies(const Scene& scene, const MotionRun& run) {
 
 void print_events(const Trajectory& trajectory) {
   if (!trajectory.events) {
-    print("events     this engine tells none\n");
+    print("events     this engine reports none\n");
     return;
   }
   std::array<std::size_t, kinds.size()> counts{};
@@ -220,7 +220,7 @@ void warn_of_long_steps(const Scene& scene) {
     if (std::holds_alternative<Fixed>(body.mass) || fall <= size(body.shape)) continue;
     complain(
         "in a step of {:.3g} s gravity moves {} by {:.3g} m, more than its size: contacts are "
-        "missed; ask for a shorter flight (--until)",
+        "missed; ask for a shorter motion (--until)",
         step, body_name(scene, static_cast<int>(i)), fall);
     return;
   }
@@ -281,7 +281,7 @@ int simulate(const SimulateCommand& command) {
   const int code = report_end(scene, run);
   const bool answered = !run.interrupted && run.broke.empty();
   if (answered && !command.out.empty() && !events) {
-    throw InputError(command.engine, "tells no events: there is nothing to write to --out");
+    throw InputError(command.engine, "reports no events: there is nothing to write to --out");
   }
   return code;
 }

@@ -32,7 +32,7 @@ std::string wrong_form(const Scene& scene, const Trajectory& answer) {
   };
   const std::size_t expected = answer.complete_until ? reached(*answer.complete_until) : times.size();
   if (answer.states.size() != expected) {
-    return fmt::format("answered {} looks where there are {}", answer.states.size(), expected);
+    return fmt::format("answered {} samples where there are {}", answer.states.size(), expected);
   }
   for (const std::vector<State>& states : answer.states) {
     if (states.size() != scene.bodies.size()) {

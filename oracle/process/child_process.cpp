@@ -160,8 +160,7 @@ std::optional<Breaks> ChildProcess::overdue(Watch& watch, const Limits& limits) 
   if (cpu_seconds() - watch.cpu_start > limits.cpu_seconds) {
     return killed(Breaks::Kind::hung, fmt::format("no answer within {} s of its own CPU time", limits.cpu_seconds));
   }
-  if (limits.given_up != nullptr && limits.given_up())
-    return killed(Breaks::Kind::hung, "nobody waits for it any more");
+  if (limits.given_up != nullptr && limits.given_up()) return killed(Breaks::Kind::hung, "the run was interrupted");
   if (elapsed > limits.wall_seconds) {
     return killed(Breaks::Kind::hung, fmt::format("no answer within {} s", limits.wall_seconds));
   }

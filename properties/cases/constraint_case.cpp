@@ -8,16 +8,16 @@ std::string fault_of_steps(const Scene& scene, const Trajectory& said) {
   const std::vector<double>& times = scene.motion->sample_times;
   const double end = said.complete_until.value_or(times.back());
   const auto whole = static_cast<std::size_t>(std::ranges::upper_bound(times, end) - times.begin());
-  if (said.states.size() != whole) return "not a look a time";
+  if (said.states.size() != whole) return "not one entry of states per sample time";
   for (const std::vector<State>& bodies : said.states) {
-    if (bodies.size() != scene.bodies.size()) return "not a state a body";
+    if (bodies.size() != scene.bodies.size()) return "not one state per body";
   }
   double last = 0;
   const int count = static_cast<int>(scene.bodies.size());
   for (const Event& event : said.events.value_or(std::vector<Event>{})) {
-    if (event.time < last || event.time > times.back()) return "events out of time's order";
+    if (event.time < last || event.time > times.back()) return "events that are not in the order of time";
     last = event.time;
-    if (event.a < 0 || event.b <= event.a || event.b >= count) return "an event of no pair a < b";
+    if (event.a < 0 || event.b <= event.a || event.b >= count) return "an event without a pair a < b";
   }
   return "";
 }

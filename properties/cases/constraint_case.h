@@ -63,7 +63,8 @@ oracle::Finding of_rolling(const Scene& scene, oracle::Subject& subject, JudgeIt
   return of_steps(scene, subject, [&](const Trajectory& said) {
     const oracle::Precision precision = subject.card().precision;
     const RollingCase asked{scene, precision, *truth, oracle::tolerance::rolling(scene, *truth, precision), said};
-    if (asked.samples() == 0) return oracle::judge::outside("small errors change what the ball does");
+    if (asked.samples() == 0)
+      return oracle::judge::outside("small errors change the ball's motion: rolling, sliding or free");
     return judge_it(asked);
   });
 }

@@ -21,7 +21,7 @@ bool is_decisive(const Body& body, double slack);
 bool is_decisive(const Scene& pair, double slack);
 
 /// The reason of a property that does not judge then: a bound as wide as the bodies would accept any answer.
-inline constexpr const char* too_far_to_decide = "rounding moves the bodies too far to tell";
+inline constexpr const char* too_far_to_decide = "rounding moves the bodies too far to decide";
 
 /// Keeps a failure. A finding that holds becomes `outside` if the poses are too inaccurate to decide anything.
 inline oracle::Finding counted(bool decisive, oracle::Finding found) {
@@ -68,7 +68,7 @@ oracle::Finding of_motion(const Scene& scene, const oracle::Subject& subject, Ju
   if (!scene.motion) return oracle::judge::outside("no motion");
   return of_pair(scene, subject, [&] {
     const std::optional<MotionCase> asked = motion_case(scene, subject.card().precision);
-    if (!asked) return oracle::judge::outside("they overlap at the start");
+    if (!asked) return oracle::judge::outside("the bodies overlap at the start");
     return asked->sure() ? judge_it(*asked) : oracle::judge::outside(too_far_to_decide);
   });
 }

@@ -39,10 +39,10 @@ const char* name_of(Event::Kind kind) {
 
 std::string fault_in_event(const Scene& scene, const Event& event, double end) {
   const auto count = static_cast<int>(scene.bodies.size());
-  if (event.a < 0 || event.a >= count || event.b >= count) return "a body that is not there";
+  if (event.a < 0 || event.a >= count || event.b >= count) return "a body that does not exist";
   const bool pair = event.kind != Event::Kind::push;
-  if (pair != (event.b >= 0) || (pair && event.a >= event.b)) return "a pair that is none, or not in order";
-  if (event.time < 0 || event.time > end) return "a time beyond the flight";
+  if (pair != (event.b >= 0) || (pair && event.a >= event.b)) return "not a pair a < b";
+  if (event.time < 0 || event.time > end) return "a time beyond the end of the motion";
   return {};
 }
 
@@ -75,14 +75,15 @@ std::string fault_in_forces(const Motion& motion, const std::vector<Event>& even
   for (const AppliedForce& applied : motion.forces) {
     const bool reported = std::ranges::any_of(events, [&](const Event& event) { return reports(event, applied); });
     if (begins_after_start(applied, motion) && applied.time < end && !reported) {
-      return "a push that is not told, at " + words::text(applied.time) + " s";
+      return "a change of an applied force is not reported, at " + words::text(applied.time) + " s";
     }
   }
   for (const Event& event : events) {
     const bool there = std::ranges::any_of(motion.forces, [&](const AppliedForce& applied) {
       return reports(event, applied) && begins_after_start(applied, motion);
     });
-    if (event.kind == Event::Kind::push && !there) return "a push that does not come on the way: " + text(event);
+    if (event.kind == Event::Kind::push && !there)
+      return "an event without a change of an applied force: " + text(event);
   }
   return {};
 }
@@ -154,9 +155,10 @@ std::string fault_in_form(const Scene& scene, const Trajectory& said) {
   const std::vector<double>& times = scene.motion->sample_times;
   const double end = complete_until(scene, said);
   const auto whole = std::ranges::count_if(times, [end](double t) { return t <= end; });
-  if (said.states.size() != static_cast<std::size_t>(whole)) return "not one entry for each time that is whole";
+  if (said.states.size() != static_cast<std::size_t>(whole))
+    return "not one entry of states per sample time up to complete_until";
   for (const std::vector<State>& states : said.states) {
-    if (states.size() != scene.bodies.size()) return "not one state for each body";
+    if (states.size() != scene.bodies.size()) return "not one state per body";
   }
   if (!said.events) return {};
   for (std::size_t k = 0; k < said.events->size(); ++k) {

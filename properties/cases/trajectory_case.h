@@ -63,7 +63,7 @@ bool worse(oracle::Finding& worst, oracle::Finding next);
 template <class JudgeIt>
 oracle::Finding of_impacts(const Scene& scene, oracle::Subject& subject, JudgeIt&& judge_it) {
   return of_timeline(scene, subject, [&](const TrajectoryCase& asked, const Timeline& timeline) {
-    oracle::Finding worst = oracle::judge::outside("no impact in flight");
+    oracle::Finding worst = oracle::judge::outside("no impact of bodies in ballistic motion");
     for (std::size_t e = 0; e < asked.events(); ++e) {
       const Event& event = (*asked.said.events)[e];
       if (event.kind != Event::Kind::impact) continue;

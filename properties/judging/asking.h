@@ -24,7 +24,7 @@ oracle::Finding of_scene(const Scene& scene, const oracle::Subject& subject, Ask
 /// The same, for two bodies.
 template <std::invocable Ask>
 oracle::Finding of_pair(const Scene& scene, const oracle::Subject& subject, Ask&& ask) {
-  if (scene.bodies.size() != 2) return oracle::judge::outside("not a pair");
+  if (scene.bodies.size() != 2) return oracle::judge::outside("not exactly two bodies");
   return of_scene(scene, subject, std::forward<Ask>(ask));
 }
 
@@ -45,7 +45,7 @@ oracle::Finding survives(Query<T> query, const Scene& scene, oracle::Subject& su
   return oracle::judge::given((subject.*query)(scene), [&](const T& said) {
     const std::string fault = sane(said);
     return fault.empty() ? oracle::judge::holds()
-                         : oracle::judge::wrong(oracle::Defect::garbage, fault, "an answer that means something");
+                         : oracle::judge::wrong(oracle::Defect::garbage, fault, "a consistent answer");
   });
 }
 
@@ -58,9 +58,10 @@ oracle::Finding repeats(Query<T> query, const Scene& scene, const Scene& another
     const Answer<T> third = (subject.*query)(scene);
     const Answer<T> expected = first;
     if (second == expected && third == expected) return oracle::judge::holds();
-    return oracle::judge::wrong(oracle::Defect::nondeterministic,
-                                second == expected ? "another answer after another question" : "another answer at once",
-                                "the same answer to the same question");
+    return oracle::judge::wrong(
+        oracle::Defect::nondeterministic,
+        second == expected ? "another answer after a different query" : "another answer when repeated at once",
+        "the same answer to the same query");
   });
 }
 

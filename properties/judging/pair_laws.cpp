@@ -20,7 +20,7 @@ Finding same_verdict(const Scene& scene, Verdict first, Verdict second, const or
   const double misjudged = judge::margin(scene).lo, allowed = judge::verdict_allowance(scene, card);
   if (misjudged <= allowed && !judge::is_held_to_touching(card)) return judge::holds();
   return judge::explained(judge::wrong_by(misjudged, judge::in_ulps(scene, card, allowed), defect,
-                                          words::text(first) + ", then " + words::text(second), "one verdict"),
+                                          words::text(first) + ", then " + words::text(second), "the same verdict"),
                           scene);
 }
 

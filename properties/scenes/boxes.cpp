@@ -75,7 +75,7 @@ std::vector<Family> box_families() {
        [](Random& random) { return gap_along_an_axis(random, dyadic_gap(random, 19, 48)); }},
       {"boxes.axes_turned", "cubes turned so that axes map to axes, which the quaternion does not show",
        convex_pair_queries, true, axes_turned},
-      {"boxes.lattice_neighbours", "equal boxes of a lattice that meet in a face, an edge or a corner",
+      {"boxes.lattice_neighbours", "equal boxes of a lattice that touch in a face, an edge or a corner",
        convex_pair_queries, true, corner_to_corner},
   };
 }

@@ -134,27 +134,27 @@ void mass_classes(const Scene& scene, Names& names) {
 }
 
 void sequence_classes(const Scene& sequence, Names& names) {
-  names.push_back("film");
+  names.push_back("sequence");
   const PairHistory& truth = oracle::truth::pair_history(sequence);
   const std::vector<reference::FrameBoxes>& boxes = oracle::truth::sequence_bounds(sequence);
   Places before(sequence.bodies.size());
   const std::vector<Places> there = places(sequence);
   for (std::size_t f = 0; f < truth.size(); ++f) {
-    if (sequence.frames[f].empty()) names.push_back("film: still frame");
-    if (!truth[f].begun->empty()) names.push_back("film: pairs begin");
-    if (!truth[f].ended->empty()) names.push_back("film: pairs end");
+    if (sequence.frames[f].empty()) names.push_back("sequence: empty frame");
+    if (!truth[f].begun->empty()) names.push_back("sequence: pairs begin");
+    if (!truth[f].ended->empty()) names.push_back("sequence: pairs end");
     int gone = 0;
     for (const Placement& placement : sequence.frames[f]) {
       gone += placement.X_WB ? 0 : 1;
       const std::optional<Pose>& was = before[static_cast<std::size_t>(placement.body)];
-      if (was && placement.X_WB == was) names.push_back("film: put where it is");
+      if (was && placement.X_WB == was) names.push_back("sequence: unchanged pose");
     }
-    if (gone > 0) names.push_back("film: body taken away");
-    if (gone > 1) names.push_back("film: two taken away at once");
+    if (gone > 0) names.push_back("sequence: body removed");
+    if (gone > 1) names.push_back("sequence: two removed at once");
     for (const auto& [i, j] : truth[f].pairs) {
       const auto& a = boxes[f][static_cast<std::size_t>(i)];
       const auto& b = boxes[f][static_cast<std::size_t>(j)];
-      if (reference::gap(*a, *b).sign() == 0) names.push_back("film: touching boxes");
+      if (reference::gap(*a, *b).sign() == 0) names.push_back("sequence: touching boxes");
     }
     before = there[f];
   }
@@ -238,7 +238,7 @@ void motion_classes(const Scene& scene, Names& names) {
     if (is) names.emplace_back(name);
   };
   when(!scene.gravity.isZero(0), "gravity");
-  when(!scene.motion->forces.empty(), "pushes");
+  when(!scene.motion->forces.empty(), "applied forces");
   when(any_body([](const Body& b) { return std::holds_alternative<Fixed>(b.mass); }), "one body fixed");
   when(any_body([](const Body& b) { return !b.velocity.w_WB.isZero(0); }), "spins");
   when(any_body([](const Body& b) { return std::holds_alternative<Sphere>(b.shape); }), "a ball");
@@ -356,14 +356,14 @@ const std::vector<Class>& classes(const std::string& query) {
                                                  {"no pair", 0.05},
                                                  {"equal end points", 0.2},
                                                  {"binary32", 0.5},
-                                                 {"film", 0.1},
-                                                 {"film: still frame", 0.02},
-                                                 {"film: pairs begin", 0.08},
-                                                 {"film: pairs end", 0.05},
-                                                 {"film: put where it is", 0.01},
-                                                 {"film: body taken away", 0.05},
-                                                 {"film: two taken away at once", 0.01},
-                                                 {"film: touching boxes", 0.04}};
+                                                 {"sequence", 0.1},
+                                                 {"sequence: empty frame", 0.02},
+                                                 {"sequence: pairs begin", 0.08},
+                                                 {"sequence: pairs end", 0.05},
+                                                 {"sequence: unchanged pose", 0.01},
+                                                 {"sequence: body removed", 0.05},
+                                                 {"sequence: two removed at once", 0.01},
+                                                 {"sequence: touching boxes", 0.04}};
   static const std::vector<Class> distance = distance_classes();
   static const std::vector<Class> penetration = with_shapes({{"separated", 0.15},
                                                              {"touching", 0.15},
@@ -408,7 +408,7 @@ const std::vector<Class>& classes(const std::string& query) {
                                                             {"miss", 0.15},
                                                             {"hit at the start", 0.01},
                                                             {"gravity", 0.1},
-                                                            {"pushes", 0.03},
+                                                            {"applied forces", 0.03},
                                                             {"one body fixed", 0.08},
                                                             {"spins", 0.2},
                                                             {"a ball", 0.1},
@@ -416,7 +416,7 @@ const std::vector<Class>& classes(const std::string& query) {
                                                             {"starts of their own", 0.03},
                                                             {"binary32", 0.5}};
   static const std::vector<Class> runs = {{"gravity", 0.15},
-                                          {"pushes", 0.03},
+                                          {"applied forces", 0.03},
                                           {"one body fixed", 0.1},
                                           {"spins", 0.2},
                                           {"a ball", 0.3},

@@ -1,5 +1,5 @@
-// Runs of two to six bodies: a few impacts each, before chaos and before anything piles up; and bodies that never meet,
-// that rest, or that bounce for ever less.
+// Runs of two to six bodies: a few impacts each, before chaos and before anything piles up; and bodies that never
+// touch, that rest, or that bounce for ever less.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -208,19 +208,19 @@ Scene far_apart(Random& random) {
 std::vector<Family> run_families() {
   const std::vector<std::string> queries = {"simulation"};
   return {
-      {"runs.balls", "balls that meet in the middle", queries, true, balls},
-      {"runs.solids", "two solids that meet in the middle", queries, true, solids},
+      {"runs.balls", "balls that collide in the middle", queries, true, balls},
+      {"runs.solids", "two solids that collide in the middle", queries, true, solids},
       {"runs.elastic_balls", "the same for elastic, smooth balls", queries, true, elastic_balls},
       {"runs.on_a_table", "solids thrown onto a table", queries, true, on_a_table},
       {"runs.cradle", "equal balls in a row, with gaps", queries, true, cradle},
-      {"runs.ties", "pairs that meet at one time", queries, true, ties},
-      {"runs.one_impact", "two elastic, smooth bodies that meet once", queries, true, one_impact},
+      {"runs.ties", "pairs that collide at the same time", queries, true, ties},
+      {"runs.one_impact", "two elastic, smooth bodies that collide once", queries, true, one_impact},
       {"runs.tops", "bodies whose moments differ, turning", queries, true, tops},
       {"runs.pushed", "forces that begin and change", queries, true, pushed},
-      {"runs.apart", "bodies that never meet", queries, true, apart},
+      {"runs.apart", "bodies that never touch", queries, true, apart},
       {"runs.at_rest", "balls and blocks at rest on a table", queries, true, at_rest_on_a_table},
       {"runs.bouncing", "a ball that bounces, and comes to rest", queries, true, bouncing},
-      {"runs.far_apart", "two bodies that set out 2^4 to 2^60 sizes apart", queries, false, far_apart},
+      {"runs.far_apart", "two bodies that start 2^4 to 2^60 sizes apart", queries, false, far_apart},
   };
 }
 

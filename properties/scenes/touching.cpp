@@ -65,7 +65,8 @@ std::vector<Family> touching_families() {
        false, [](Random& random) { return by_pose(random, relative_gap(random)); }},
       {"touching.ulps", "the same along an axis, apart or overlapping by one to four ulps, or by 2^-60 to 2^-300",
        convex_pair_queries, false, [](Random& random) { return by_pose(random, ulps(random)); }},
-      {"touching.shifted", "features in one plane or 2^-1 to 2^-12 off it, that meet in part, in a point, or miss",
+      {"touching.shifted",
+       "features in one plane or 2^-1 to 2^-12 off it, that overlap in part, touch in a point, or miss",
        convex_pair_queries, true, shifted_contact},
   };
 }

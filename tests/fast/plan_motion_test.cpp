@@ -27,8 +27,8 @@ const std::string* why(const std::vector<Choice>& choices, const std::string& wh
 
 TEST_CASE("plan of a flight: counts pairs and bodies") {
   const Plan gas = plan_of(named("gas"));  // 64 balls and six walls: 64·63/2 + 64·6 pairs
-  REQUIRE(why(gas.used, "meetings in closed form") != nullptr);
-  CHECK(why(gas.used, "meetings in closed form")->starts_with("2400 pairs "));
+  REQUIRE(why(gas.used, "times of impact in closed form") != nullptr);
+  CHECK(why(gas.used, "times of impact in closed form")->starts_with("2400 pairs "));
   CHECK(why(gas.left_out, "pairs of fixed bodies")->starts_with("15 pairs"));
   CHECK(why(gas.left_out, "all pairs")->starts_with("2400 pairs "));
   CHECK(why(gas.left_out, "later frames")->starts_with("6 bodies "));

@@ -188,7 +188,7 @@ class BulletSimulation : public Subject {
     card_.answers = {"simulation"};
     card_.about =
         "btDiscreteDynamicsWorld, equal steps of at most 1/" + std::to_string(std::lround(1 / dt)) +
-        " s from look to look, margins 0, nobody sleeps, e and mu of a pair the lesser; " +
+        " s between sample times, margins 0, sleeping disabled, e and mu of a pair the lesser; " +
         (tuned_ ? "restitution threshold 0, no warm starting, processing threshold 0, slop 0, split impulse from "
                   "penetration 0 on"
                 : "settings as shipped: restitution from 0.2 m/s on");

@@ -219,7 +219,7 @@ Lies breaks() {
 
 std::vector<Canary> canaries_about_anything() {
   return {
-      lying("canary.asymmetric", "answers otherwise when the bodies swap", asymmetric),
+      lying("canary.asymmetric", "answers otherwise when the bodies are swapped", asymmetric),
       lying("canary.world_frame", "answers otherwise away from the world's origin", world_frame),
       lying("canary.one_axis", "is wrong along +y only", one_axis),
       lying("canary.absolute_epsilon", "takes 1e-4 m, or kg, for nothing whatever the scene's size", absolute_epsilon),

@@ -140,11 +140,11 @@ std::vector<Canary> canaries_about_motion() {
           "canary.late", "is late by a millionth of the motion",
           [] { return with_time([](double t, const Scene& s) { return t + 1e-6 * s.motion->sample_times.back(); }); }),
       lying(
-          "canary.early", "stops a millionth of the motion before they meet",
+          "canary.early", "is early by a millionth of the motion",
           [] { return with_time([](double t, const Scene& s) { return t - 1e-6 * s.motion->sample_times.back(); }); }),
       lying("canary.whole_microseconds", "counts time in whole millionths of a second",
             [] { return with_time([](double t, const Scene&) { return std::floor(t * 1e6) / 1e6; }); }),
-      lying("canary.envelope_is_contact", "takes bodies within the envelope for met",
+      lying("canary.envelope_is_contact", "takes bodies within the contact tolerance for touching",
             [] { return with_time([](double t, const Scene& s) { return t * (1 - envelope(s)); }); }),
       lying("canary.feels_gravity", "is later, the stronger gravity is",
             [] { return with_time([](double t, const Scene& s) { return t * (1 + 1e-6 * s.gravity.norm()); }); }),
@@ -156,13 +156,14 @@ std::vector<Canary> canaries_about_motion() {
                 return t * (1 + 1e-6 * (s.bodies[0].velocity.w_WB - s.bodies[1].velocity.w_WB).norm());
               });
             }),
-      lying("canary.touching_counts", "takes bodies that touch at the start and part for met",
+      lying("canary.touching_counts", "reports a hit of bodies that touch at the start and separate",
             [] { return meetings(touching_at_start_counts); }),
       lying("canary.touching_ignored", "overlooks bodies that touch at the start and approach",
             [] { return meetings(touching_at_start_ignored); }),
-      lying("canary.ahead_is_hit", "meets whatever approaches", [] { return meetings(ahead_is_hit); }),
-      lying("canary.shrugs_at_flights", "decides no meeting", [] { return meetings(shrugs); }),
-      lying("canary.wide_meeting", "encloses a meeting by the whole motion", [] { return meetings(wide); }),
+      lying("canary.ahead_is_hit", "reports a hit of all bodies that approach", [] { return meetings(ahead_is_hit); }),
+      lying("canary.shrugs_at_flights", "decides no time of impact", [] { return meetings(shrugs); }),
+      lying("canary.wide_meeting", "gives the whole motion as the enclosure of the time of impact",
+            [] { return meetings(wide); }),
   };
 }
 

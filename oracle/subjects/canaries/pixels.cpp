@@ -194,9 +194,10 @@ std::vector<Canary> canaries_about_pixels() {
       pixel_lie("canary.first_by_column", "takes the first common pixel by column, then row", by_column),
       pixel_lie("canary.count_capped", "counts no more than 63 common pixels", capped),
       pixel_lie("canary.overlap_of_wide_masks", "computes the overlap of the conservative masks", of_wide_masks),
-      pixel_lie("canary.depth_ignored", "takes bodies to meet wherever their pictures do", depth_ignored),
+      pixel_lie("canary.depth_ignored", "takes bodies to have a common point wherever their images overlap",
+                depth_ignored),
       pixel_lie("canary.depth_of_one_end", "compares A's near end with B's far end alone", one_end),
-      pixel_lie("canary.depths_open", "takes bodies whose depths only touch not to meet", open_depths),
+      pixel_lie("canary.depths_open", "takes bodies whose depths only touch to have no common point", open_depths),
       pixel_lie("canary.meets_at_centres", "takes what sampling finds for the conservative test", meets_at_centres),
       pixel_lie("canary.short_row", "leaves out a pixel of the last row", short_row),
   };

@@ -219,7 +219,7 @@ void world_grid(Subject&, const Scene& scene, Trajectory& said) {
 std::vector<Canary> canaries_about_simulations() {
   return {
       lying("canary.not_keyed_again", "does not notice the second event", [] { return runs(not_keyed_again); }),
-      lying("canary.ghosts", "lets bodies fly through each other", [] { return runs(ghosts); }),
+      lying("canary.ghosts", "lets bodies pass through each other", [] { return runs(ghosts); }),
       lying("canary.far_ones_pass", "lets two bodies pass that start more than 64 sizes apart",
             [] { return runs(far_ones_pass); }),
       lying("canary.stale_event", "runs an event that has become void", [] { return runs(stale_event); }),

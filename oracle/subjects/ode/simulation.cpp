@@ -138,8 +138,8 @@ class OdeSimulation : public Subject {
         settings,
         std::string(settings == "simulation" ? "dWorldStep" : "dWorldQuickStep") + ", equal steps of at most 1/" +
             std::to_string(std::lround(1 / dt)) +
-            " s from look to look; dSweepAndPruneSpace, contacts with dContactBounce, bounce_vel 0, "
-            "dContactApprox1, e and mu of a pair the lesser; ERP, CFM and the rest as shipped, nobody sleeps");
+            " s between sample times; dSweepAndPruneSpace, contacts with dContactBounce, bounce_vel 0, "
+            "dContactApprox1, e and mu of a pair the lesser; ERP, CFM and the rest as shipped, sleeping disabled");
     card_.answers = {"simulation"};
   }
 

@@ -89,7 +89,7 @@ class World : public SimulationWorld {
   explicit World(const Scene& scene) : scene_(scene) {
     std::vector<in_simbody::RigidBody> bodies;
     for (const Body& body : scene.bodies) {
-      if (is_fixed(body) && !(body.velocity == Velocity{})) throw Declined("its ground stands still");
+      if (is_fixed(body) && !(body.velocity == Velocity{})) throw Declined("its ground cannot move");
       bodies.push_back(in_simbody::rigid(body));
     }
     for (std::size_t a = 0; a < bodies.size(); ++a) {
@@ -164,7 +164,7 @@ class SimbodySimulation : public Subject {
     card_.about =
         "SemiExplicitEulerTimeStepper with the PLUS solver, equal steps of at most 1/" +
         std::to_string(std::lround(1 / dt)) +
-        " s from look to look; contacts declared in advance: balls, and balls and corners on the faces of fixed "
+        " s between sample times; contacts declared in advance: balls, and balls and corners on the faces of fixed "
         "boxes, e and mu of a pair the lesser; settings as shipped: constraint tolerance 1e-3, below 2e-3 m/s "
         "nothing is restored";
     card_.homepage = "https://github.com/simbody/simbody";

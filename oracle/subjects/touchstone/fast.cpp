@@ -80,7 +80,7 @@ class Fast : public Subject {
       .answers = {"mass", "bounds", "broad_phase", "pair_history", "distance", "impulse", "pixel", "time_of_impact",
                   "constraint", "simulation"},
       .knows_touching = true,
-      .about = "Touchstone's optimised algorithms, as planned for each film; Lin-Canny from a corner, exact verdicts",
+      .about = "Touchstone's optimised algorithms, as planned for each scene; Lin-Canny from a corner, exact verdicts",
       .homepage = "",
       .deviations = {}};
 };

@@ -11,14 +11,14 @@ class Plan(Test):
             by_file = self.succeeds("plan", SOURCE / f"docs/scenes/motion/crowds/{name}.json")
             self.assertEqual(self.succeeds("plan", name), by_file)
         said = json.loads(self.succeeds("plan", "gas", "--json"))
-        self.assertEqual((said["scene"], said["used"][0]["what"]), ("gas", "meetings in closed form"))
+        self.assertEqual((said["scene"], said["used"][0]["what"]), ("gas", "times of impact in closed form"))
 
-    def test_steps_are_left_out_where_nobody_stays_in_contact_alone(self):
-        left_out = "each body flies in one piece from event to event"
+    def test_time_steps_are_left_out_without_lasting_contact(self):
+        left_out = "each body follows one ballistic trajectory from event to event"
         self.assertIn(f"time steps: {left_out}\n", self.succeeds("plan", "gas"))
         used, left = self.succeeds("plan", "dominoes").split("left out")
         self.assertIn("contact mode: 21 pairs may", used)
-        self.assertIn(f"time steps: {left_out}, but in contact", left)
+        self.assertIn(f"time steps: {left_out}, except in contact", left)
 
     def test_bad_input(self):
         self.refused("plan", "no_such_scene", says=["no_such_scene", "list motions"])

@@ -100,7 +100,7 @@ class Simulate(Test):
     def test_an_engine_that_does_not_get_to_the_end(self):
         looks = [k / 16 for k in range(1, 65)]  # queried until 1/16, 1/4, 1 and 4 s
         for trick, says in [("dies", "broke (exit status 3"), ("hangs", "broke (no answer within "),
-                            ("short", "broke (answered 63 looks where there are 64)")]:
+                            ("short", "broke (answered 63 samples where there are 64)")]:
             with self.subTest(trick=trick):
                 self.drop(sample_times=looks)
                 done = self.run_program("simulate", "drop.json", "--engine", engine(trick), "--time-limit", 0.5,
@@ -123,7 +123,7 @@ class Simulate(Test):
         self.assertEqual([row[7] for row in rows(out)], [None, None])
         done = self.run_program("simulate", "drop.json", "--engine", engine("silent"), "--out", "events.jsonl")
         self.assertEqual(done.returncode, 2)
-        self.assertIn("tells no events", done.stderr)
+        self.assertIn("reports no events", done.stderr)
         self.assertFalse((self.folder / "events.jsonl").exists())
 
     def test_an_engine_without_events_that_gives_up_says_so_first(self):
@@ -131,7 +131,7 @@ class Simulate(Test):
         done = self.run_program("simulate", "drop.json", "--engine", engine("silent_gives_up"), "--out", "events.jsonl",
                                 "--replay", "replay.html")
         self.assertEqual(done.returncode, 2)
-        self.assertLess(done.stderr.index("gave up at 1 s of 4 s"), done.stderr.index("tells no events"))
+        self.assertLess(done.stderr.index("gave up at 1 s of 4 s"), done.stderr.index("reports no events"))
         self.assertEqual([path.name for path in self.files()], ["drop.json", "replay.html"])
 
     def test_places_that_cannot_be_written(self):

@@ -18,10 +18,23 @@ RENAMED = {
     "properties": {"stem": "query"},
     "scene": {"flight": "motion"},
     "motion": {"times": "sample_times", "since": "start_times", "pushes": "forces"},
+    # Below these, of "classes": the names of classes of scenes.
+    "broad_phase": {
+        "film": "sequence",
+        "film: body taken away": "sequence: body removed",
+        "film: pairs begin": "sequence: pairs begin",
+        "film: pairs end": "sequence: pairs end",
+        "film: put where it is": "sequence: unchanged pose",
+        "film: still frame": "sequence: empty frame",
+        "film: touching boxes": "sequence: touching boxes",
+        "film: two taken away at once": "sequence: two removed at once",
+    },
+    "simulation": {"pushes": "applied forces"},
+    "time_of_impact": {"pushes": "applied forces"},
 }
 
 # Keys with sentences for people. Everything else is compared as it is.
-PROSE = {"about", "certificate", "expected", "name", "note", "observed", "says", "what", "why", "why_abstains"}
+PROSE = {"about", "certificate", "expected", "name", "note", "observed", "says", "unit", "what", "why", "why_abstains"}
 
 NUMBER = re.compile(r"[-+]?\d+(?:\.\d+)?(?:[eE][-+]?\d+)?")
 LONGEST = 60  # characters of a value that are printed
