@@ -13,7 +13,7 @@
 namespace touchstone::fast {
 namespace {
 
-using Kind = TimeOfImpact::Meeting;
+using Status = TimeOfImpact::Status;
 using motion::RigidBodyModel;
 
 /// Combines the results of two pairs of parts of the same bodies, neither of which is a miss.
@@ -21,14 +21,14 @@ FirstContact either(const FirstContact& x, const FirstContact& y) {
   const FirstContact& sooner = y.lo < x.lo ? y : x;
   const FirstContact& later = y.lo < x.lo ? x : y;
   FirstContact both = sooner;
-  if (sooner.meeting == Kind::hit && later.meeting == Kind::hit) {
+  if (sooner.status == Status::hit && later.status == Status::hit) {
     both.hi = std::min(x.hi, y.hi);
-  } else if (later.meeting == Kind::hit) {
-    both.meeting = Kind::hit;
+  } else if (later.status == Status::hit) {
+    both.status = Status::hit;
     both.hi = later.hi;
     both.p_WC = later.p_WC;
     both.nhat_BA_W = later.nhat_BA_W;
-  } else if (sooner.meeting == Kind::undecided) {
+  } else if (sooner.status == Status::undecided) {
     both.hi = std::max(x.hi, y.hi);
     both.gap = std::min(x.gap, y.gap);
   }
@@ -95,16 +95,16 @@ FirstContact time_of_impact(const motion::BallisticMotion& a, const motion::Ball
   if (inflation.is_none() && toi::are_falling_balls(a, b)) {
     if (const std::optional<FirstContact> met = toi::spheres(a, b, from, until, envelope)) return *met;
   }
-  FirstContact met{Kind::miss, until, until, 0, Vec3::Zero(), Vec3::Zero()};
+  FirstContact met{Status::miss, until, until, 0, Vec3::Zero(), Vec3::Zero()};
   int queries = 0;
   auto place = memory.begin();
   for (std::size_t i = 0; i < a.model().solid.parts().size(); ++i) {
     for (std::size_t j = 0; j < b.model().solid.parts().size(); ++j, ++place) {
       const toi::Pair pair{a, b, i, j, toi::origin(a, b), inflation};
-      const double end = met.meeting == Kind::hit ? met.hi : until;
+      const double end = met.status == Status::hit ? met.hi : until;
       const FirstContact found = toi::advance(pair, from, end, envelope, *place);
       queries += found.queries;
-      if (found.meeting != Kind::miss) met = met.meeting == Kind::miss ? found : either(met, found);
+      if (found.status != Status::miss) met = met.status == Status::miss ? found : either(met, found);
     }
   }
   met.queries = queries;
@@ -129,12 +129,12 @@ TimeOfImpact time_of_impact_of(const Scene& scene) {
   }
   const FirstContact met = time_of_impact(A.motion, B.motion, from, until, 0, memory);
   TimeOfImpact answer;
-  answer.meeting = met.meeting;
-  if (met.meeting == Kind::miss) return answer;
+  answer.status = met.status;
+  if (met.status == Status::miss) return answer;
   answer.enclosure = {met.lo, met.hi};
   // At lo only rounding separates the two; hi is where the overlap was proved, which is deeper than that.
-  if (met.meeting == Kind::hit) answer.time = met.lo;
-  if (met.meeting == Kind::undecided) answer.gap = met.gap;
+  if (met.status == Status::hit) answer.time = met.lo;
+  if (met.status == Status::undecided) answer.gap = met.gap;
   return answer;
 }
 

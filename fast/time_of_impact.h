@@ -19,7 +19,7 @@ namespace touchstone::fast {
 ///              doubles cannot decide whether they touch.
 /// A contact at `from` counts if they approach there.
 struct FirstContact {
-  TimeOfImpact::Meeting meeting = TimeOfImpact::Meeting::miss;
+  TimeOfImpact::Status status = TimeOfImpact::Status::miss;
   double lo = 0;
   double hi = 0;
   double gap = 0;

@@ -107,8 +107,8 @@ struct Pixels {
 /// "When do bodies 0 (A) and 1 (B) first come into contact?" Contact at the start of their motion counts if they
 /// approach there.
 struct TimeOfImpact {
-  enum class Meeting { hit, miss, undecided };
-  Meeting meeting = Meeting::undecided;
+  enum class Status { hit, miss, undecided };
+  Status status = Status::undecided;
   std::optional<double> time;         ///< s; of a hit
   std::optional<Interval> enclosure;  ///< claimed: the bodies are apart before `lo`; a hit occurs no later than `hi`
   std::optional<double> gap;          ///< m; undecided: at some time in the enclosure the bodies are this close
@@ -131,7 +131,7 @@ struct Event {
     completed,        ///< an infinite sequence of impacts, summed in closed form, that ends at `time`
     contact,          ///< the pair starts to roll, slide or rest on each other, or changes between these
     release,          ///< such a contact ends
-    push              ///< an applied force on body a starts, changes or ends; b = −1
+    force             ///< an applied force on body a starts, changes or ends; b = −1
   };
   Kind kind = Kind::impact;
   double time = 0;  ///< s

@@ -7,18 +7,18 @@ namespace touchstone {
 namespace {
 
 using touchstone::json_of;
-using Meeting = TimeOfImpact::Meeting;
+using Status = TimeOfImpact::Status;
 using Kind = Event::Kind;
 
-constexpr std::array<std::pair<Meeting, const char*>, 3> meeting_words = {
-    {{Meeting::hit, "hit"}, {Meeting::miss, "miss"}, {Meeting::undecided, "undecided"}}};
+constexpr std::array<std::pair<Status, const char*>, 3> status_words = {
+    {{Status::hit, "hit"}, {Status::miss, "miss"}, {Status::undecided, "undecided"}}};
 
 constexpr std::array<std::pair<Kind, const char*>, 6> kind_words = {{{Kind::impact, "impact"},
                                                                      {Kind::micro_collision, "micro_collision"},
                                                                      {Kind::completed, "completed"},
                                                                      {Kind::contact, "contact"},
                                                                      {Kind::release, "release"},
-                                                                     {Kind::push, "push"}}};
+                                                                     {Kind::force, "force"}}};
 
 template <class Value, std::size_t n>
 const char* word_of(Value value, const std::array<std::pair<Value, const char*>, n>& words) {
@@ -45,6 +45,7 @@ State read_state(const Node& node) {
 
 Event read_event(const Node& node) {
   node.expect_object({"kind", "time", "a", "b", "p_WC", "nhat_BA_W", "P_A_W", "after_a", "after_b"});
+  if (node.at("kind").text() == "push") node.at("kind").refuse("the kind \"push\" is \"force\" now");
   Event event;
   event.kind = read_word(node.at("kind"), kind_words);
   event.time = node.at("time").number();
@@ -76,7 +77,7 @@ Json json_of(const Event& event) {
 }
 
 Json json_of(const TimeOfImpact& answer) {
-  Json json = {{"meeting", word_of(answer.meeting, meeting_words)}};
+  Json json = {{"status", word_of(answer.status, status_words)}};
   if (answer.time) json["time"] = *answer.time;
   if (answer.enclosure) json["enclosure"] = {answer.enclosure->lo, answer.enclosure->hi};
   if (answer.gap) json["gap"] = *answer.gap;
@@ -103,9 +104,9 @@ Json json_of(const Trajectory& answer) {
 template <>
 TimeOfImpact read<TimeOfImpact>(const Json& json, const std::string& place) {
   const Node node(json, place);
-  node.expect_object({"meeting", "time", "enclosure", "gap"});
+  node.expect_object({"status", "time", "enclosure", "gap"});
   TimeOfImpact answer;
-  answer.meeting = read_word(node.at("meeting"), meeting_words);
+  answer.status = read_word(node.at("status"), status_words);
   if (const auto time = node.find("time")) answer.time = time->number();
   if (const auto enclosure = node.find("enclosure")) {
     enclosure->expect_size(2);

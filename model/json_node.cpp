@@ -28,8 +28,11 @@ std::string kind(const Json& json) {
 }
 
 /// Keys of older files, and what they are called now.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 4> renamed_keys = {
-    {{"flight", "motion"}, {"times", "sample_times"}, {"since", "start_times"}, {"pushes", "forces"}}};
+constexpr std::array<std::pair<std::string_view, std::string_view>, 5> renamed_keys = {{{"flight", "motion"},
+                                                                                        {"times", "sample_times"},
+                                                                                        {"since", "start_times"},
+                                                                                        {"pushes", "forces"},
+                                                                                        {"meeting", "status"}}};
 
 /// 2^64 and beyond do not fit in the integer type, so they are compared as doubles first.
 template <class Integer>

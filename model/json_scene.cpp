@@ -79,8 +79,8 @@ Json json_of(const Raster& raster) {
           {"rows", raster.rows},   {"shift", {raster.shift_x, raster.shift_y}}};
 }
 
-Json json_of(const AppliedForce& push) {
-  return {{"time", push.time}, {"body", push.body}, {"force_W", json_of(push.force_W)}};
+Json json_of(const AppliedForce& force) {
+  return {{"time", force.time}, {"body", force.body}, {"force_W", json_of(force.force_W)}};
 }
 
 Json json_of(const Motion& motion) {
@@ -89,7 +89,7 @@ Json json_of(const Motion& motion) {
   if (motion.envelope) json["envelope"] = *motion.envelope;
   json["law"] = word_of(motion.law);
   if (motion.force_bound != 0) json["force_bound"] = motion.force_bound;
-  for (const AppliedForce& push : motion.forces) json["forces"].push_back(json_of(push));
+  for (const AppliedForce& force : motion.forces) json["forces"].push_back(json_of(force));
   return json;
 }
 

@@ -257,48 +257,49 @@ void validate_times(const std::vector<double>& times, const std::string& place) 
   }
 }
 
-void validate_since(const std::vector<double>& since, std::size_t bodies, double first, const std::string& place) {
-  if (since.empty()) return;
-  if (since.size() != bodies) {
-    throw InputError(place, "expected " + std::to_string(bodies) + " items, found " + std::to_string(since.size()));
+void validate_start_times(const std::vector<double>& starts, std::size_t bodies, double first,
+                          const std::string& place) {
+  if (starts.empty()) return;
+  if (starts.size() != bodies) {
+    throw InputError(place, "expected " + std::to_string(bodies) + " items, found " + std::to_string(starts.size()));
   }
-  for (std::size_t i = 0; i < since.size(); ++i) {
-    finite(since[i], item(place, i));
-    not_negative(since[i], item(place, i));
-    if (since[i] > first)
-      throw InputError(item(place, i), "expected no more than the motion's first sample time" + found(since[i]));
+  for (std::size_t i = 0; i < starts.size(); ++i) {
+    finite(starts[i], item(place, i));
+    not_negative(starts[i], item(place, i));
+    if (starts[i] > first)
+      throw InputError(item(place, i), "expected no more than the motion's first sample time" + found(starts[i]));
   }
 }
 
-void validate_pushes(const Motion& motion, const std::vector<Body>& bodies, const std::string& place) {
+void validate_forces(const Motion& motion, const std::vector<Body>& bodies, const std::string& place) {
   finite(motion.force_bound, place + ".force_bound");
   not_negative(motion.force_bound, place + ".force_bound");
   for (std::size_t i = 0; i < motion.forces.size(); ++i) {
-    const AppliedForce& push = motion.forces[i];
+    const AppliedForce& force = motion.forces[i];
     const std::string here = item(place + ".forces", i);
-    finite(push.time, here + ".time");
-    not_negative(push.time, here + ".time");
-    if (i > 0 && push.time < motion.forces[i - 1].time) {
-      throw InputError(here + ".time", "expected no less than the time of the force before it" + found(push.time));
+    finite(force.time, here + ".time");
+    not_negative(force.time, here + ".time");
+    if (i > 0 && force.time < motion.forces[i - 1].time) {
+      throw InputError(here + ".time", "expected no less than the time of the force before it" + found(force.time));
     }
-    if (push.body < 0 || static_cast<std::size_t>(push.body) >= bodies.size()) {
-      throw InputError(here + ".body", "body " + std::to_string(push.body) + " does not exist; there are " +
+    if (force.body < 0 || static_cast<std::size_t>(force.body) >= bodies.size()) {
+      throw InputError(here + ".body", "body " + std::to_string(force.body) + " does not exist; there are " +
                                            std::to_string(bodies.size()));
     }
-    if (is_fixed(bodies[static_cast<std::size_t>(push.body)])) {
+    if (is_fixed(bodies[static_cast<std::size_t>(force.body)])) {
       throw InputError(here + ".body", "a fixed body; no force moves it");
     }
-    finite(push.force_W, here + ".force_W");
-    if (push.force_W.stableNorm() > motion.force_bound) {
+    finite(force.force_W, here + ".force_W");
+    if (force.force_W.stableNorm() > motion.force_bound) {
       throw InputError(here + ".force_W",
-                       "stronger than the motion's force_bound" + found(push.force_W.stableNorm()) + " N");
+                       "stronger than the motion's force_bound" + found(force.force_W.stableNorm()) + " N");
     }
   }
 }
 
 void validate(const Motion& motion, const Scene& scene, const std::string& place) {
   validate_times(motion.sample_times, place + ".sample_times");
-  validate_since(motion.start_times, scene.bodies.size(), motion.sample_times.front(), place + ".start_times");
+  validate_start_times(motion.start_times, scene.bodies.size(), motion.sample_times.front(), place + ".start_times");
   if (motion.envelope) {
     positive(*motion.envelope, place + ".envelope");
     if (!(*motion.envelope < least_moving_size(scene) / 1000)) {
@@ -306,7 +307,7 @@ void validate(const Motion& motion, const Scene& scene, const std::string& place
                        "expected less than a thousandth of the size of each body that moves" + found(*motion.envelope));
     }
   }
-  validate_pushes(motion, scene.bodies, place);
+  validate_forces(motion, scene.bodies, place);
 }
 
 }  // namespace

@@ -65,13 +65,13 @@ Finding event_states(const Scene& scene, Subject& subject) {
     Finding worst = judge::outside("no event in ballistic motion");
     for (std::size_t e = 0; e < asked.events(); ++e) {
       const Event& event = (*asked.said.events)[e];
-      if (!is_struck(event) && event.kind != Kind::push) continue;
+      if (!is_struck(event) && event.kind != Kind::force) continue;
       const std::vector<Segment> segments = segments_into(timeline, asked.said, e);
       const Scene few = segment_scene(scene, segments, event.time);
       for (std::size_t k = 0; k < segments.size(); ++k) {
         if (!segments[k].ballistic) continue;
         const State& said = k == 0 ? event.after_a : event.after_b;
-        const bool moves_on = event.kind == Kind::push || asked.is_fixed(segments[k].body);
+        const bool moves_on = event.kind == Kind::force || asked.is_fixed(segments[k].body);
         const Finding finding =
             moves_on ? check_state(asked, few, k, event.time, said) : check_pose(asked, few, k, event.time, said.X_WB);
         if (worse(worst, finding)) return worst;

@@ -15,7 +15,7 @@ namespace {
 using oracle::Defect;
 using oracle::Finding;
 using oracle::Subject;
-using Meeting = TimeOfImpact::Meeting;
+using Status = TimeOfImpact::Status;
 namespace judge = oracle::judge;
 namespace truth = oracle::truth;
 
@@ -27,13 +27,13 @@ double comes_within(const MotionCase& pair, double near, double impact) {
   const double half_way = pair.start + (impact - pair.start) / 2;
   const bool again = pair.gap(pair.start) <= near && pair.gap(half_way) > near;
   const auto first = truth::time_of_distance(pair.scene, near, again ? half_way : pair.start);
-  return first.meeting == Meeting::miss ? infinite : first.time.lo;
+  return first.status == Status::miss ? infinite : first.time.lo;
 }
 
 /// Judges how far the event lies outside the enclosure (s), against the part that rounding explains.
 Finding in_enclosure(const MotionCase& pair, double eps, const Event& event) {
   const double from = comes_within(pair, eps, event.time);
-  const double to = pair.truth.meeting == Meeting::hit ? pair.truth.time.hi : infinite;
+  const double to = pair.truth.status == Status::hit ? pair.truth.time.hi : infinite;
   if (from <= event.time && event.time <= to) return judge::holds();
   const bool early = event.time < from;
   const double allowed =

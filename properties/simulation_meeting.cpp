@@ -14,7 +14,7 @@ namespace {
 using oracle::Defect;
 using oracle::Finding;
 using oracle::Subject;
-using Meeting = TimeOfImpact::Meeting;
+using Status = TimeOfImpact::Status;
 namespace judge = oracle::judge;
 
 /// Both answers lie in one window: from the time at which the pair may, with rounding, come within the envelope, to the
@@ -23,14 +23,14 @@ namespace judge = oracle::judge;
 Finding agree(const MotionCase& pair, const TimeOfImpact& said, const Trajectory& run) {
   const auto near = oracle::truth::time_of_distance(pair.scene, envelope(pair.scene) + pair.slack);
   const Event* first = run.events->empty() ? nullptr : &run.events->front();
-  if (said.meeting == Meeting::miss) {
+  if (said.status == Status::miss) {
     if (first == nullptr) return judge::holds();
-    if (near.meeting != Meeting::miss)
+    if (near.status != Status::miss)
       return judge::outside("the bodies come within the contact tolerance: an impact is allowed");
     return judge::wrong(Defect::inconsistent, text(*first), text(said));
   }
   const std::optional<double> latest = pair.latest();
-  if (near.meeting != Meeting::hit || !latest) return judge::outside("the bodies graze: rounding decides");
+  if (near.status != Status::hit || !latest) return judge::outside("the bodies graze: rounding decides");
   if (!said.time) return judge::silent("the time of impact");
   if (first == nullptr) {
     if (complete_until(pair.scene, run) < *latest) return judge::silent("its events until the time of impact");
@@ -48,7 +48,7 @@ Finding one_meeting(const Scene& scene, Subject& subject) {
     const auto fixed = [](const Body& body) { return std::holds_alternative<Fixed>(body.mass); };
     if (fixed(scene.bodies[0]) && fixed(scene.bodies[1])) return judge::outside("two fixed bodies have no impact");
     if (!scene.motion->forces.empty()) return judge::outside("applied forces");
-    if (said.meeting == Meeting::undecided) return judge::silent("whether the bodies touch");
+    if (said.status == Status::undecided) return judge::silent("whether the bodies touch");
     return judge::given(subject.simulation(scene), [&](const Trajectory& run) {
       if (!fault_in_form(scene, run).empty()) return judge::outside("not a trajectory; see simulation.ordered");
       return run.events ? agree(pair, said, run) : judge::silent("its events");

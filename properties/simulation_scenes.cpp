@@ -23,7 +23,7 @@ using oracle::Defect;
 using oracle::Finding;
 using oracle::Real;
 using oracle::Subject;
-using Meeting = TimeOfImpact::Meeting;
+using Status = TimeOfImpact::Status;
 namespace judge = oracle::judge;
 namespace tolerance = oracle::tolerance;
 namespace words = oracle::words;
@@ -59,7 +59,7 @@ Finding alone(const Scene& scene, Subject& subject) {
   return of_trajectory(scene, subject, [&](const TrajectoryCase& asked) {
     if (!scene.motion->forces.empty()) return judge::outside("applied forces");
     const bool apart = all_pairs(scene, asked.precision, [](const MotionCase& pair) {
-      return pair.truth.meeting == Meeting::miss && !pair.earliest();
+      return pair.truth.status == Status::miss && !pair.earliest();
     });
     if (!apart) return judge::outside("bodies that may touch");
     if (asked.events() > 0) return judge::wrong(Defect::phantom, text(asked.said.events->front()), "no event");
@@ -95,7 +95,7 @@ std::optional<FirstImpact> first_impact(const Scene& scene, const Trajectory& sa
   if (!pair || !pair->sure()) return std::nullopt;
   const auto near = oracle::truth::time_of_distance(ballistic_scene, envelope(scene) + pair->slack);
   const std::optional<double> latest = pair->latest();
-  if (near.meeting != Meeting::hit || !latest) return std::nullopt;
+  if (near.status != Status::hit || !latest) return std::nullopt;
   return FirstImpact{event->time, *latest - near.time.lo};
 }
 

@@ -19,7 +19,7 @@ namespace {
 using oracle::Defect;
 using oracle::Finding;
 using oracle::Subject;
-using Meeting = TimeOfImpact::Meeting;
+using Status = TimeOfImpact::Status;
 namespace judge = oracle::judge;
 namespace tolerance = oracle::tolerance;
 
@@ -38,19 +38,18 @@ Finding touches_at(const MotionCase& asked, const TimeOfImpact& said) {
   if (std::abs(time - *said.time) > rounding(asked)) {
     return judge::wrong(Defect::inconsistent, text(said), "a time within the motion");
   }
-  if (asked.truth.meeting == Meeting::hit && in(asked.truth.time, time)) return judge::holds();
+  if (asked.truth.status == Status::hit && in(asked.truth.time, time)) return judge::holds();
   const double apart = asked.gap(time), deep = -asked.deepest(time);
   return judge::at_most(
       std::max(apart, deep), in_ulps_of_place(asked, asked.slack),
-      asked.truth.meeting == Meeting::miss ? Defect::phantom
-      : apart > deep                       ? Defect::too_early
-                                           : Defect::too_late,
+      asked.truth.status == Status::miss ? Defect::phantom
+      : apart > deep                     ? Defect::too_early
+                                         : Defect::too_late,
       [&] { return text(said); }, [&] { return text(asked.truth); });
 }
 
 Finding no_miss(const MotionCase& asked, const TimeOfImpact& said) {
-  if (asked.truth.meeting == Meeting::undecided)
-    return judge::outside("the bodies graze: the reference does not decide");
+  if (asked.truth.status == Status::undecided) return judge::outside("the bodies graze: the reference does not decide");
   return judge::at_most(
       -asked.deepest(asked.end), in_ulps_of_place(asked, asked.slack), Defect::missed, [&] { return text(said); },
       [&] { return text(asked.truth); });
@@ -58,16 +57,16 @@ Finding no_miss(const MotionCase& asked, const TimeOfImpact& said) {
 
 Finding agrees(const Scene& scene, Subject& subject) {
   return of_answered_motion(scene, subject, [](const MotionCase& asked, const TimeOfImpact& said) {
-    if (said.meeting == Meeting::undecided) return judge::silent("whether the bodies touch");
-    return said.meeting == Meeting::hit ? touches_at(asked, said) : no_miss(asked, said);
+    if (said.status == Status::undecided) return judge::silent("whether the bodies touch");
+    return said.status == Status::hit ? touches_at(asked, said) : no_miss(asked, said);
   });
 }
 
 Finding decided(const Scene& scene, Subject& subject) {
   return of_answered_motion(scene, subject, [](const MotionCase& asked, const TimeOfImpact& said) {
-    if (said.meeting != Meeting::undecided) return judge::holds();
+    if (said.status != Status::undecided) return judge::holds();
     const bool clear_hit = asked.certainly_met(asked.end);
-    const bool clear_miss = asked.truth.meeting == Meeting::miss && !asked.earliest();
+    const bool clear_miss = asked.truth.status == Status::miss && !asked.earliest();
     return clear_hit || clear_miss ? wrong(Defect::inconsistent, said, asked) : judge::holds();
   });
 }
@@ -77,16 +76,16 @@ Finding decided(const Scene& scene, Subject& subject) {
 Finding enclosure(const Scene& scene, Subject& subject) {
   return of_answered_motion(scene, subject, [](const MotionCase& asked, const TimeOfImpact& said) {
     if (!said.enclosure) return judge::silent("an enclosure");
-    const bool hits = asked.truth.meeting == Meeting::hit;
+    const bool hits = asked.truth.status == Status::hit;
     if (hits && said.enclosure->lo > asked.truth.time.hi) return wrong(Defect::too_late, said, asked);
-    if (said.meeting == Meeting::hit) {
-      const bool met = asked.truth.meeting != Meeting::miss && said.enclosure->hi >= asked.truth.time.lo;
+    if (said.status == Status::hit) {
+      const bool met = asked.truth.status != Status::miss && said.enclosure->hi >= asked.truth.time.lo;
       return met ? judge::holds() : wrong(Defect::broken_enclosure, said, asked);
     }
-    if (said.meeting == Meeting::miss) return hits ? wrong(Defect::missed, said, asked) : judge::holds();
+    if (said.status == Status::miss) return hits ? wrong(Defect::missed, said, asked) : judge::holds();
     if (!said.gap) return judge::silent("the gap to which the bodies come");
     const auto near = oracle::truth::time_of_distance(asked.scene, *said.gap);
-    const bool comes_near = near.meeting != Meeting::miss && near.time.lo <= said.enclosure->hi;
+    const bool comes_near = near.status != Status::miss && near.time.lo <= said.enclosure->hi;
     return comes_near ? judge::holds() : wrong(Defect::broken_enclosure, said, asked);
   });
 }
@@ -95,8 +94,8 @@ Finding enclosure(const Scene& scene, Subject& subject) {
 // the allowance.
 Finding tight(const Scene& scene, Subject& subject) {
   return of_answered_motion(scene, subject, [](const MotionCase& asked, const TimeOfImpact& said) {
-    if (said.meeting != Meeting::hit || !said.enclosure) return judge::silent("an enclosure of the time of impact");
-    if (asked.truth.meeting != Meeting::hit) return judge::outside("the bodies do not touch, or only graze");
+    if (said.status != Status::hit || !said.enclosure) return judge::silent("an enclosure of the time of impact");
+    if (asked.truth.status != Status::hit) return judge::outside("the bodies do not touch, or only graze");
     const double slack = tolerance::moving_distance(asked.scene, asked.truth.time.hi,
                                                     std::max(asked.precision, oracle::Precision::binary64));
     const double lo = std::clamp(said.enclosure->lo, asked.start, asked.end);
@@ -112,15 +111,15 @@ Finding tight(const Scene& scene, Subject& subject) {
 Finding start(const Scene& scene, Subject& subject) {
   return of_answered_motion(scene, subject, [](const MotionCase& asked, const TimeOfImpact& said) {
     if (asked.gap(asked.start) != 0) return judge::outside("the bodies do not touch at the start");
-    if (asked.truth.meeting == Meeting::hit && asked.truth.at_start) {
-      if (said.meeting == Meeting::hit) return touches_at(asked, said);
-      return said.meeting == Meeting::miss ? no_miss(asked, said) : judge::silent("whether the bodies touch");
+    if (asked.truth.status == Status::hit && asked.truth.at_start) {
+      if (said.status == Status::hit) return touches_at(asked, said);
+      return said.status == Status::miss ? no_miss(asked, said) : judge::silent("whether the bodies touch");
     }
     if (asked.truth.at_start) return judge::outside("neither separating nor approaching at the start");
     for (double after = asked.moment; asked.start + after < asked.end; after *= 2) {
       const double apart = asked.gap(asked.start + after);
       if (apart <= asked.slack) continue;
-      if (said.meeting != Meeting::hit) return judge::holds();
+      if (said.status != Status::hit) return judge::holds();
       if (!said.time) return judge::silent("the time of impact");
       return *said.time >= asked.start + after ? judge::holds() : wrong(Defect::phantom, said, asked);
     }
@@ -139,8 +138,8 @@ struct Sure {
 std::optional<Sure> surely(const MotionCase& given) {
   const MotionCase asked(given.scene, std::max(given.precision, oracle::Precision::binary64));
   const std::optional<double> earliest = asked.earliest();
-  if (asked.truth.meeting == Meeting::miss && !earliest) return Sure{false, 0};
-  if (asked.truth.meeting != Meeting::hit || !earliest) return std::nullopt;
+  if (asked.truth.status == Status::miss && !earliest) return Sure{false, 0};
+  if (asked.truth.status != Status::hit || !earliest) return std::nullopt;
   const std::optional<double> latest = asked.latest();
   if (!latest) return std::nullopt;
   return Sure{true, *latest - *earliest + rounding(asked)};
@@ -149,13 +148,13 @@ std::optional<Sure> surely(const MotionCase& given) {
 /// Compares two answers with the same truth, the second one's time already mapped to the first scene. Each may be off
 /// by the window.
 Finding one_meeting(const MotionCase& asked, const TimeOfImpact& first, const TimeOfImpact& second, Defect defect) {
-  if (first.meeting == Meeting::undecided || second.meeting == Meeting::undecided) {
+  if (first.status == Status::undecided || second.status == Status::undecided) {
     return judge::silent("whether the bodies touch");
   }
   const std::optional<Sure> sure = surely(asked);
   if (!sure) return judge::outside("the bodies graze: rounding decides");
-  if (first.meeting != second.meeting) return judge::wrong(defect, text(second), text(first) + ", as before");
-  if (first.meeting == Meeting::miss || !sure->hit) return judge::holds();
+  if (first.status != second.status) return judge::wrong(defect, text(second), text(first) + ", as before");
+  if (first.status == Status::miss || !sure->hit) return judge::holds();
   if (!first.time || !second.time) return judge::silent("the time of impact");
   return judge::at_most(
       std::abs(*first.time - *second.time), {2 * sure->window, sure->window, "uncertainties of the time of impact"},
@@ -250,7 +249,7 @@ Finding coefficients(const Scene& scene, Subject& subject) {
 
 /// A time with few bits, between the start and the time of impact, or the end of the motion if there is none.
 double cut(const MotionCase& asked) {
-  const double until = asked.truth.meeting == Meeting::hit ? asked.truth.time.lo : asked.end;
+  const double until = asked.truth.status == Status::hit ? asked.truth.time.lo : asked.end;
   const double grid = std::exp2(std::floor(std::log2(std::max(until - asked.start, 0x1p-100))) - 3);
   return std::floor((asked.start + until) / 2 / grid) * grid;
 }
@@ -269,7 +268,7 @@ Finding ends_early(const Scene& scene, Subject& subject) {
     if (!(before > asked.start && before < *asked.earliest()))
       return judge::outside("the contact comes too soon after the start");
     const Finding first = until(before, [&](const TimeOfImpact& said) {
-      return said.meeting != Meeting::hit
+      return said.status != Status::hit
                  ? judge::holds()
                  : judge::wrong(Defect::inconsistent, text(said), "no contact before " + oracle::words::text(before));
     });
@@ -281,7 +280,7 @@ Finding ends_early(const Scene& scene, Subject& subject) {
 
 Finding taken_up(const Scene& scene, Subject& subject) {
   return of_motion(scene, subject, [&](const MotionCase& asked) {
-    const bool open = asked.truth.meeting == Meeting::undecided;
+    const bool open = asked.truth.status == Status::undecided;
     if (asked.truth.at_start || open) return judge::outside("no time between the start and the contact");
     return unchanged(scene, taken_up_at(scene, cut(asked)), subject, Defect::inconsistent);
   });
@@ -289,7 +288,7 @@ Finding taken_up(const Scene& scene, Subject& subject) {
 
 Finding reversible(const Scene& scene, Subject& subject) {
   return of_answered_motion(scene, subject, [&](const MotionCase& asked, const TimeOfImpact& there) {
-    if (asked.truth.meeting != Meeting::miss || asked.earliest()) return judge::outside("not a clear miss");
+    if (asked.truth.status != Status::miss || asked.earliest()) return judge::outside("not a clear miss");
     return of_moved(backwards(scene), subject, [&](const Scene& reversed) {
       return judge::given(subject.time_of_impact(reversed), [&](const TimeOfImpact& back) {
         return one_meeting(asked, there, back, Defect::inconsistent);

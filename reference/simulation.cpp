@@ -142,7 +142,7 @@ class Simulation {
                   [&](const PendingEvent& other) { return other.time == pending.time && other.a == pending.a; });
     restart(pending.a, pending.time);
     Event event;
-    event.kind = Event::Kind::push;
+    event.kind = Event::Kind::force;
     event.time = pending.time;
     event.a = pending.a;
     event.after_a = state_of(body(pending.a));

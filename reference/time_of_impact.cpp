@@ -19,7 +19,7 @@
 namespace touchstone::reference {
 namespace {
 
-using Meeting = TimeOfImpact::Meeting;
+using Status = TimeOfImpact::Status;
 
 Vec3 plain(const Coordinates<double>& v) { return {v.x, v.y, v.z}; }
 Vec3 plain(const Coordinates<Float>& v) {
@@ -32,8 +32,8 @@ double rounded_up(const Float& x) { return mpfr_get_d(x.backend().data(), MPFR_R
 template <class P>
 TimeOfImpactTruth truth_of(const Found<P>& found, const Parts& parts, double end) {
   TimeOfImpactTruth truth;
-  truth.meeting = found.meeting;
-  truth.time = {rounded_down<double>(Float(found.lo)), found.meeting == Meeting::hit ? rounded_up(found.hi) : end};
+  truth.status = found.status;
+  truth.time = {rounded_down<double>(Float(found.lo)), found.status == Status::hit ? rounded_up(found.hi) : end};
   truth.gap = rounded_up(found.gap);
   truth.nhat_BA_W = plain(found.nhat_BA);
   truth.p_WCa = plain(found.p_WCa) - core_of(parts.A, parts.a).radius * truth.nhat_BA_W;
@@ -51,12 +51,11 @@ struct Question {
   bool first_contact_only;  ///< separating contact does not count, and overlap is refused
 };
 
-TimeOfImpactTruth at_start(const Parts& parts, const Question& question, Meeting meeting,
-                           const InitialContact& initial) {
+TimeOfImpactTruth at_start(const Parts& parts, const Question& question, Status status, const InitialContact& initial) {
   TimeOfImpactTruth truth;
-  truth.meeting = meeting;
+  truth.status = status;
   truth.at_start = true;
-  truth.time = {question.from, meeting == Meeting::hit ? question.from : question.end};
+  truth.time = {question.from, status == Status::hit ? question.from : question.end};
   if (initial.kind == InitialContact::Kind::overlapping) return truth;
   const auto vec = [](const Triple& v) { return Vec3(nearest(v[0]), nearest(v[1]), nearest(v[2])); };
   const Float scale = 1 / sqrt(float_of(dot(initial.n, initial.n)));
@@ -100,23 +99,23 @@ TimeOfImpactTruth resolve_start(const Parts& parts, const Question& question) {
   const InitialContact there = initial_contact(parts.A, parts.a, a, parts.B, parts.b, b, question.apart);
   using Kind = InitialContact::Kind;
   if (there.kind == Kind::apart) return truth_of(search(question.from), parts, question.end);
-  if (!question.first_contact_only) return at_start(parts, question, Meeting::hit, there);
+  if (!question.first_contact_only) return at_start(parts, question, Status::hit, there);
   if (there.kind == Kind::overlapping) refuse_overlap(question.scene);
-  if (there.kind == Kind::approaching) return at_start(parts, question, Meeting::hit, there);
+  if (there.kind == Kind::approaching) return at_start(parts, question, Status::hit, there);
   if (there.kind == Kind::separating) {
     if (const std::optional<Float> later = encounter.leave(there, question.from, question.end)) {
       return truth_of(search(*later), parts, question.end);
     }
   }
-  return at_start(parts, question, Meeting::undecided, there);
+  return at_start(parts, question, Status::undecided, there);
 }
 
 TimeOfImpactTruth between_parts(const Parts& parts, const Question& question) {
   const Encounter<InDoubles> in_doubles(parts, question.starts, question.apart);
   const Found<double> quick = in_doubles.search(question.from, question.end);
   if (!(quick.lo > question.from)) return resolve_start(parts, question);
-  const bool loose = quick.meeting == Meeting::hit && in_doubles.is_loose(quick);
-  if (!loose && (quick.meeting != Meeting::undecided || quick.exhausted)) return truth_of(quick, parts, question.end);
+  const bool loose = quick.status == Status::hit && in_doubles.is_loose(quick);
+  if (!loose && (quick.status != Status::undecided || quick.exhausted)) return truth_of(quick, parts, question.end);
   Encounter<InWide> encounter(parts, question.starts, question.apart);
   return truth_of(encounter.search(quick.lo, question.end), parts, question.end);
 }
@@ -126,8 +125,8 @@ TimeOfImpactTruth earlier(const TimeOfImpactTruth& a, const TimeOfImpactTruth& b
   const bool a_begins = a.time.lo <= b.time.lo;
   TimeOfImpactTruth first = a_begins ? a : b;
   const TimeOfImpactTruth& other = a_begins ? b : a;
-  if (other.meeting == Meeting::hit) {
-    first.meeting = Meeting::hit;
+  if (other.status == Status::hit) {
+    first.status = Status::hit;
     first.time.hi = std::min(first.time.hi, other.time.hi);
   }
   return first;

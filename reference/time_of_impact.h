@@ -13,7 +13,7 @@
 namespace touchstone::reference {
 
 struct TimeOfImpactTruth {
-  TimeOfImpact::Meeting meeting = TimeOfImpact::Meeting::undecided;
+  TimeOfImpact::Status status = TimeOfImpact::Status::undecided;
 
   /// s. hit: the first contact is in [lo, hi]. miss: lo and hi are the end of the motion, until which the two are
   /// apart. undecided: the two are apart before lo, within `gap` at lo, and hi is the end of the motion.

@@ -185,16 +185,16 @@ Json impulse(const Scene& scene) {
 /// An enclosed time: both ends, their difference, and what is known there.
 Json time_of_impact(const Scene& scene) {
   const reference::TimeOfImpactTruth truth = reference::time_of_impact(scene);
-  using Meeting = TimeOfImpact::Meeting;
-  const char* words = truth.meeting == Meeting::hit ? "hit" : truth.meeting == Meeting::miss ? "miss" : "undecided";
-  Json json = {{"meeting", words}, {"apart_before", truth.time.lo}};
-  if (truth.meeting == Meeting::hit) {
+  using Status = TimeOfImpact::Status;
+  const char* words = truth.status == Status::hit ? "hit" : truth.status == Status::miss ? "miss" : "undecided";
+  Json json = {{"status", words}, {"apart_before", truth.time.lo}};
+  if (truth.status == Status::hit) {
     json["met_by"] = truth.time.hi;
     json["width"] = truth.time.hi - truth.time.lo;
     json["at_start"] = truth.at_start ? "yes" : "no";
   }
-  if (truth.meeting == Meeting::undecided) json["gap_at_most"] = truth.gap;
-  if (truth.meeting != Meeting::miss) {
+  if (truth.status == Status::undecided) json["gap_at_most"] = truth.gap;
+  if (truth.status != Status::miss) {
     json["p_WCa"] = touchstone::json_of(truth.p_WCa);
     json["p_WCb"] = touchstone::json_of(truth.p_WCb);
     json["nhat_BA_W"] = touchstone::json_of(truth.nhat_BA_W);

@@ -52,7 +52,7 @@ constexpr std::array<ShortName, 5> short_names = {{{"bullet", "bullet.simulation
                                                    {"simbody", "simbody.simulation"}}};
 
 /// In the order of Event::Kind.
-constexpr std::array<const char*, 6> kinds = {"impact", "micro_collision", "completed", "contact", "release", "push"};
+constexpr std::array<const char*, 6> kinds = {"impact", "micro_collision", "completed", "contact", "release", "force"};
 
 /// Keeps the scene's sample times before `until`, adds some after the scene's own end, and makes `until` the last.
 void end_at(Scene& scene, double until) {

@@ -1,6 +1,6 @@
 "use strict";
 // data: name, bodies (fixed, parts), frames ([time, x, y, z, qx, qy, qz, qw of each body]), events ([time, kind, a, b]).
-const KINDS = ["impact", "micro-collision", "completed", "contact", "release", "push"];
+const KINDS = ["impact", "micro-collision", "completed", "contact", "release", "force"];
 const element = id => document.getElementById(id);
 const first = data.frames.length ? data.frames[0][0] : 0;
 const last = data.frames.length ? data.frames[data.frames.length - 1][0] : 0;

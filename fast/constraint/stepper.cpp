@@ -124,7 +124,7 @@ void Stepper::emit_forces(double time) {
   for (; begun_ < pushes.size() && pushes[begun_].time <= time; ++begun_) {
     const AppliedForce& push = pushes[begun_];
     if (push.time <= 0) continue;
-    events_.push_back({Event::Kind::push,
+    events_.push_back({Event::Kind::force,
                        time,
                        push.body,
                        -1,

@@ -154,7 +154,7 @@ void Loop::apply_force(const AppliedForce& force) {
   if (rest_[id]) release(id, state);
   acceleration_[id] = scene_->gravity + bodies_[id].inverse_mass() * force.force_W;
   if (force.time > start_time(id)) {
-    record({Event::Kind::push, now_, force.body, -1, Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), state, {}});
+    record({Event::Kind::force, now_, force.body, -1, Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), state, {}});
   }
   if (Island* island = island_of(id)) return island->set_acceleration(id, acceleration_[id]);
   bodies_[id].restart(from, state, acceleration_[id]);

@@ -116,14 +116,14 @@ double by_advancement(const BodyMotion& a, const BodyMotion& b, double from, dou
     const FirstContact found =
         time_of_impact(a.ballistic(), b.ballistic(), from, until, envelope, memory.features, inflation);
     memory.queries += found.queries;
-    if (found.meeting == TimeOfImpact::Meeting::hit) {
+    if (found.status == TimeOfImpact::Status::hit) {
       if (envelope == 0) return found.hi;
       memory.time = found.lo;
       memory.touch = {0, found.p_WC, found.nhat_BA_W};
       return found.lo;
     }
-    if (found.meeting == TimeOfImpact::Meeting::undecided && !positions_resolved(a, b, found.hi)) return found.lo;
-    if (found.meeting == TimeOfImpact::Meeting::miss || !(found.hi > from) || found.hi >= until) return never;
+    if (found.status == TimeOfImpact::Status::undecided && !positions_resolved(a, b, found.hi)) return found.lo;
+    if (found.status == TimeOfImpact::Status::miss || !(found.hi > from) || found.hi >= until) return never;
     from = found.hi;
   }
 }

@@ -12,7 +12,7 @@ namespace touchstone::fast::toi {
 namespace {
 
 using motion::Centre;
-using Kind = TimeOfImpact::Meeting;
+using Status = TimeOfImpact::Status;
 
 /// A choice that ends a search: contacts that need more are left undecided, after a second or less.
 constexpr int most_queries = 200'000;
@@ -122,15 +122,15 @@ class Advance {
 
   FirstContact hit(const SeparationQuery& query, double hi) const {
     const double lo = doubt_ ? doubt_->from : t_;
-    return {Kind::hit, lo, hi, 0, pair_.in_W(query.middle(), t_), -query.across()};
+    return {Status::hit, lo, hi, 0, pair_.in_W(query.middle(), t_), -query.across()};
   }
   FirstContact apart() const {
     if (doubt_) return doubtful(doubt_->from, doubt_->until, doubt_->gap);
-    return {Kind::miss, until_, until_, 0, Vec3::Zero(), Vec3::Zero()};
+    return {Status::miss, until_, until_, 0, Vec3::Zero(), Vec3::Zero()};
   }
   FirstContact doubtful(double lo, double hi, double gap) const {
-    if (doubt_) return {Kind::undecided, doubt_->from, hi, std::min(gap, doubt_->gap), Vec3::Zero(), -known_};
-    return {Kind::undecided, lo, hi, gap, Vec3::Zero(), -known_};
+    if (doubt_) return {Status::undecided, doubt_->from, hi, std::min(gap, doubt_->gap), Vec3::Zero(), -known_};
+    return {Status::undecided, lo, hi, gap, Vec3::Zero(), -known_};
   }
 
   struct Doubt {

@@ -12,7 +12,7 @@ namespace {
 
 using motion::BallisticMotion;
 using motion::Centre;
-using Kind = TimeOfImpact::Meeting;
+using Status = TimeOfImpact::Status;
 
 bool is_ball(const motion::RigidBodyModel& model) {
   return std::holds_alternative<Sphere>(model.shape) && model.p_BBcm.isZero(0) && model.centre_error == 0;
@@ -66,7 +66,7 @@ FirstContact hit(const Pair& pair, const Separation& at_lo, double lo, double hi
   const Vec3 p_OA = pair.a.centre(lo, pair.O).p_WOBcm;
   const Vec3 on_a = p_OA + radius(pair.a) * n;
   const Vec3 on_b = p_OA + (at_lo.d - radius(pair.b) * n);
-  return {Kind::hit, lo, hi, 0, pair.in_W((on_a + on_b) / 2, lo), -n};
+  return {Status::hit, lo, hi, 0, pair.in_W((on_a + on_b) / 2, lo), -n};
 }
 
 }  // namespace
@@ -78,7 +78,7 @@ bool are_falling_balls(const BallisticMotion& a, const BallisticMotion& b) {
 std::optional<FirstContact> spheres(const BallisticMotion& a, const BallisticMotion& b, double from, double until,
                                     double envelope) {
   const Pair pair{a, b, 0, 0, origin(a, b)};
-  const FirstContact miss{Kind::miss, until, until, 0, Vec3::Zero(), Vec3::Zero()};
+  const FirstContact miss{Status::miss, until, until, 0, Vec3::Zero(), Vec3::Zero()};
   const Separation start = separation(pair, from);
   const double speed = motion::length(start.v);
   if (!(start.distance > 0x1p-400 && start.distance < 0x1p400)) return std::nullopt;

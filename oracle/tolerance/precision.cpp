@@ -43,9 +43,9 @@ bool single(const std::vector<double>& numbers) {
   return std::ranges::all_of(numbers, [](double x) { return single(x); });
 }
 bool single(const Motion& motion) {
-  const auto push = [](const AppliedForce& p) { return single(p.time) && single(p.force_W); };
+  const auto force = [](const AppliedForce& p) { return single(p.time) && single(p.force_W); };
   return single(motion.sample_times) && single(motion.start_times) && single(motion.envelope.value_or(0)) &&
-         single(motion.force_bound) && std::ranges::all_of(motion.forces, push);
+         single(motion.force_bound) && std::ranges::all_of(motion.forces, force);
 }
 
 bool single(const Body& body) {

@@ -13,11 +13,11 @@
 namespace touchstone::properties {
 namespace {
 
-using Meeting = TimeOfImpact::Meeting;
+using Status = TimeOfImpact::Status;
 namespace words = oracle::words;
 
-const char* name_of(Meeting meeting) {
-  return meeting == Meeting::hit ? "hit" : meeting == Meeting::miss ? "miss" : "undecided";
+const char* name_of(Status status) {
+  return status == Status::hit ? "hit" : status == Status::miss ? "miss" : "undecided";
 }
 
 double speed(const Scene& pair, double end) {
@@ -49,7 +49,7 @@ MotionCase::MotionCase(const Scene& pair, oracle::Precision in)
       truth(oracle::truth::time_of_impact(pair)),
       start(start_of(pair)),
       end(end_of(pair)),
-      slack(oracle::tolerance::moving_distance(pair, truth.meeting == Meeting::hit ? truth.time.hi : end, in)),
+      slack(oracle::tolerance::moving_distance(pair, truth.status == Status::hit ? truth.time.hi : end, in)),
       moment(slack / speed(pair, end)) {}
 
 bool MotionCase::sure() const { return is_decisive(scene, slack); }
@@ -63,7 +63,7 @@ double MotionCase::gap(double time) const {
 // Thin bodies that are fast overlap for a short time only: the samples approach the contact by halving their distance
 // to it.
 double MotionCase::deepest(double until) const {
-  if (truth.meeting != Meeting::hit || truth.time.hi >= until) return 0;
+  if (truth.status != Status::hit || truth.time.hi >= until) return 0;
   double least = std::min(0.0, gap(until));
   for (double after = (until - truth.time.hi) / 2; least >= -slack && after > moment; after /= 2) {
     least = std::min(least, gap(truth.time.hi + after));
@@ -73,12 +73,12 @@ double MotionCase::deepest(double until) const {
 
 std::optional<double> MotionCase::earliest() const {
   const reference::TimeOfImpactTruth near = oracle::truth::time_of_distance(scene, slack);
-  if (near.meeting == Meeting::miss) return std::nullopt;
+  if (near.status == Status::miss) return std::nullopt;
   return near.time.lo;
 }
 
 std::optional<double> MotionCase::latest() const {
-  if (truth.meeting != Meeting::hit) return std::nullopt;
+  if (truth.status != Status::hit) return std::nullopt;
   for (double after = moment; truth.time.hi + after < end; after *= 2) {
     if (gap(truth.time.hi + after) < -slack) return truth.time.hi + after;
   }
@@ -100,15 +100,15 @@ oracle::judge::Allowance in_ulps_of_place(const MotionCase& asked, double bound)
 }
 
 std::string text(const TimeOfImpact& said) {
-  std::string all = name_of(said.meeting);
+  std::string all = name_of(said.status);
   if (said.time) all += " at " + words::text(*said.time) + " s";
   if (said.enclosure) all += ", in " + words::text(*said.enclosure);
   return all;
 }
 
 std::string text(const reference::TimeOfImpactTruth& truth) {
-  return std::string(name_of(truth.meeting)) +
-         (truth.meeting == Meeting::miss ? "" : " in " + words::text(truth.time) + " s");
+  return std::string(name_of(truth.status)) +
+         (truth.status == Status::miss ? "" : " in " + words::text(truth.time) + " s");
 }
 
 }  // namespace touchstone::properties

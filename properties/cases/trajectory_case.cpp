@@ -31,8 +31,8 @@ const char* name_of(Event::Kind kind) {
       return "contact";
     case Event::Kind::release:
       return "release";
-    case Event::Kind::push:
-      return "push";
+    case Event::Kind::force:
+      return "force";
   }
   return "event";
 }
@@ -40,7 +40,7 @@ const char* name_of(Event::Kind kind) {
 std::string fault_in_event(const Scene& scene, const Event& event, double end) {
   const auto count = static_cast<int>(scene.bodies.size());
   if (event.a < 0 || event.a >= count || event.b >= count) return "a body that does not exist";
-  const bool pair = event.kind != Event::Kind::push;
+  const bool pair = event.kind != Event::Kind::force;
   if (pair != (event.b >= 0) || (pair && event.a >= event.b)) return "not a pair a < b";
   if (event.time < 0 || event.time > end) return "a time beyond the end of the motion";
   return {};
@@ -63,7 +63,7 @@ bool in_order(const std::vector<Event>& events, std::size_t k) {
 }
 
 bool reports(const Event& event, const AppliedForce& applied) {
-  return event.kind == Event::Kind::push && event.a == applied.body && event.time == applied.time;
+  return event.kind == Event::Kind::force && event.a == applied.body && event.time == applied.time;
 }
 
 /// Does the force begin after its body's start? One that acts from the start belongs to the initial conditions.
@@ -82,7 +82,7 @@ std::string fault_in_forces(const Motion& motion, const std::vector<Event>& even
     const bool there = std::ranges::any_of(motion.forces, [&](const AppliedForce& applied) {
       return reports(event, applied) && begins_after_start(applied, motion);
     });
-    if (event.kind == Event::Kind::push && !there)
+    if (event.kind == Event::Kind::force && !there)
       return "an event without a change of an applied force: " + text(event);
   }
   return {};

@@ -248,8 +248,8 @@ void motion_classes(const Scene& scene, Names& names) {
 void time_of_impact_classes(const Scene& scene, Names& names) {
   motion_classes(scene, names);
   const reference::TimeOfImpactTruth& truth = oracle::truth::time_of_impact(scene);
-  const bool hit = truth.meeting == TimeOfImpact::Meeting::hit;
-  names.emplace_back(hit ? "hit" : truth.meeting == TimeOfImpact::Meeting::miss ? "miss" : "undecided");
+  const bool hit = truth.status == TimeOfImpact::Status::hit;
+  names.emplace_back(hit ? "hit" : truth.status == TimeOfImpact::Status::miss ? "miss" : "undecided");
   if (hit && truth.at_start) names.emplace_back("hit at the start");
   if (!scene.motion->start_times.empty()) names.emplace_back("starts of their own");
 }

@@ -17,7 +17,7 @@ namespace touchstone::reference {
 /// The result of the search in one arithmetic.
 template <class P>
 struct Found {
-  TimeOfImpact::Meeting meeting = TimeOfImpact::Meeting::undecided;
+  TimeOfImpact::Status status = TimeOfImpact::Status::undecided;
   P lo = 0;                                                    ///< proved apart before it
   P hi = 0;                                                    ///< hit: proved to share a point by then
   P gap = std::numeric_limits<P>::infinity();                  ///< at lo
@@ -65,11 +65,11 @@ class Encounter {
       found.lo = *next;
       if (resolved && confirm_hit(Tier::probing, *contact, found, end)) break;
       if (found.lo == end) {
-        found.meeting = TimeOfImpact::Meeting::miss;
+        found.status = TimeOfImpact::Status::miss;
         return found;
       }
     }
-    if (contact && found.meeting == TimeOfImpact::Meeting::undecided)
+    if (contact && found.status == TimeOfImpact::Status::undecided)
       confirm_hit(Tier::last_probing, *contact, found, end);
     if (contact) describe(*contact, found);
     return found;
@@ -219,7 +219,7 @@ class Encounter {
     for (int i = 0; i < probing.tries; ++i, d *= P(probing.factor)) {
       const P t = std::min(end, P(found.lo + d));
       if (!share_a_point(contact, t)) continue;
-      found.meeting = TimeOfImpact::Meeting::hit;
+      found.status = TimeOfImpact::Status::hit;
       found.hi = t;
       return true;
     }

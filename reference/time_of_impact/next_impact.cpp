@@ -13,7 +13,7 @@
 namespace touchstone::reference {
 namespace {
 
-using Meeting = TimeOfImpact::Meeting;
+using Status = TimeOfImpact::Status;
 
 double start_of(const Scene& pair) { return std::max(pair.motion->start_times[0], pair.motion->start_times[1]); }
 
@@ -28,8 +28,8 @@ Scene at(const Scene& pair, double time) {
 double gap(const Scene& pair, double time) { return distance(at(pair, time)).distance.lo; }
 
 NextImpact next_of(const TimeOfImpactTruth& truth) {
-  if (truth.meeting == Meeting::miss) return {};
-  return {truth.meeting == Meeting::hit, truth.time.lo, false};
+  if (truth.status == Status::miss) return {};
+  return {truth.status == Status::hit, truth.time.lo, false};
 }
 
 /// A time at which the two are more than the envelope apart, not long after this is first so.

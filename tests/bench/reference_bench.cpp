@@ -96,7 +96,7 @@ void times_of_impact(benchmark::State& state, Change change) {
   std::vector<double> widths;
   for (const Scene& scene : scenes) {
     const reference::TimeOfImpactTruth truth = reference::time_of_impact(scene);
-    if (truth.meeting == TimeOfImpact::Meeting::hit) widths.push_back(truth.time.hi - truth.time.lo);
+    if (truth.status == TimeOfImpact::Status::hit) widths.push_back(truth.time.hi - truth.time.lo);
   }
   std::ranges::sort(widths);
   state.counters["hits"] = static_cast<double>(widths.size());

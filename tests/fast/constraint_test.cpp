@@ -124,7 +124,7 @@ TEST_CASE("constraint: pushes on the way are told, where they begin to act") {
   const Trajectory said = fast::constrained(scene, {.step = 1.0 / 256});
   REQUIRE(said.events->size() == 1);
   const Event& push = said.events->front();
-  CHECK(push.kind == Event::Kind::push);
+  CHECK(push.kind == Event::Kind::force);
   CHECK(push.time == 0.5);
   CHECK(push.after_a.velocity.v_WBcm.z() > 0);
   CHECK(push.after_a.velocity.v_WBcm.y() == 0);

@@ -563,7 +563,7 @@ TEST_CASE("a push changes the path from its time on, and what then meets is foun
   const std::vector<Event> hits = of_kind(done, Kind::impact);
   REQUIRE(hits.size() == 1);
   CHECK(std::abs(hits[0].time - 3.5) < 2e-14);
-  CHECK(done.statistics.of(Kind::push) == 2);
+  CHECK(done.statistics.of(Kind::force) == 2);
 }
 
 TEST_CASE("bad input is named") {

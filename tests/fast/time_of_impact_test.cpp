@@ -13,7 +13,7 @@
 namespace touchstone::fast {
 namespace {
 
-using Kind = TimeOfImpact::Meeting;
+using Status = TimeOfImpact::Status;
 using tests::RandomMotion;
 
 /// Two balls of radius 1/2 on the x axis at -2 and 2, moving towards each other at speed 1 unless a test changes that.
@@ -52,7 +52,7 @@ Scene cube_over_table(double height, double v) {
 }
 
 void check_holds(const TimeOfImpact& found, double truth, double width) {
-  REQUIRE(found.meeting == Kind::hit);
+  REQUIRE(found.status == Status::hit);
   CHECK(found.enclosure->lo <= truth);
   CHECK(found.enclosure->hi >= truth);
   CHECK(found.enclosure->hi - found.enclosure->lo <= width);
@@ -66,7 +66,7 @@ TEST_CASE("balls: head-on, from the side, missing, falling alike") {
   scene.bodies[0].X_WB.p_WB.y() = 0.6;  // contact at distance sqrt(1 − 0.36) = 0.8 along x, up to 0.6's rounding
   check_holds(time_of_impact_of(scene), 1.6, 1e-12);
   scene.bodies[0].X_WB.p_WB.y() = 1.25;
-  CHECK(time_of_impact_of(scene).meeting == Kind::miss);
+  CHECK(time_of_impact_of(scene).status == Status::miss);
 }
 
 TEST_CASE("a ball under gravity meets one that is fixed") {
@@ -92,7 +92,7 @@ TEST_CASE("contact at the start counts if the two approach there") {
   CHECK(at_once.enclosure->lo == 0);
   Scene scene = cube_over_table(0, -1);
   scene.motion->sample_times = {0.125};
-  CHECK(time_of_impact_of(scene).meeting == Kind::miss);
+  CHECK(time_of_impact_of(scene).status == Status::miss);
   scene.motion->sample_times = {2};
   const TimeOfImpact back = time_of_impact_of(scene);
   CHECK(back.enclosure->lo == Approx(1 / 4.9).epsilon(1e-12));
@@ -125,9 +125,9 @@ TEST_CASE("a pair meets when the reference says it does") {
     const TimeOfImpact found = time_of_impact_of(scene);
     const reference::TimeOfImpactTruth truth = reference::time_of_impact(scene);
     CAPTURE(i);
-    REQUIRE(found.meeting == truth.meeting);
-    if (found.meeting == Kind::miss) ++misses;
-    if (found.meeting != Kind::hit) continue;
+    REQUIRE(found.status == truth.status);
+    if (found.status == Status::miss) ++misses;
+    if (found.status != Status::hit) continue;
     ++hits;
     CAPTURE(found.enclosure->lo, found.enclosure->hi, truth.time.lo, truth.time.hi);
     REQUIRE(found.enclosure->lo <= truth.time.hi);
@@ -147,16 +147,16 @@ TEST_CASE("a split flight meets when the whole one does") {
     const FirstContact whole = time_of_impact(a, b, 0, 2);
     const double split = 2 * random.unit();
     FirstContact parts = time_of_impact(a, b, 0, split);
-    if (parts.meeting == Kind::miss) parts = time_of_impact(a, b, split, 2);
+    if (parts.status == Status::miss) parts = time_of_impact(a, b, split, 2);
     CAPTURE(i, split);
-    REQUIRE(whole.meeting == parts.meeting);
-    if (whole.meeting != Kind::hit) continue;
+    REQUIRE(whole.status == parts.status);
+    if (whole.status != Status::hit) continue;
     REQUIRE(whole.lo <= parts.hi);
     REQUIRE(parts.lo <= whole.hi);
   }
 }
 
-TEST_CASE("within an envelope, a meeting is a time at which the two are as near as that") {
+TEST_CASE("with an envelope, a hit is a time at which the two are within it") {
   RandomMotion random(7);
   for (int i = 0; i < 60; ++i) {
     Scene scene = random.pair(i % 4, (i / 4) % 4);
@@ -164,7 +164,7 @@ TEST_CASE("within an envelope, a meeting is a time at which the two are as near 
     const motion::BallisticMotion a(A, 0, scene.bodies[0].X_WB, scene.bodies[0].velocity, scene.gravity);
     const motion::BallisticMotion b(B, 0, scene.bodies[1].X_WB, scene.bodies[1].velocity, scene.gravity);
     const FirstContact met = time_of_impact(a, b, 0, 2, 1e-9);
-    if (met.meeting != Kind::hit) continue;
+    if (met.status != Status::hit) continue;
     REQUIRE(met.lo == met.hi);
     scene.bodies[0].X_WB = a.pose(met.lo);
     scene.bodies[1].X_WB = b.pose(met.lo);
@@ -211,12 +211,12 @@ TEST_CASE("swollen, the two are apart before they meet by more than the swelling
       REQUIRE(farther_by(early) > -1e-12);
       REQUIRE(farther_by(late) > -1e-12);
     }
-    if (met.meeting == Kind::miss) {
+    if (met.status == Status::miss) {
       ++misses;
       REQUIRE(met.lo == until);
       REQUIRE(farther_by(until) > -1e-12);
     }
-    if (met.meeting != Kind::hit) continue;
+    if (met.status != Status::hit) continue;
     ++hits;
     if (met.lo == from) ++at_once;
     REQUIRE(farther_by(met.hi) <= 1e-9 + 1e-12);
@@ -255,8 +255,8 @@ TEST_CASE("needles meet when the reference says they do") {
     const TimeOfImpact found = time_of_impact_of(scene);
     const reference::TimeOfImpactTruth truth = reference::time_of_impact(scene);
     CAPTURE(i, width);
-    REQUIRE(found.meeting == truth.meeting);
-    if (found.meeting != Kind::hit) continue;
+    REQUIRE(found.status == truth.status);
+    if (found.status != Status::hit) continue;
     ++hits;
     REQUIRE(found.enclosure->lo <= truth.time.hi);
     REQUIRE(found.enclosure->hi >= truth.time.lo);

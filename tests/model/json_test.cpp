@@ -86,14 +86,14 @@ TEST_CASE("answers survive text") {
   CHECK(through_text(pixels) == pixels);
   CHECK(through_text(Pixels{}) == Pixels{});
   CHECK(through_text(TimeOfImpact{}) == TimeOfImpact{});
-  const TimeOfImpact hit{TimeOfImpact::Meeting::hit, 0.1, Interval{0.1, 0.25}, 1e-310};
+  const TimeOfImpact hit{TimeOfImpact::Status::hit, 0.1, Interval{0.1, 0.25}, 1e-310};
   CHECK(through_text(hit) == hit);
   const State state{{Vec3(1, -0.0, 3), {1, 2, 3, 4}}, {Vec3(0.1, 0, 0), Vec3(0, 0, 1)}};
   const Event impact{Event::Kind::impact, 0.3, 0, 2, Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 5, 0), state, State{}};
-  Event push;
-  push.kind = Event::Kind::push;
-  push.after_a = state;
-  const Trajectory trajectory{{{state, State{}}, {State{}, state}}, std::vector{impact, push}, 0.75, "why"};
+  Event force;
+  force.kind = Event::Kind::force;
+  force.after_a = state;
+  const Trajectory trajectory{{{state, State{}}, {State{}, state}}, std::vector{impact, force}, 0.75, "why"};
   CHECK(through_text(trajectory) == trajectory);
   CHECK(through_text(Trajectory{}) == Trajectory{});
 }
@@ -123,6 +123,9 @@ TEST_CASE("what is not an answer is refused by place") {
   CHECK(complaint<Impulse>("{}") == "result: the key \"after\" is missing");
   CHECK(complaint<Impulse>(R"({"after": []})") == "result.after: expected 2 items, found 0");
   CHECK(complaint<Pixels>(R"({"sampled": [["012"]]})").starts_with("result"));
+  CHECK(complaint<TimeOfImpact>(R"({"meeting": "hit"})") == "result: the key \"meeting\" is \"status\" now");
+  CHECK(complaint<Trajectory>(R"({"states": [], "events": [{"kind": "push"}]})") ==
+        "result.events[0].kind: the kind \"push\" is \"force\" now");
   CHECK(complaint<PairSet>("[[0, 1.5]]") == "result[0][1]: expected an integer, found 1.5");
   CHECK(complaint<PairSet>("[[0, 4294967297]]") ==
         "result[0][1]: expected an integer from 0 to 2147483647, found 4294967297");

@@ -52,7 +52,7 @@ void legalise(Motion& motion, int bodies) {
   motion.envelope.reset();  // the body may be too small for any envelope
   if (bodies == 0) motion.forces.clear();
   motion.force_bound = std::numeric_limits<double>::max();
-  for (AppliedForce& push : motion.forces) push = {above_zero(push.time), push.body % bodies, push.force_W / 4};
+  for (AppliedForce& force : motion.forces) force = {above_zero(force.time), force.body % bodies, force.force_W / 4};
   std::ranges::sort(motion.forces, {}, &AppliedForce::time);
 }
 
@@ -66,8 +66,8 @@ Scene legal_scene(std::uint64_t seed) {
   if (scene.raster) legalise(*scene.raster);
   if (scene.motion) {
     legalise(*scene.motion, static_cast<int>(scene.bodies.size()));
-    for (const AppliedForce& push : scene.motion->forces)
-      scene.bodies[static_cast<std::size_t>(push.body)].mass = Density{};
+    for (const AppliedForce& force : scene.motion->forces)
+      scene.bodies[static_cast<std::size_t>(force.body)].mass = Density{};
   }
   for (Body& body : scene.bodies) {
     std::visit([](auto& shape) { legalise(shape); }, body.shape);

@@ -8,7 +8,7 @@
 namespace touchstone::oracle {
 namespace {
 
-using Meeting = TimeOfImpact::Meeting;
+using Status = TimeOfImpact::Status;
 
 Body body(Shape shape, const Vec3& p_WB, const Velocity& velocity = {}) {
   Body made;
@@ -36,7 +36,7 @@ void expect(const Scene& scene, std::optional<double> time, const std::string& p
     REQUIRE(std::holds_alternative<TimeOfImpact>(answer));
     const auto& said = std::get<TimeOfImpact>(answer);
     ++answered;
-    CHECK(said.meeting == (time ? Meeting::hit : Meeting::miss));
+    CHECK(said.status == (time ? Status::hit : Status::miss));
     if (time) CHECK(std::abs(said.time.value() - *time) < 1e-3);
   }
   CHECK(answered > 0);

@@ -251,8 +251,8 @@ TEST_CASE("a flight comes down to the bodies, times and pushes that matter") {
   motion.forces = {{0.1, 1, {1, 2, 3}}, {0.2, 3, {1.5, 0, 0}}, {0.3, 2, {0, 1, 0}}};
   const auto pushed = [](const Scene& s) {
     return s.motion && s.motion->sample_times.back() > 1.5 &&
-           std::ranges::any_of(s.motion->forces, [&](const AppliedForce& push) {
-             return push.force_W.x() > 1.2 && s.bodies[static_cast<std::size_t>(push.body)].velocity.v_WBcm.x() != 0;
+           std::ranges::any_of(s.motion->forces, [&](const AppliedForce& force) {
+             return force.force_W.x() > 1.2 && s.bodies[static_cast<std::size_t>(force.body)].velocity.v_WBcm.x() != 0;
            });
   };
   const Scene smallest = minimised(scene, pushed);

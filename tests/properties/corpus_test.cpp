@@ -67,7 +67,7 @@ TEST_CASE("Meetings of the corpus by hand") {
     return oracle::truth::time_of_impact(scene_of("time_of_impact/" + name));
   };
   for (const char* name : {"corner_into_an_edge", "corner_slides_along_a_face_inwards", "hinged_faces_fold"}) {
-    CHECK(met(name).meeting == TimeOfImpact::Meeting::hit);
+    CHECK(met(name).status == TimeOfImpact::Status::hit);
     CHECK(met(name).at_start);
   }
   const Interval back = met("crossed_edges_part_and_come_back").time;

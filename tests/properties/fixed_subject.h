@@ -19,7 +19,7 @@ struct FixedSubject : oracle::Subject {
   Answer<Penetration> said_penetration = Abstains{"not set"};
   Answer<Pixels> said_pixels = Abstains{"not set"};
   Answer<Impulse> said_impulse = Abstains{"not set"};
-  Answer<TimeOfImpact> said_meeting = Abstains{"not set"};
+  Answer<TimeOfImpact> said_time_of_impact = Abstains{"not set"};
   Answer<Trajectory> said_simulation = Abstains{"not set"};
   Answer<Trajectory> said_constraint = Abstains{"not set"};
 
@@ -32,7 +32,7 @@ struct FixedSubject : oracle::Subject {
   Answer<Penetration> penetration(const Scene&) override { return said_penetration; }
   Answer<Pixels> pixel(const Scene&) override { return said_pixels; }
   Answer<Impulse> impulse(const Scene&) override { return said_impulse; }
-  Answer<TimeOfImpact> time_of_impact(const Scene&) override { return said_meeting; }
+  Answer<TimeOfImpact> time_of_impact(const Scene&) override { return said_time_of_impact; }
   Answer<Trajectory> simulation(const Scene&) override { return said_simulation; }
   Answer<Trajectory> constraint(const Scene&) override { return said_constraint; }
 };

@@ -62,14 +62,14 @@ TEST_CASE("simulation: the trajectory on paper holds") {
   }
 }
 
-TEST_CASE("simulation: one subject's two answers of one meeting are held against each other") {
-  const auto both = [](TimeOfImpact::Meeting meeting, std::optional<double> time, const Trajectory& run) {
+TEST_CASE("simulation: one subject's answers for the time of impact and the first impact are compared") {
+  const auto both = [](TimeOfImpact::Status status, std::optional<double> time, const Trajectory& run) {
     tests::FixedSubject subject;
     subject.said_simulation = run;
-    subject.said_meeting = TimeOfImpact{meeting, time, {}, {}};
+    subject.said_time_of_impact = TimeOfImpact{status, time, {}, {}};
     return properties::find("simulation.one_meeting").check(wall(), subject);
   };
-  using Meeting = TimeOfImpact::Meeting;
+  using Status = TimeOfImpact::Status;
   Trajectory without = turned_back(), unsaid = turned_back(), late = turned_back(), ended = turned_back();
   without.events->clear();
   unsaid.events.reset();
@@ -77,16 +77,16 @@ TEST_CASE("simulation: one subject's two answers of one meeting are held against
   ended.events->clear();
   ended.states.resize(1);
   ended.complete_until = 0.75;
-  CHECK(both(Meeting::hit, 0.875, turned_back()).outcome == Outcome::holds);
-  CHECK(both(Meeting::hit, 0.875 + 1e-15, turned_back()).outcome == Outcome::holds);
-  CHECK(both(Meeting::hit, 0.875, late).defect == Defect::inconsistent);
-  CHECK(both(Meeting::hit, 0.875, without).defect == Defect::missed);
-  CHECK(both(Meeting::hit, 0.875, ended).outcome == Outcome::abstains);
-  CHECK(both(Meeting::hit, 0.875, unsaid).outcome == Outcome::abstains);
-  CHECK(both(Meeting::hit, std::nullopt, turned_back()).outcome == Outcome::abstains);
-  CHECK(both(Meeting::undecided, std::nullopt, turned_back()).outcome == Outcome::abstains);
-  CHECK(both(Meeting::miss, std::nullopt, without).outcome == Outcome::holds);
-  CHECK(both(Meeting::miss, std::nullopt, turned_back()).outcome == Outcome::outside);
+  CHECK(both(Status::hit, 0.875, turned_back()).outcome == Outcome::holds);
+  CHECK(both(Status::hit, 0.875 + 1e-15, turned_back()).outcome == Outcome::holds);
+  CHECK(both(Status::hit, 0.875, late).defect == Defect::inconsistent);
+  CHECK(both(Status::hit, 0.875, without).defect == Defect::missed);
+  CHECK(both(Status::hit, 0.875, ended).outcome == Outcome::abstains);
+  CHECK(both(Status::hit, 0.875, unsaid).outcome == Outcome::abstains);
+  CHECK(both(Status::hit, std::nullopt, turned_back()).outcome == Outcome::abstains);
+  CHECK(both(Status::undecided, std::nullopt, turned_back()).outcome == Outcome::abstains);
+  CHECK(both(Status::miss, std::nullopt, without).outcome == Outcome::holds);
+  CHECK(both(Status::miss, std::nullopt, turned_back()).outcome == Outcome::outside);
 }
 
 TEST_CASE("simulation: without events, states are judged alone") {

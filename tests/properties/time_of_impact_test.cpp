@@ -9,21 +9,21 @@
 using namespace touchstone;
 using oracle::Defect;
 using oracle::Outcome;
-using Meeting = TimeOfImpact::Meeting;
+using Status = TimeOfImpact::Status;
 
 namespace {
 
 // 7 m high, thrown upward at 2 m/s, g = 8 m/s².
 const double falls = (2 + std::sqrt(116.0)) / 8;
 
-TimeOfImpact hit(double time) { return {Meeting::hit, time, {}, {}}; }
-TimeOfImpact within(double lo, double hi) { return {Meeting::hit, (lo + hi) / 2, Interval{lo, hi}, {}}; }
-TimeOfImpact undecided(double lo, double hi, double gap) { return {Meeting::undecided, {}, Interval{lo, hi}, gap}; }
-const TimeOfImpact miss{Meeting::miss, {}, {}, {}};
+TimeOfImpact hit(double time) { return {Status::hit, time, {}, {}}; }
+TimeOfImpact within(double lo, double hi) { return {Status::hit, (lo + hi) / 2, Interval{lo, hi}, {}}; }
+TimeOfImpact undecided(double lo, double hi, double gap) { return {Status::undecided, {}, Interval{lo, hi}, gap}; }
+const TimeOfImpact miss{Status::miss, {}, {}, {}};
 
 oracle::Finding judged(const std::string& property, const std::string& scene, const TimeOfImpact& said) {
   tests::FixedSubject subject;
-  subject.said_meeting = said;
+  subject.said_time_of_impact = said;
   return properties::find("time_of_impact." + property).check(tests::scene(scene), subject);
 }
 
@@ -38,7 +38,7 @@ TEST_CASE("time_of_impact: a time is right to rounding, and no more") {
   CHECK(judged("agrees", ball, hit(falls - 1e-9)).defect == Defect::too_early);
   CHECK(judged("agrees", ball, miss).defect == Defect::missed);
   CHECK(judged("agrees", ball, hit(5)).defect == Defect::inconsistent);
-  CHECK(judged("agrees", ball, {Meeting::hit, {}, {}, {}}).outcome == Outcome::abstains);
+  CHECK(judged("agrees", ball, {Status::hit, {}, {}, {}}).outcome == Outcome::abstains);
   CHECK(judged("agrees", passing, miss).outcome == Outcome::holds);
   CHECK(judged("agrees", passing, hit(2)).defect == Defect::phantom);
 }
@@ -60,7 +60,7 @@ TEST_CASE("time_of_impact: an enclosure is never late, holds, and is narrow") {
   CHECK(judged("enclosure", ball, within(1, 2)).outcome == Outcome::holds);
   CHECK(judged("enclosure", ball, within(falls + 1e-12, 2)).defect == Defect::too_late);
   CHECK(judged("enclosure", ball, within(1, falls - 1e-12)).defect == Defect::broken_enclosure);
-  CHECK(judged("enclosure", ball, {Meeting::miss, {}, Interval{1, 1}, {}}).defect == Defect::missed);
+  CHECK(judged("enclosure", ball, {Status::miss, {}, Interval{1, 1}, {}}).defect == Defect::missed);
   CHECK(judged("enclosure", ball, undecided(1, 2, 1)).outcome == Outcome::holds);
   CHECK(judged("enclosure", passing, undecided(1, 2, 0.125)).defect == Defect::broken_enclosure);
   CHECK(judged("enclosure", ball, hit(falls)).outcome == Outcome::abstains);
@@ -68,7 +68,7 @@ TEST_CASE("time_of_impact: an enclosure is never late, holds, and is narrow") {
   CHECK(judged("tight", ball, within(falls - 1e-9, falls)).defect == Defect::loose_enclosure);
 }
 
-TEST_CASE("time_of_impact: touching and parting is no meeting, touching and approaching is") {
+TEST_CASE("time_of_impact: touching and separating is no hit, touching and approaching is") {
   CHECK(judged("start", parting, miss).outcome == Outcome::holds);
   CHECK(judged("start", parting, hit(0)).defect == Defect::phantom);
   CHECK(judged("start", "cubes that touch and approach", hit(0)).outcome == Outcome::holds);
@@ -80,7 +80,7 @@ TEST_CASE("time_of_impact: touching and parting is no meeting, touching and appr
 TEST_CASE("time_of_impact: a scene without a flight, or with overlap at the start, is outside") {
   Scene scene = tests::scene(ball);
   tests::FixedSubject subject;
-  subject.said_meeting = hit(0);
+  subject.said_time_of_impact = hit(0);
   scene.bodies[0].X_WB.p_WB.z() = 0.5;
   CHECK(properties::find("time_of_impact.agrees").check(scene, subject).outcome == Outcome::outside);
   scene.motion.reset();

@@ -143,7 +143,7 @@ TEST_CASE("A push is an event of its own") {
   scene.motion->forces = {{0, 0, Vec3(0, 0, 4)}, {1, 0, Vec3::Zero()}};
   const Trajectory said = simulation(scene);
   REQUIRE(said.events->size() == 1);
-  CHECK((*said.events)[0].kind == Event::Kind::push);
+  CHECK((*said.events)[0].kind == Event::Kind::force);
   CHECK(said.states[0][0].X_WB.p_WB == Vec3(1, 0, 1));
   CHECK(said.states[1][0].X_WB.p_WB == Vec3(2, 0, 3));
 }

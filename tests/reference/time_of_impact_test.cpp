@@ -16,7 +16,7 @@
 namespace touchstone::tests {
 namespace {
 
-using Meeting = TimeOfImpact::Meeting;
+using Status = TimeOfImpact::Status;
 using reference::Rational;
 using reference::time_of_distance;
 using reference::time_of_impact;
@@ -59,8 +59,8 @@ TEST_CASE("Balls meet when their quadratic says so, exactly") {
     const Scene scene = two_balls(dice, offset);
     const TimeOfImpactTruth truth = time_of_impact(scene);
     CAPTURE(i, offset, truth.time.lo, truth.time.hi);
-    REQUIRE(truth.meeting != Meeting::undecided);
-    if (truth.meeting == Meeting::hit) {
+    REQUIRE(truth.status != Status::undecided);
+    if (truth.status == Status::hit) {
       CHECK(excess(scene, truth.time.lo) >= 0);
       CHECK(excess(scene, truth.time.hi) <= 0);
       CHECK(truth.time.hi - truth.time.lo < 1e-13);
@@ -79,15 +79,15 @@ TEST_CASE("Balls that graze are told apart to the last bit of their offset") {
                          ball(0.5, Vec3::Zero(), Vec3::Zero()));
       const TimeOfImpactTruth truth = time_of_impact(moving_scene(scene, 8));
       CAPTURE(k, side);
-      CHECK(truth.meeting == (side < 0 ? Meeting::hit : Meeting::miss));
-      if (truth.meeting != Meeting::hit) continue;
+      CHECK(truth.status == (side < 0 ? Status::hit : Status::miss));
+      if (truth.status != Status::hit) continue;
       CHECK(excess(scene, truth.time.lo) >= 0);
       CHECK(excess(scene, truth.time.hi) <= 0);
     }
   }
   const Scene touching = pair(ball(1, Vec3(-4, 1.5, 0), Vec3(1, 0, 0)), ball(0.5, Vec3::Zero(), Vec3::Zero()));
   const TimeOfImpactTruth truth = time_of_impact(moving_scene(touching, 8));
-  CHECK(truth.meeting == Meeting::undecided);
+  CHECK(truth.status == Status::undecided);
   CHECK(truth.time.lo < 4);
   CHECK(truth.time.lo > 4 - 1e-9);
   CHECK(truth.gap < 1e-18);
@@ -99,7 +99,7 @@ void hold_to_fine_poses(const Scene& scene, const TimeOfImpactTruth& truth) {
   const FineMotion A(scene, 0), B(scene, 1);
   CAPTURE(truth.time.lo, truth.time.hi);
   CHECK(greatest_gap(A, B, truth.time.lo) > 0);
-  if (truth.meeting == Meeting::hit) CHECK(greatest_gap(A, B, truth.time.hi) <= 0);
+  if (truth.status == Status::hit) CHECK(greatest_gap(A, B, truth.time.hi) <= 0);
   for (const double part : {0.5, 0.9, 0.99, 1 - 0x1p-10, 1 - 0x1p-20, 1 - 0x1p-40}) {
     CHECK(greatest_gap(A, B, truth.time.lo * part) > 0);
   }
@@ -112,9 +112,9 @@ TEST_CASE("Hulls in flight are apart before lo and share points at hi, by poses 
     const Scene scene = ballistic_pair(dice, i % 2 == 0 ? 6 : 10, i % 4 < 2 ? 5 : 40);
     const TimeOfImpactTruth truth = time_of_impact(scene);
     CAPTURE(i);
-    REQUIRE(truth.meeting != Meeting::undecided);
+    REQUIRE(truth.status != Status::undecided);
     hold_to_fine_poses(scene, truth);
-    if (truth.meeting == Meeting::hit) widths.push_back(truth.time.hi - truth.time.lo);
+    if (truth.status == Status::hit) widths.push_back(truth.time.hi - truth.time.lo);
   }
   REQUIRE(widths.size() > 30);
   std::ranges::sort(widths);
@@ -127,7 +127,7 @@ TEST_CASE("Hulls that graze, by bisection of their offset") {
   int undecided = 0;
   for (int i = 0; i < 8; ++i) {
     const Scene hits = ballistic_pair(dice, 6, 2);
-    if (time_of_impact(hits).meeting != Meeting::hit) continue;
+    if (time_of_impact(hits).status != Status::hit) continue;
     const Vec3 side = hits.bodies[1].X_WB.p_WB.cross(dice.in_cube()).normalized();
     double in = 0, out = 4;
     for (int k = 0; k < 40; ++k) {
@@ -137,8 +137,8 @@ TEST_CASE("Hulls that graze, by bisection of their offset") {
       const TimeOfImpactTruth truth = time_of_impact(scene);
       CAPTURE(i, k, offset);
       if (k % 6 == 5) hold_to_fine_poses(scene, truth);
-      undecided += truth.meeting == Meeting::undecided;
-      (truth.meeting == Meeting::miss ? out : in) = offset;
+      undecided += truth.status == Status::undecided;
+      (truth.status == Status::miss ? out : in) = offset;
     }
   }
   CHECK(undecided == 0);
@@ -172,7 +172,7 @@ TEST_CASE("Conservative advancement comes to the same time") {
     const TimeOfImpactTruth truth = time_of_impact(scene);
     const double t = conservative_advancement(scene, 1e-9);
     CAPTURE(i, t);
-    if (truth.meeting == Meeting::miss) {
+    if (truth.status == Status::miss) {
       CHECK(t >= 2);
     } else {
       CHECK(t <= truth.time.hi + 1e-13);
@@ -191,12 +191,12 @@ Scene touching_boxes(const Velocity& of_A) {
 
 TEST_CASE("Contact at the start counts if the two approach there") {
   CHECK(time_of_impact(touching_boxes({Vec3(1, 0, 0), Vec3::Zero()})).at_start);
-  CHECK(time_of_impact(touching_boxes({Vec3(1, 0, 0), Vec3::Zero()})).meeting == Meeting::hit);
+  CHECK(time_of_impact(touching_boxes({Vec3(1, 0, 0), Vec3::Zero()})).status == Status::hit);
   CHECK(time_of_impact(touching_boxes({Vec3(1, 0, 0), Vec3::Zero()})).nhat_BA_W == Vec3(-1, 0, 0));
-  CHECK(time_of_impact(touching_boxes({Vec3(-1, 0, 0), Vec3::Zero()})).meeting == Meeting::miss);
+  CHECK(time_of_impact(touching_boxes({Vec3(-1, 0, 0), Vec3::Zero()})).status == Status::miss);
   SECTION("a turn that drives one edge of the contact in") {
     const TimeOfImpactTruth truth = time_of_impact(touching_boxes({Vec3::Zero(), Vec3(0, 0, 1)}));
-    CHECK(truth.meeting == Meeting::hit);
+    CHECK(truth.status == Status::hit);
     CHECK(truth.at_start);
   }
   SECTION("a turn that the parting outruns, until it comes back") {
@@ -205,7 +205,7 @@ TEST_CASE("Contact at the start counts if the two approach there") {
   }
   SECTION("sliding is neither") {
     const TimeOfImpactTruth truth = time_of_impact(touching_boxes({Vec3(0, 1, 0), Vec3::Zero()}));
-    CHECK(truth.meeting == Meeting::undecided);
+    CHECK(truth.status == Status::undecided);
     CHECK(truth.at_start);
     CHECK(truth.gap == 0);
   }
@@ -215,10 +215,10 @@ TEST_CASE("Contact at the start counts if the two approach there") {
       scene.bodies[0].velocity = {Vec3(-1, 0, 0), Vec3(1, 0.25, -0.125)};
       scene.bodies[1].velocity = {Vec3(0, 0.5, 0), Vec3(0.25, 0, 0.5)};
       scene = moving_scene(scene, 0.25);
-      CHECK(time_of_impact(scene).meeting == Meeting::miss);
+      CHECK(time_of_impact(scene).status == Status::miss);
       std::swap(scene.bodies[0].velocity, scene.bodies[1].velocity);
       const TimeOfImpactTruth meets = time_of_impact(scene);
-      CHECK(meets.meeting == Meeting::hit);
+      CHECK(meets.status == Status::hit);
       CHECK(meets.at_start);
     }
   }
@@ -229,7 +229,7 @@ TEST_CASE("Balls that touch and part come back") {
   scene.bodies[1].mass = Fixed{};
   scene.gravity = Vec3(0, 0, -2);
   const TimeOfImpactTruth truth = time_of_impact(moving_scene(scene, 4));
-  CHECK(truth.meeting == Meeting::hit);
+  CHECK(truth.status == Status::hit);
   CHECK(truth.time.lo <= 1);
   CHECK(truth.time.hi >= 1);
   CHECK(truth.time.hi - truth.time.lo < 1e-14);
@@ -254,7 +254,7 @@ TEST_CASE("Any unit of length") {
   Dice dice(7);
   const Scene scene = ballistic_pair(dice, 8);
   const TimeOfImpactTruth metres = time_of_impact(scene);
-  REQUIRE(metres.meeting == Meeting::hit);
+  REQUIRE(metres.status == Status::hit);
   for (const int k : {-400, -100, 100, 400}) {
     Scene scaled = scene;
     scaled.gravity *= std::ldexp(1, k);
@@ -265,7 +265,7 @@ TEST_CASE("Any unit of length") {
     }
     const TimeOfImpactTruth units = time_of_impact(scaled);
     CAPTURE(k);
-    CHECK(units.meeting == Meeting::hit);
+    CHECK(units.status == Status::hit);
     CHECK(std::max(units.time.lo, metres.time.lo) <= std::min(units.time.hi, metres.time.hi));
     CHECK(units.time.hi - units.time.lo < 1e-13);
   }
@@ -295,7 +295,7 @@ TEST_CASE("Each body flies from its own start") {
   scene.motion->start_times = {2, 0};
   const TimeOfImpactTruth later = time_of_impact(scene);
   for (const TimeOfImpactTruth& truth : {whole, later}) {
-    CHECK(truth.meeting == Meeting::hit);
+    CHECK(truth.status == Status::hit);
     CHECK(truth.time.lo <= 14 / 3.0);
     CHECK(truth.time.hi >= 14 / 3.0 - 1e-15);
     CHECK(truth.time.hi - truth.time.lo < 1e-14);

@@ -10,7 +10,7 @@
 namespace touchstone::oracle::subjects {
 namespace {
 
-using Meeting = TimeOfImpact::Meeting;
+using Status = TimeOfImpact::Status;
 
 Lies meetings(Lie<TimeOfImpact> lie) {
   Lies lies;
@@ -80,37 +80,37 @@ void since_forgotten(Scene& scene) { scene.motion->start_times.clear(); }
 // Samples 32 steps of the motion and detects only overlap.
 void steps(Subject& truthful, const Scene& scene, TimeOfImpact& said) {
   const double start = start_of(scene), step = (scene.motion->sample_times.back() - start) / 32;
-  said = {Meeting::miss, {}, {}, {}};
+  said = {Status::miss, {}, {}, {}};
   for (int i = 0; i <= 32; ++i) {
     bool overlapping = false;
     with(truthful.distance(pair_at(scene, start + i * step)),
          [&](const Distance& d) { overlapping = d.verdict == Verdict::overlapping; });
     if (!overlapping) continue;
-    said = {Meeting::hit, start + i * step, Interval{start + i * step, start + i * step}, {}};
+    said = {Status::hit, start + i * step, Interval{start + i * step, start + i * step}, {}};
     return;
   }
 }
 
 void touching_at_start_counts(Subject& truthful, const Scene& scene, TimeOfImpact& said) {
   if (distance_by(truthful, pair_at(scene, start_of(scene))) > 0) return;
-  said = {Meeting::hit, start_of(scene), Interval{start_of(scene), start_of(scene)}, {}};
+  said = {Status::hit, start_of(scene), Interval{start_of(scene), start_of(scene)}, {}};
 }
 
 void touching_at_start_ignored(Subject&, const Scene& scene, TimeOfImpact& said) {
-  if (said.time && *said.time <= start_of(scene)) said = {Meeting::miss, {}, {}, {}};
+  if (said.time && *said.time <= start_of(scene)) said = {Status::miss, {}, {}, {}};
 }
 
 // Reports a hit for every pair that approaches.
 void ahead_is_hit(Subject& truthful, const Scene& scene, TimeOfImpact& said) {
-  if (said.meeting != Meeting::miss) return;
+  if (said.status != Status::miss) return;
   const double start = start_of(scene), end = scene.motion->sample_times.back();
   const double first = distance_by(truthful, pair_at(scene, start));
   const double soon = distance_by(truthful, pair_at(scene, start + (end - start) / 64));
-  if (soon < first) said = {Meeting::hit, (start + end) / 2, Interval{start, end}, {}};
+  if (soon < first) said = {Status::hit, (start + end) / 2, Interval{start, end}, {}};
 }
 
 void shrugs(Subject&, const Scene& scene, TimeOfImpact& said) {
-  said = {Meeting::undecided, {}, Interval{start_of(scene), scene.motion->sample_times.back()}, 1e6};
+  said = {Status::undecided, {}, Interval{start_of(scene), scene.motion->sample_times.back()}, 1e6};
 }
 
 void wide(Subject&, const Scene& scene, TimeOfImpact& said) {

@@ -66,12 +66,12 @@ Answer<TimeOfImpact> cast_along(const Scene& scene, bool may_turn, const Cast& c
   const double ways = std::max(1.0, std::ceil(2 * rate * end)), length = end / ways;
   if (ways > 100'000) return Abstains{"turns too often"};
   TimeOfImpact said;
-  said.meeting = TimeOfImpact::Meeting::miss;
+  said.status = TimeOfImpact::Status::miss;
   for (double i = 0; i < ways; ++i) {
     const double from = i * length, to = (i + 1) * length;
     const auto part = cast({pose_at(A, from), pose_at(A, to), pose_at(B, from), pose_at(B, to)});
     if (!part) continue;
-    said.meeting = TimeOfImpact::Meeting::hit;
+    said.status = TimeOfImpact::Status::hit;
     said.time = from + *part * length;
     break;
   }

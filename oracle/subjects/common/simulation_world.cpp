@@ -37,7 +37,7 @@ bool is_weighed(const Body& body) {
 /// All sample times and times of applied forces, sorted, each once.
 std::vector<double> instants(const Motion& motion) {
   std::vector<double> all = motion.sample_times;
-  for (const AppliedForce& push : motion.forces) all.push_back(push.time);
+  for (const AppliedForce& force : motion.forces) all.push_back(force.time);
   std::sort(all.begin(), all.end());
   all.erase(std::unique(all.begin(), all.end()), all.end());
   return all;
@@ -59,7 +59,7 @@ Trajectory follow(const Scene& scene, double dt, SimulationWorld& world) {
   const Motion& motion = *scene.motion;
   std::vector<Vec3> forces(scene.bodies.size(), Vec3::Zero());
   Trajectory said;
-  auto push = motion.forces.begin();
+  auto force = motion.forces.begin();
   double now = 0;
   for (const double next : instants(motion)) {
     const double steps = std::ceil((next - now) / dt), step = (next - now) / steps;
@@ -71,8 +71,8 @@ Trajectory follow(const Scene& scene, double dt, SimulationWorld& world) {
         said.states.back().push_back(world.state(static_cast<int>(body)));
       }
     }
-    for (; push != motion.forces.end() && push->time == now; ++push) {
-      forces[static_cast<std::size_t>(push->body)] = push->force_W;
+    for (; force != motion.forces.end() && force->time == now; ++force) {
+      forces[static_cast<std::size_t>(force->body)] = force->force_W;
     }
   }
   return said;

@@ -185,10 +185,10 @@ class Reference : public Subject {
   Answer<TimeOfImpact> time_of_impact(const Scene& scene) override {
     const reference::TimeOfImpactTruth truth = reference::time_of_impact(scene);
     TimeOfImpact said;
-    said.meeting = truth.meeting;
-    if (truth.meeting == TimeOfImpact::Meeting::hit) said.time = middle(truth.time);
-    if (truth.meeting != TimeOfImpact::Meeting::miss) said.enclosure = truth.time;
-    if (truth.meeting == TimeOfImpact::Meeting::undecided) said.gap = truth.gap;
+    said.status = truth.status;
+    if (truth.status == TimeOfImpact::Status::hit) said.time = middle(truth.time);
+    if (truth.status != TimeOfImpact::Status::miss) said.enclosure = truth.time;
+    if (truth.status == TimeOfImpact::Status::undecided) said.gap = truth.gap;
     return said;
   }
 

@@ -102,10 +102,10 @@ class Ask(Test):
             return json.loads(self.succeeds("ask", "time_of_impact", "scene.json", "--json"))
 
         hit = said(2)
-        self.assertEqual(hit["meeting"], "hit")
+        self.assertEqual(hit["status"], "hit")
         self.assertTrue(hit["apart_before"] <= 1 <= hit["met_by"] <= hit["apart_before"] + 1e-14, hit)
         self.words("time_of_impact")
-        self.assertEqual(said(0.5), {"meeting": "miss", "apart_before": 3})
+        self.assertEqual(said(0.5), {"status": "miss", "apart_before": 3})
 
 
     def test_of_many_bodies_the_pair_is_named(self):

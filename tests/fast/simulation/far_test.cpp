@@ -27,7 +27,7 @@ Scene apart(Body first, Body second, const Vec3& way, const Vec3& beside, const 
 void check_reported(const Scene& scene) {
   const MotionCase truth(scene, oracle::Precision::binary64);
   const auto near = oracle::truth::time_of_distance(scene, envelope(scene) + truth.slack);
-  REQUIRE(truth.truth.meeting == TimeOfImpact::Meeting::hit);
+  REQUIRE(truth.truth.status == TimeOfImpact::Status::hit);
   const Simulated done = simulate(scene);
   const std::vector<Event> impacts = of_kind(done, Kind::impact);
   if (done.stopped) {
