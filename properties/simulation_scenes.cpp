@@ -107,8 +107,8 @@ Finding first_impact_unchanged(const Scene& scene, const std::optional<Scene>& o
     return of_moved(other, subject, [&](const Scene& moved) {
       return judge::given(subject.simulation(moved), [&](const Trajectory& said) {
         const Event* event = first_event(said);
-        if (event == nullptr && complete_until(moved, said) < moved.motion->sample_times.back()) {
-          return judge::silent("its events to the end");
+        if (event == nullptr && complete_until(moved, said) < first->time + 2 * first->window) {
+          return judge::silent("its events until the first impact");
         }
         if (event == nullptr)
           return judge::wrong(Defect::moved_with_frame, "no impact", text(*first_event(asked.said)));

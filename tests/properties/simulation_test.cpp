@@ -154,6 +154,23 @@ TEST_CASE("simulation: impacts in lockstep are counted, and both ends of the env
   CHECK(judged("lockstep", said).error == 0);
 }
 
+TEST_CASE("simulation: a run of the moved scene may stop before the first impact, but not lose it and stop later") {
+  struct Mover : tests::FixedSubject {
+    Trajectory elsewhere;  ///< the answer for every other scene
+    Answer<Trajectory> simulation(const Scene& scene) override { return scene == wall() ? said_simulation : elsewhere; }
+  };
+  const auto translated = [](double complete_until) {
+    Mover subject;
+    subject.said_simulation = turned_back();
+    subject.elsewhere.states = {turned_back().states.front()};
+    subject.elsewhere.events.emplace();
+    subject.elsewhere.complete_until = complete_until;
+    return properties::find("simulation.translated").check(wall(), subject);
+  };
+  CHECK(translated(0.75).outcome == Outcome::abstains);
+  CHECK(translated(1.25).defect == Defect::moved_with_frame);
+}
+
 TEST_CASE("simulation: of bodies that overlap at the start nothing but form, survival and repetition is asked") {
   tests::FixedSubject subject;
   subject.said_simulation = turned_back();
