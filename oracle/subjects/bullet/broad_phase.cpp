@@ -95,11 +95,13 @@ void refuse_beyond_world(const Scene& scene) {
     return inside(vec3(lo)) && inside(vec3(hi));
   };
   for (const Body& body : scene.bodies) {
-    if (!is_sequence(scene) && !fits(body, body.X_WB)) throw Declined("beyond the world that the sweep was given");
+    if (!is_sequence(scene) && !fits(body, body.X_WB))
+      throw Declined("a body is outside the world bounds that the axis sweep was created with");
   }
   for (const Places& frame : places(scene)) {
     for (std::size_t i = 0; i < frame.size(); ++i) {
-      if (frame[i] && !fits(scene.bodies[i], *frame[i])) throw Declined("beyond the world that the sweep was given");
+      if (frame[i] && !fits(scene.bodies[i], *frame[i]))
+        throw Declined("a body is outside the world bounds that the axis sweep was created with");
     }
   }
 }

@@ -77,7 +77,7 @@ class Bullet : public Subject {
       said.push_back(given ? std::optional(*given) : std::nullopt);
       if (!density) continue;
       said.back() = std::visit(MassOf{density->value}, body.shape);
-      if (!said.back()) return Abstains{"Bullet is told a hull's mass and centre; it computes neither"};
+      if (!said.back()) return Abstains{"Bullet does not compute the mass or the centre of mass of a hull"};
     }
     return said;
   }

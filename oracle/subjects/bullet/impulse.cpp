@@ -77,10 +77,11 @@ class BulletImpulse : public Subject {
 
   Answer<Impulse> impulse(const Scene& scene) override {
     if (const auto declined = no_such_impact(scene)) return *declined;
-    if (std::isinf(scene.contact->friction)) return Abstains{"friction is a number"};
+    if (std::isinf(scene.contact->friction)) return Abstains{"infinite friction is not offered"};
     for (const Body& body : scene.bodies) {
       const auto* given = std::get_if<MassProperties>(&body.mass);
-      if (given != nullptr && !is_diagonal(given->I_BBcm_B)) return Abstains{"takes inertia in principal axes"};
+      if (given != nullptr && !is_diagonal(given->I_BBcm_B))
+        return Abstains{"only a diagonal inertia tensor is offered"};
     }
     const RigidBody A(scene.bodies[0]), B(scene.bodies[1]);
     btContactSolverInfo info;

@@ -201,7 +201,7 @@ class BulletSimulation : public Subject {
   Answer<Trajectory> simulation(const Scene& scene) override {
     if (const auto declined = no_such_motion(scene)) return *declined;
     for (const Body& body : scene.bodies) {
-      if (std::isinf(body.material.friction)) return Abstains{"friction is a number"};
+      if (std::isinf(body.material.friction)) return Abstains{"infinite friction is not offered"};
     }
     World world(scene, tuned_);
     return follow(scene, dt_, world);

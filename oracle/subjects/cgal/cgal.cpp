@@ -24,7 +24,7 @@ Aabb tightest(Body body, const Pose& X_WB) {
     box.lo[i] = exact.lo[static_cast<std::size_t>(i)].enclosure().lo;
     box.hi[i] = exact.hi[static_cast<std::size_t>(i)].enclosure().hi;
   }
-  if (!box.lo.allFinite() || !box.hi.allFinite()) throw Declined("the box is beyond the range of doubles");
+  if (!box.lo.allFinite() || !box.hi.allFinite()) throw Declined("a box is beyond the range of doubles");
   return box;
 }
 

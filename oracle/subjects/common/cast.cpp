@@ -31,17 +31,18 @@ bool turns_evenly(const Body& body) {
 }
 
 std::optional<Abstains> no_such_cast(const Scene& scene, bool may_turn) {
-  if (!scene.motion || scene.bodies.size() != 2) return Abstains{"no motion of two bodies"};
+  if (!scene.motion || scene.bodies.size() != 2) return Abstains{"not two bodies with a motion"};
   if (has_compound(scene)) return no_compounds;
   const Motion& motion = *scene.motion;
   if (std::ranges::any_of(motion.start_times, [](double time) { return time != 0; }))
-    return Abstains{"all bodies start at 0"};
-  if (!motion.forces.empty()) return Abstains{"casts along straight lines"};
+    return Abstains{"start times other than 0 are not offered"};
+  if (!motion.forces.empty()) return Abstains{"only casts along straight lines are offered"};
   const bool together = is_fixed(scene.bodies[0]) == is_fixed(scene.bodies[1]);  // gravity on both: no relative one
-  if (!together && !scene.gravity.isZero(0)) return Abstains{"casts along straight lines"};
+  if (!together && !scene.gravity.isZero(0)) return Abstains{"only casts along straight lines are offered"};
   for (const Body& body : scene.bodies) {
-    if (!may_turn && !body.velocity.w_WB.isZero(0)) return Abstains{"casts without turning"};
-    if (!turns_evenly(body)) return Abstains{"casts with a constant spin about the shape's origin"};
+    if (!may_turn && !body.velocity.w_WB.isZero(0)) return Abstains{"only casts without rotation are offered"};
+    if (!turns_evenly(body))
+      return Abstains{"only casts with a constant angular velocity about the shape's origin are offered"};
   }
   return std::nullopt;
 }
@@ -64,7 +65,7 @@ Answer<TimeOfImpact> cast_along(const Scene& scene, bool may_turn, const Cast& c
   const double end = scene.motion->sample_times.back();
   const double rate = std::max(A.velocity.w_WB.norm(), B.velocity.w_WB.norm());
   const double ways = std::max(1.0, std::ceil(2 * rate * end)), length = end / ways;
-  if (ways > 100'000) return Abstains{"turns too often"};
+  if (ways > 100'000) return Abstains{"the bodies rotate too often during the motion"};
   TimeOfImpact said;
   said.status = TimeOfImpact::Status::miss;
   for (double i = 0; i < ways; ++i) {

@@ -30,11 +30,11 @@ inline double volume(const Shape& shape) {
 /// Why an engine with one law of restitution and static ground cannot be asked about the scene; none if it can.
 inline std::optional<Abstains> no_such_impact(const Scene& scene, Law law = Law::newton) {
   if (!scene.contact) return Abstains{"no contact"};
-  if (scene.contact->law != law) return Abstains{"restores by another law"};
+  if (scene.contact->law != law) return Abstains{"this impact law is not offered"};
   for (const Body& body : scene.bodies) {
-    if (is_fixed(body) && !(body.velocity == Velocity{})) return Abstains{"static bodies do not move"};
+    if (is_fixed(body) && !(body.velocity == Velocity{})) return Abstains{"moving fixed bodies are not offered"};
     const bool weighed = std::holds_alternative<Sphere>(body.shape) || std::holds_alternative<Box>(body.shape);
-    if (std::holds_alternative<Density>(body.mass) && !weighed) return Abstains{"computes the mass of no hull"};
+    if (std::holds_alternative<Density>(body.mass) && !weighed) return Abstains{"the mass of hulls is not computed"};
   }
   return std::nullopt;
 }

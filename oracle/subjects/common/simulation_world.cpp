@@ -49,9 +49,10 @@ std::optional<Abstains> no_such_motion(const Scene& scene, Law law) {
   if (!scene.motion) return Abstains{"no motion"};
   const Motion& motion = *scene.motion;
   if (std::ranges::any_of(motion.start_times, [](double time) { return time != 0; }))
-    return Abstains{"all bodies start at 0"};
-  if (motion.law != law && !all_laws_agree(scene)) return Abstains{"restores by another law"};
-  if (!std::ranges::all_of(scene.bodies, is_weighed)) return Abstains{"computes the mass of no hull and of no union"};
+    return Abstains{"start times other than 0 are not offered"};
+  if (motion.law != law && !all_laws_agree(scene)) return Abstains{"this impact law is not offered"};
+  if (!std::ranges::all_of(scene.bodies, is_weighed))
+    return Abstains{"the mass of hulls and compounds is not computed"};
   return std::nullopt;
 }
 

@@ -23,7 +23,7 @@ class SimbodyImpulse : public Subject {
   Answer<Impulse> impulse(const Scene& scene) override {
     if (const auto declined = no_such_impact(scene, law_)) return *declined;
     const Contact& contact = *scene.contact;
-    if (std::isinf(contact.friction)) return Abstains{"friction is a number"};
+    if (std::isinf(contact.friction)) return Abstains{"infinite friction is not offered"};
     const auto restitution = law_ == Law::newton ? in_simbody::Restitution::newton : in_simbody::Restitution::poisson;
     const auto after =
         in_simbody::impact({in_simbody::rigid(scene.bodies[0]), in_simbody::rigid(scene.bodies[1])},

@@ -27,7 +27,7 @@ struct Knob {
 std::vector<Knob> knobs(const Body& body) {
   if (const auto* sphere = std::get_if<Sphere>(&body.shape)) return {{Vec3::Zero(), sphere->radius}};
   const auto* box = std::get_if<Box>(&body.shape);
-  if (box == nullptr) throw Declined("its contacts are of balls and of corners");
+  if (box == nullptr) throw Declined("only contacts of balls and of corners are offered");
   std::vector<Knob> corners;
   for (int i = 0; i < 8; ++i) {
     const Vec3 sign((i & 1) != 0 ? 1 : -1, (i & 2) != 0 ? 1 : -1, (i & 4) != 0 ? 1 : -1);
@@ -89,7 +89,7 @@ class World : public SimulationWorld {
   explicit World(const Scene& scene) : scene_(scene) {
     std::vector<in_simbody::RigidBody> bodies;
     for (const Body& body : scene.bodies) {
-      if (is_fixed(body) && !(body.velocity == Velocity{})) throw Declined("its ground cannot move");
+      if (is_fixed(body) && !(body.velocity == Velocity{})) throw Declined("moving fixed bodies are not offered");
       bodies.push_back(in_simbody::rigid(body));
     }
     for (std::size_t a = 0; a < bodies.size(); ++a) {
@@ -119,14 +119,15 @@ class World : public SimulationWorld {
                             std::min(A.material.friction, B.material.friction)};
     const auto *ball_A = std::get_if<Sphere>(&A.shape), *ball_B = std::get_if<Sphere>(&B.shape);
     if (ball_A != nullptr && ball_B != nullptr) {
-      if (!centre_of(A).isZero(0) || !centre_of(B).isZero(0)) throw Declined("balls turn about their centres");
+      if (!centre_of(A).isZero(0) || !centre_of(B).isZero(0))
+        throw Declined("a ball's centre of mass must be its centre");
       on_balls_.push_back({a, b, ball_A->radius, ball_B->radius, pair});
     } else if (is_fixed(A) && std::holds_alternative<Box>(A.shape)) {
       put_on(A, b, pair);
     } else if (is_fixed(B) && std::holds_alternative<Box>(B.shape)) {
       put_on(B, a, pair);
     } else {
-      throw Declined("its contacts are of balls, and of balls and corners with what is fixed");
+      throw Declined("only contacts between balls, and of balls and corners with fixed bodies, are offered");
     }
   }
 
@@ -145,7 +146,7 @@ class World : public SimulationWorld {
     const Vec3 p_WC = place.p_WBcm + place.q_WB * contact.p_BC;
     const bool touches = face.height(p_WC) - contact.radius <= in_simbody::default_tolerance;
     if (touches && !face.is_below(p_WC))
-      throw Declined("its contacts are declared in advance; this one leaves its face");
+      throw Declined("contacts are declared in advance, and this one leaves its face");
   }
 
   const Scene& scene_;
@@ -176,7 +177,7 @@ class SimbodySimulation : public Subject {
     const bool by_newton = scene.motion && scene.motion->law == Law::newton;
     if (const auto declined = no_such_motion(scene, by_newton ? Law::newton : Law::poisson)) return *declined;
     for (const Body& body : scene.bodies) {
-      if (std::isinf(body.material.friction)) return Abstains{"friction is a number"};
+      if (std::isinf(body.material.friction)) return Abstains{"infinite friction is not offered"};
     }
     World world(scene);
     return follow(scene, dt_, world);
