@@ -54,7 +54,7 @@ void choose_strategy(const Scene& scene, Plan& plan) {
     plan.used.push_back({"all pairs", counted(n * (n - 1) / 2, "pair", "pairs") +
                                           " at most: comparing them costs less than keeping a grid (up to " +
                                           std::to_string(few_bodies) + " bodies)"});
-    plan.left_out.push_back({"wrapped grid", counted(n, "body", "bodies") + " are too few to pay for cells"});
+    plan.left_out.push_back({"wrapped grid", counted(n, "body", "bodies") + " are too few for a grid to be cheaper"});
   } else {
     plan.strategy = "wrapped_grid";
     plan.used.push_back(
@@ -81,7 +81,7 @@ void choose_bounds(const Scene& scene, Plan& plan) {
   note(plan.left_out, plain, "vertices", "made of spheres and boxes, whose extent is a formula");
   note(plan.left_out, small, "hill climbing",
        "with fewer than " + least + " vertices: scanning them all costs no more");
-  note(plan.left_out, once, "hill climbing", "placed only once: no frame before to climb from");
+  note(plan.left_out, once, "hill climbing", "placed only once: no earlier frame to start from");
 }
 
 void choose_memory(const Scene& scene, Plan& plan) {

@@ -55,7 +55,7 @@ void plan_contact(const Scene& scene, const Sorts& sorts, Plan& plan) {
        " may come to stay in contact: rest, slip and rolling in closed form on a face, else steps until they separate; "
        "each change is an event");
   note(plan.left_out, sorts.pairs() - may, "pair", "pairs", "contact mode",
-       " of balls and blocks that nothing presses together");
+       " of balls and blocks without a force that presses them together");
   const std::string whole = "each body follows one ballistic trajectory from event to event";
   plan.left_out.push_back({"time steps", may > 0 ? whole + ", except in contact" : whole});
 }
@@ -78,8 +78,8 @@ void plan_motion(const Scene& scene, Plan& plan) {
        " would be queried after every event; now only those whose swept boxes overlap");
   note(plan.left_out, sorts.stationary, "body", "bodies", "later frames",
        " that do not move: entered once into the broad phase, never the first of a query");
-  note(plan.left_out, sorts.balls - sorts.fixed_balls, "ball", "balls", "attitudes of balls",
-       ": whatever the spin, no point of the space that a ball fills moves");
+  note(plan.left_out, sorts.balls - sorts.fixed_balls, "ball", "balls", "orientation of balls",
+       ": rotation does not change the space that a ball occupies");
   note(plan.left_out, turning(Turning::steady) + turning(Turning::precessing), "body", "bodies", "Euler's equations",
        " with two equal moments of inertia or more, turning in closed form");
 }

@@ -133,7 +133,7 @@ void add_run_options(CLI::App& command, RunOptions& options) {
   command
       .add_option("--subjects", options.subjects,
                   "What to test: names of `touchstone list subjects`, \"exec:COMMAND LINE\" for a program of your own, "
-                  "inproc:reference, inproc:fast. Default: all subjects that stand beside the program")
+                  "inproc:reference, inproc:fast. Default: all subjects that were built")
       ->type_name("SUBJECT");
   command
       .add_option("--queries", options.queries,
@@ -234,7 +234,7 @@ void add_ask(CLI::App& program, Options& options) {
 
 void add_plan(CLI::App& program, Options& options) {
   auto* command = program.add_subcommand(
-      "plan", "Print what the optimised broad phase does about a scene, what it leaves out, and why");
+      "plan", "Print which parts of the optimised broad phase a scene needs, which it leaves out, and why");
   add_argument(*command, "SCENE", options.plan.scene, scene_help)->required();
   command->add_flag("--json", options.plan.json, "Print JSON");
   command->footer(help::plan);
@@ -270,7 +270,8 @@ void add_simulate(CLI::App& program, Options& options) {
 
 void add_import(CLI::App& program, Options& options) {
   auto* command = program.add_subcommand("import", "Turn the convex hull of a mesh (OBJ, OFF, STL, PLY) into a scene");
-  add_argument(*command, "MESH", options.import.mesh, "A mesh file, or - for stdin, whose content tells the format")
+  add_argument(*command, "MESH", options.import.mesh,
+               "A mesh file, or - for stdin, in a format that is recognised by its content")
       ->required();
   add_file(*command, "--out", options.import.out, "Write the scene to this file. Default: stdout");
   command->footer(help::import);
@@ -296,7 +297,7 @@ void add_list(CLI::App& program, Options& options) {
 
 void add_soak(CLI::App& program, Options& options) {
   auto* command = program.add_subcommand(
-      "soak", "Compare the reference with itself: distances of many pairs of bodies, in three exact ways");
+      "soak", "Compare the reference with itself: distances of many pairs of bodies, by three exact algorithms");
   add_whole_number(*command, "--pairs", options.soak.pairs, 1, largest_count, "How many pairs, at least")
       ->default_str(std::to_string(options.soak.pairs));
   add_seed(*command, options.soak.seed);

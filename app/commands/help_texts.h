@@ -32,7 +32,7 @@ A report has a row for each property and subject: how many scenes were asked, ho
 much. Each failing row has a case, the smallest scene that was found to fail; `touchstone replay` asks it again.
 
 Exit codes:
-  0    the report is written, whatever it found: failures are what it is for
+  0    the report is written, also if it contains failures
   2    bad input or usage; nothing was asked
   3    a fault of Touchstone itself; or a full disk, or a closed stdout
   130  interrupted (SIGHUP: 129, SIGTERM: 143); the report is written and says that it is partial)";
@@ -100,7 +100,7 @@ Examples:
 
 The broad phase leaves out what a scene does not need: few bodies are compared pair by pair, spheres and boxes need no
 search over vertices, and bodies that never move need no memory between frames. The pairs that it finds stay the same.
-For a scene in motion, the plan is that of its simulation.
+For a scene with a motion, the command prints the same about the simulation.
 
 Exit codes:
   0  done
@@ -153,24 +153,23 @@ Examples:
   touchstone soak --pairs 1000000 --seed 7 --jobs 8
 
 Exit codes:
-  0    the three ways agree on every pair
+  0    the three algorithms agree on every pair
   2    bad usage
-  3    two ways disagree, which is a fault of Touchstone itself; or a full disk, or a closed stdout
+  3    two algorithms disagree, which is a fault of Touchstone itself; or a full disk, or a closed stdout
   130  interrupted (SIGHUP: 129, SIGTERM: 143))";
 
 inline constexpr const char* bench = R"(
 Examples:
   ./touchstone bench broad_phase                                  everything: several minutes
   ./touchstone bench broad_phase --sizes 1000,10000 --workloads coherent,settled --rounds 9 --out coherent
-  ./touchstone bench distance                                     and the error that each engine's time buys
+  ./touchstone bench distance                                     time and error of each engine
   ./touchstone bench impulse                                      work and precision of ways to compute an impact
-  ./touchstone bench pixel                                        masks, and what sampling misses
+  ./touchstone bench pixel                                        time of masks, and overlaps that sampling misses
   ./touchstone bench simulation --workloads bouncing_ball,gas     simulators; scenes: `touchstone list motions`
 
 The launcher ./touchstone builds the comparison first; the program touchstone by itself only runs what is built.
-The contestants run in turn, in slices of CPU time; a figure is the median of the rounds. A contestant that cannot
-finish one frame within the budget is left out, and named. The folder gets a CSV file, the table (.txt) and a plot
-(.svg).
+The engines run in turn, in slices of CPU time; a figure is the median of the rounds. An engine that cannot finish one
+frame within the time limit is left out, and named. The files are a table (.csv and .txt) and a plot (.svg).
 
 Exit codes:
   0  done

@@ -164,7 +164,7 @@ void print_events(const Trajectory& trajectory) {
   std::string line;
   for (std::size_t k = 0; k < kinds.size(); ++k) line += fmt::format("{}{} {}", k > 0 ? ", " : "", kinds[k], counts[k]);
   print("events     {}\n", line);
-  print("hand-overs {} from ballistic motion to contact or within it, {} back to ballistic motion\n",
+  print("contact    {} changes to contact mode or within it, {} back to ballistic motion\n",
         counts[static_cast<std::size_t>(Event::Kind::contact)], counts[static_cast<std::size_t>(Event::Kind::release)]);
 }
 

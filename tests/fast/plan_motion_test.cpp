@@ -32,7 +32,7 @@ TEST_CASE("plan of a flight: counts pairs and bodies") {
   CHECK(why(gas.left_out, "pairs of fixed bodies")->starts_with("15 pairs"));
   CHECK(why(gas.left_out, "all pairs")->starts_with("2400 pairs "));
   CHECK(why(gas.left_out, "later frames")->starts_with("6 bodies "));
-  CHECK(why(gas.left_out, "attitudes of balls")->starts_with("64 balls"));
+  CHECK(why(gas.left_out, "orientation of balls")->starts_with("64 balls"));
   CHECK(why(gas.used, "conservative advancement") == nullptr);
   CHECK(why(gas.used, "contact mode") == nullptr);  // no gravity
   CHECK(why(gas.left_out, "contact mode")->starts_with("2400 pairs "));

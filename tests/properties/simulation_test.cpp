@@ -155,12 +155,12 @@ TEST_CASE("simulation: impacts in lockstep are counted, and both ends of the env
 }
 
 TEST_CASE("simulation: a run of the moved scene may stop before the first impact, but not lose it and stop later") {
-  struct Mover : tests::FixedSubject {
+  struct TwoAnswers : tests::FixedSubject {
     Trajectory elsewhere;  ///< the answer for every other scene
     Answer<Trajectory> simulation(const Scene& scene) override { return scene == wall() ? said_simulation : elsewhere; }
   };
   const auto translated = [](double complete_until) {
-    Mover subject;
+    TwoAnswers subject;
     subject.said_simulation = turned_back();
     subject.elsewhere.states = {turned_back().states.front()};
     subject.elsewhere.events.emplace();
