@@ -92,7 +92,7 @@ std::string smaller_name(const std::string& path) {
 
 Case cut_down(const Example& example, const Property& property, oracle::Subject& subject, std::uint64_t seed,
               int budget) {
-  Progress progress("cutting down", budget);
+  Progress progress("reducing", budget);
   return smallest_case(example, property, subject, seed, budget, [&] { progress.step(""); });
 }
 
@@ -125,7 +125,7 @@ int minimise(const CaseCommand& command) {
     return interrupted_exit_code();
   }
   if (!failed(example.finding)) {
-    print("nothing to cut down: {}\n", oracle::name_of(example.finding.outcome));
+    print("nothing to reduce: {}\n", oracle::name_of(example.finding.outcome));
     return 1;
   }
   Case smaller = cut_down(example, property, *subject, a_case.seed, command.budget);

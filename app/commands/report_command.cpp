@@ -212,7 +212,7 @@ void print_summary(const Ledger& ledger) {
   if (ledger.interrupted) {
     print("interrupted: only what was asked until then counts\n");
   } else if (!ledger.empty_classes.empty()) {
-    print("no scene of these kinds was met: {}\n", fmt::format("{}", fmt::join(ledger.empty_classes, "; ")));
+    print("classes without any scene: {}\n", fmt::format("{}", fmt::join(ledger.empty_classes, "; ")));
   }
 }
 

@@ -52,7 +52,7 @@ std::string gallery(const Ledger& ledger) {
     if (const Row* row = plainest_failure(ledger, card.name)) cards += glance(*row);
   }
   if (cards.empty()) return "<p>Nothing fails.</p>";
-  return "<p>One failing scene of each engine, cut down to the smallest that still fails. Body A is drawn solid, body "
+  return "<p>One failing scene of each engine, reduced to the smallest that still fails. Body A is drawn solid, body "
          "B dashed, "
          "the exact closest points as dots; a ring marks a body too small to see.</p><div class=\"cards\">" +
          cards + "</div>";

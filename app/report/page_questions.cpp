@@ -31,10 +31,10 @@ std::string about_meshes(const Ledger& ledger) {
 
 std::string about_classes(const Ledger& ledger) {
   std::string html = ledger.empty_classes.empty()
-                         ? "<p>Every kind of case that a query needs was met.</p>"
-                         : fmt::format("<p><b>Kinds of case that were not met:</b> {}.</p>",
+                         ? "<p>There were scenes of every class.</p>"
+                         : fmt::format("<p><b>Classes without any scene:</b> {}.</p>",
                                        escaped(fmt::format("{}", fmt::join(ledger.empty_classes, "; "))));
-  html += "<details><summary>Scenes of each kind</summary><div class=\"scroll\"><table><tbody>";
+  html += "<details><summary>Scenes of each class</summary><div class=\"scroll\"><table><tbody>";
   for (const auto& [query, classes] : ledger.classes) {
     html += fmt::format("<tr class=\"query\"><th scope=\"rowgroup\">{}</th><td></td></tr>", escaped(query));
     for (const auto& [name, count] : classes) {

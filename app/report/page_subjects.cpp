@@ -60,7 +60,7 @@ std::string silences(const Summary& summary) {
 
 std::string deviations(const oracle::Card& card) {
   if (card.deviations.empty()) return "";
-  std::string html = "<p>Known, which explains and excuses nothing:</p><ul>";
+  std::string html = "<p>Known deviations, which do not excuse a failure:</p><ul>";
   for (const oracle::Deviation& known : card.deviations) {
     html += "<li>" + escaped(known.what);
     if (known.link.starts_with("http")) html += fmt::format(" (<a href=\"{}\">issue</a>)", escaped(known.link));
@@ -76,7 +76,7 @@ std::string subject_card(const Ledger& ledger, const oracle::Card& card) {
       escaped(card.name), escaped(card.version), summary.hold, summary.fail, summary.silent);
   html += grades(summary);
   if (summary.most_wrong != nullptr) {
-    html += fmt::format("<p>Most wrong by {:.3g} {} ({})</p>", summary.most_wrong->largest_error,
+    html += fmt::format("<p>Largest error: {:.3g} {} ({})</p>", summary.most_wrong->largest_error,
                         escaped(summary.most_wrong->unit), escaped(summary.most_wrong->property));
   }
   return html + fmt::format("<p class=\"soft\">{}</p>", escaped(card.about)) + deviations(card) + silences(summary) +

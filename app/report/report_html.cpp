@@ -48,7 +48,8 @@ std::string head() {
 
 std::string header(const Ledger& ledger) {
   return fmt::format(
-      "<header><h1>Who is wrong, by how much, on what</h1>{}{}<nav aria-label=\"Contents\"><a href=\"#glance\">At a "
+      "<header><h1>Which engines are wrong, by how much, on which scenes</h1>{}{}<nav aria-label=\"Contents\"><a "
+      "href=\"#glance\">At a "
       "glance</a>"
       "<a href=\"#table\">Table</a><a href=\"#subjects\">Subjects</a><a href=\"#errors\">Errors</a><a "
       "href=\"#failures\">Failing rows</a>"

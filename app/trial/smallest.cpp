@@ -42,7 +42,7 @@ oracle::Case smallest_case(const Example& example, const properties::Property& p
                            std::uint64_t seed, int budget, const std::function<void()>& asked) {
   oracle::Case result{property.id,   subject.card().name, example.family,  seed,
                       example.index, example.scene,       example.finding, ""};
-  const oracle::Case interrupted_at_once = with_note(result, "interrupted: not cut down");
+  const oracle::Case interrupted_at_once = with_note(result, "interrupted: not reduced");
   if (interrupted()) return interrupted_at_once;
   start_afresh(subject);
   const auto still_fails = [&](const Scene& scene) {
@@ -63,7 +63,7 @@ oracle::Case smallest_case(const Example& example, const properties::Property& p
   result.scene = example.scene;
   result.finding = property.check(result.scene, subject);
   if (interrupted()) return interrupted_at_once;
-  result.note = failed(result.finding) ? "not cut down: the smaller scene fails only after other questions"
+  result.note = failed(result.finding) ? "not reduced: the smaller scene fails only after other questions"
                                        : "fails only after other questions: the finding is the one of the run";
   if (!failed(result.finding)) result.finding = example.finding;
   return result;
@@ -75,7 +75,7 @@ void cut_down(Ledger& ledger, const std::vector<std::vector<std::unique_ptr<orac
     if (ledger.rows[r].failing()) failing.emplace_back(&ledger.rows[r], r % workers[0].size());
   }
   const std::vector<std::string> file_names = names_of_files(ledger.subjects);
-  Progress progress("cutting down", static_cast<int>(failing.size()));
+  Progress progress("reducing", static_cast<int>(failing.size()));
   in_parallel(failing.size(), static_cast<int>(workers.size()), [&](std::size_t f, std::size_t job) {
     auto& [row, subject] = failing[f];
     row->size_found = oracle::size_of(row->smallest->scene);

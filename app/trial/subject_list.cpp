@@ -43,7 +43,7 @@ std::vector<std::string> subject_list(const std::vector<std::string>& asked_for)
   std::vector<std::string> names;
   for (const std::string& words : asked_for) add_names(words, names);
   if (asked_for.empty()) names = oracle::subjects_beside(subjects_folder());
-  if (names.empty()) throw InputError("subjects", "none stand beside the program in " + subjects_folder());
+  if (names.empty()) throw InputError("subjects", "no subject was built; expected programs in " + subjects_folder());
   return names;
 }
 

@@ -72,7 +72,7 @@ class Case(Test):
         self.succeeds("replay", "small.json", "--subject", LIAR, code=1)
 
     def test_minimise_has_nothing_to_do(self):
-        self.assertIn("nothing to cut down", self.succeeds("minimise", "case.json", "--subject", "inproc:reference", code=1))
+        self.assertIn("nothing to reduce", self.succeeds("minimise", "case.json", "--subject", "inproc:reference", code=1))
         self.assertEqual([p.name for p in self.folder.iterdir()], ["case.json"])
 
 

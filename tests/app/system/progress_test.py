@@ -122,8 +122,8 @@ class ProgressBar(Test):
                 "scene": scene(body(box(1.1, 1.2, 1.3)), body(ball(1), (3.7, 0, 0)))}
         self.file("case.json", case)
         write_meshes(self.folder / "meshes")
-        for words, what, code in ((self.check(), "asking", 1), (self.check(), "cutting down", 1),
-                                  (["minimise", "case.json", "--subject", self.slow(), "--budget", 9], "cutting down", 0),
+        for words, what, code in ((self.check(), "asking", 1), (self.check(), "reducing", 1),
+                                  (["minimise", "case.json", "--subject", self.slow(), "--budget", 9], "reducing", 0),
                                   (["soak", "--pairs", 200], "three routes", 0),
                                   (["report", *self.check()[1:], "--meshes", "meshes", "--out", "R"], "reading meshes", 0),
                                   (["simulate", "bouncing_ball", "--engine", "inproc:fast"], "fast", 0)):
