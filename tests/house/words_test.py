@@ -56,6 +56,7 @@ RETIRED_IDENTIFIERS = {
     "Hold": "ContactConstraint",
     "Jump": "Phase",
     "Laid": "RestCandidate",
+    "Meeting": "Status, FirstContact",
     "Placed": "PosedHull",
     "Push": "AppliedForce",
     "Stretch": "Phase",
