@@ -13,8 +13,6 @@
 namespace touchstone::fast {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 /// A body's data for the impact. For a fixed body only the velocity matters.
 ///
 /// With I = L Lᵀ in the body's axes, M = L⁻¹ Rᵀ maps an angular momentum in W to L⁻¹ times it, and I⁻¹ = Mᵀ M. The
@@ -118,7 +116,7 @@ Velocity pushed(const Body& body, const Side& side, const Vec3& P) {
 double error_of(const Stated& stated, const Vec3& velocity, const Vec3& P) {
   const Eigen::SelfAdjointEigenSolver<Mat3> eigen(stated.K);
   const double least = eigen.eigenvalues()[0], greatest = eigen.eigenvalues()[2];
-  if (!(least > 0)) return infinity;
+  if (!(least > 0)) return std::numeric_limits<double>::infinity();
   const Vec3 parts = eigen.eigenvectors().transpose() * velocity;
   const Vec3 pushes = eigen.eigenvectors().transpose() * P;
   const double norm = std::max(std::sqrt((parts.array().square() / eigen.eigenvalues().array()).sum()),

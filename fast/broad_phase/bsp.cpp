@@ -8,7 +8,7 @@ namespace {
 
 // A region with at most this many bodies is not split: all pairs are tested. A choice: a split copies the bodies on its
 // plane to both sides, and 66 tests cost about as much.
-constexpr std::size_t few = 12;
+constexpr std::size_t undivided_region = 12;
 
 bool holds(const Aabb& half_open, const Vec3& p) {
   return (half_open.lo.array() <= p.array()).all() && (p.array() < half_open.hi.array()).all();
@@ -25,7 +25,7 @@ void Bsp::refresh() {
 
 void Bsp::split(std::size_t first, const Aabb& region) {
   const std::size_t last = list_.size();
-  if (last - first <= few) return report(first, region);
+  if (last - first <= undivided_region) return report(first, region);
 
   const auto centre = [this](std::size_t i) -> Vec3 { return box_[list_[i]].lo / 2 + box_[list_[i]].hi / 2; };
   Vec3 least = centre(first);

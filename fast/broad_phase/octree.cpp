@@ -7,7 +7,7 @@ namespace {
 
 // A node with at most this many bodies is a leaf. A choice: smaller leaves mean more nodes to visit, larger ones more
 // box tests.
-constexpr std::size_t few = 8;
+constexpr std::size_t largest_leaf = 8;
 
 // Beyond this depth doubles cannot halve the cubes further: bodies this close stay together.
 constexpr int greatest_depth = 48;
@@ -48,7 +48,7 @@ void Octree::split(std::size_t first, std::size_t last, const Vec3& centre, doub
   }
   const std::size_t node = nodes_.size();
   nodes_.push_back({contents, first, last, node + 1});
-  if (last - first <= few || depth == greatest_depth) return;
+  if (last - first <= largest_leaf || depth == greatest_depth) return;
 
   const auto begin = ids_.begin() + static_cast<std::ptrdiff_t>(first);
   const auto end = ids_.begin() + static_cast<std::ptrdiff_t>(last);

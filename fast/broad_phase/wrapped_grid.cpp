@@ -9,8 +9,6 @@ namespace {
 // No slot: of a body that is absent, or past a chain's end.
 constexpr std::uint32_t none = 0xffffffff;
 
-constexpr float infinity = std::numeric_limits<float>::infinity();
-
 // After so many sorts the cells are laid out again: bodies may have gathered or grown. A choice: less often keeps cells
 // that no longer fit; more often spends more time on the layout, which costs a few passes over all boxes.
 constexpr int sorts_per_layout = 64;
@@ -257,7 +255,8 @@ void WrappedGrid::leave(BodyId id) {
     while (*link != slot_[id]) link = &next(*link);
     *link = next(slot_[id]);
   }
-  entries_[slot_[id]].lo = {infinity, infinity, infinity, 0};
+  constexpr float nowhere = std::numeric_limits<float>::infinity();
+  entries_[slot_[id]].lo = {nowhere, nowhere, nowhere, 0};
   slot_[id] = none;
 }
 
