@@ -2,7 +2,7 @@
 
 #include <variant>
 
-#include "fast/bounds/outward.h"
+#include "fast/outward/outward.h"
 
 namespace touchstone::fast {
 

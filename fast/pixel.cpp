@@ -10,7 +10,7 @@
 namespace touchstone::fast {
 namespace {
 
-using namespace pixels;
+using namespace pixel;
 
 exact::Dyadic exact_centre(double start, double pixel, int i) {
   return exact::Dyadic(start) + exact::Dyadic(i + 0.5) * exact::Dyadic(pixel);
@@ -100,7 +100,7 @@ void add_meetings(const Seen& A, const Seen& B, BitMask& sampled, BitMask& conse
 
 }  // namespace
 
-Pixels pixel(const Scene& scene) {
+Pixels pixels(const Scene& scene) {
   if (!scene.raster) throw InputError("raster", "missing; expected one to ask about pixels");
   const Raster& raster = *scene.raster;
   Pixels answer;

@@ -16,6 +16,6 @@ namespace touchstone::fast {
 /// Requires a valid scene with a raster, whose polytopes have their faces. Throws InputError without a raster, and
 /// std::range_error if lengths exceed 2^1000 m. Cost: O(faces · pixels they cover) cuts, and exact arithmetic for
 /// centres within E of an edge's projection.
-Pixels pixel(const Scene& scene);
+Pixels pixels(const Scene& scene);
 
 }  // namespace touchstone::fast

@@ -3,9 +3,9 @@
 #include <variant>
 
 #include "fast/bounds.h"
-#include "fast/bounds/displacement.h"
-#include "fast/bounds/duration.h"
-#include "fast/bounds/spun_ball.h"
+#include "fast/outward/displacement.h"
+#include "fast/outward/duration.h"
+#include "fast/outward/spun_ball.h"
 
 namespace touchstone::fast {
 

@@ -1,8 +1,8 @@
 #include "fast/bounds/fixed_cube.h"
 
 #include "fast/bounds.h"
-#include "fast/bounds/outward.h"
-#include "fast/bounds/reach.h"
+#include "fast/outward/outward.h"
+#include "fast/outward/reach.h"
 
 namespace touchstone::fast {
 namespace {

@@ -3,8 +3,8 @@
 #include <array>
 #include <variant>
 
-#include "fast/bounds/outward.h"
 #include "fast/lin_canny/rotation.h"
+#include "fast/outward/outward.h"
 
 namespace touchstone::fast {
 namespace {

@@ -6,11 +6,11 @@
 #include <numbers>
 #include <variant>
 
-#include "fast/bounds/displacement.h"
-#include "fast/bounds/outward.h"
 #include "fast/lin_canny/rotation.h"
 #include "fast/motion/quaternion.h"
 #include "fast/motion/steady_turn.h"
+#include "fast/outward/displacement.h"
+#include "fast/outward/outward.h"
 
 namespace touchstone::fast::motion {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "fast/bounds/centre_of_mass.h"
-#include "fast/bounds/outward.h"
 #include "fast/mass.h"
+#include "fast/outward/centre_of_mass.h"
+#include "fast/outward/outward.h"
 
 namespace touchstone::fast::motion {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <bit>
 
-namespace touchstone::fast::pixels {
+namespace touchstone::fast::pixel {
 namespace {
 
 /// Bits 64w + from … 64w + from + 63 of a row of `words` words; 0 beyond its ends. 0 ≤ from < 64.
@@ -89,4 +89,4 @@ MaskOverlap overlap(const BitMask& A, const BitMask& B, int shift_x, int shift_y
   return found;
 }
 
-}  // namespace touchstone::fast::pixels
+}  // namespace touchstone::fast::pixel

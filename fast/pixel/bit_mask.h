@@ -6,7 +6,7 @@
 
 #include "model/answers.h"
 
-namespace touchstone::fast::pixels {
+namespace touchstone::fast::pixel {
 
 /// Rows of whole words; column i is bit i mod 64 of word i / 64. Bits beyond the last column are 0.
 class BitMask {
@@ -44,4 +44,4 @@ class BitMask {
 /// Cost: the common rows' words, each read once.
 MaskOverlap overlap(const BitMask& A, const BitMask& B, int shift_x, int shift_y);
 
-}  // namespace touchstone::fast::pixels
+}  // namespace touchstone::fast::pixel

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace touchstone::fast::pixels {
+namespace touchstone::fast::pixel {
 namespace {
 
 /// Keeps side·p[axis] ≥ side·limit.
@@ -28,4 +28,4 @@ void cut(const Loop& loop, int axis, double lo, double hi, Loop& scratch, Loop& 
   cut_one_side(scratch, axis, -1, hi, result);
 }
 
-}  // namespace touchstone::fast::pixels
+}  // namespace touchstone::fast::pixel

@@ -5,7 +5,7 @@
 
 #include "model/frame.h"
 
-namespace touchstone::fast::pixels {
+namespace touchstone::fast::pixel {
 
 using Loop = std::vector<Vec3>;
 
@@ -17,4 +17,4 @@ using Loop = std::vector<Vec3>;
 /// result (with e and that rounding) and a plane convex polygon that contains all of the face within the true limits.
 void cut(const Loop& loop, int axis, double lo, double hi, Loop& scratch, Loop& result);
 
-}  // namespace touchstone::fast::pixels
+}  // namespace touchstone::fast::pixel

@@ -5,7 +5,7 @@
 
 #include "fast/pixel/cut.h"
 
-namespace touchstone::fast::pixels {
+namespace touchstone::fast::pixel {
 namespace {
 
 DepthMap empty_map(const PosedPart& part, const Grid& grid) {
@@ -157,4 +157,4 @@ DepthMap above_squares(const PosedPart& part, const std::vector<std::vector<int>
   return map;
 }
 
-}  // namespace touchstone::fast::pixels
+}  // namespace touchstone::fast::pixel

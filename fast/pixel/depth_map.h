@@ -6,7 +6,7 @@
 
 #include "fast/pixel/posed_part.h"
 
-namespace touchstone::fast::pixels {
+namespace touchstone::fast::pixel {
 
 /// Bounds on the depths [z0, z1] of a part above a square or a centre; empty if lo > hi.
 struct Depths {
@@ -45,4 +45,4 @@ DepthMap above_centres(const PosedPart& part, const std::vector<std::vector<int>
 /// a point of the part that is within as much of the square. `inner_lo` and `inner_hi` are not set.
 DepthMap above_squares(const PosedPart& part, const std::vector<std::vector<int>>& faces, const Grid& grid);
 
-}  // namespace touchstone::fast::pixels
+}  // namespace touchstone::fast::pixel

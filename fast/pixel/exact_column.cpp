@@ -2,7 +2,7 @@
 
 #include <array>
 
-namespace touchstone::fast::pixels {
+namespace touchstone::fast::pixel {
 namespace {
 
 using exact::Dyadic;
@@ -99,4 +99,4 @@ std::optional<Column> ExactPart::above(const Dyadic& x, const Dyadic& y) const {
   return Column{*lo, *hi, {0.0, 1.0}};
 }
 
-}  // namespace touchstone::fast::pixels
+}  // namespace touchstone::fast::pixel

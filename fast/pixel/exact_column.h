@@ -7,7 +7,7 @@
 #include "fast/exact/vector.h"
 #include "fast/pixel/posed_part.h"
 
-namespace touchstone::fast::pixels {
+namespace touchstone::fast::pixel {
 
 /// num/den, den > 0.
 struct Fraction {
@@ -45,4 +45,4 @@ class ExactPart {
   double radius_ = 0;     ///< 0 for a polytope
 };
 
-}  // namespace touchstone::fast::pixels
+}  // namespace touchstone::fast::pixel

@@ -6,7 +6,7 @@
 
 #include "model/scene.h"
 
-namespace touchstone::fast::pixels {
+namespace touchstone::fast::pixel {
 
 /// One axis. A computed line or centre is within 2^-51 of the greatest coordinate on the raster: three roundings.
 struct Axis {
@@ -35,4 +35,4 @@ struct Grid {
   Axis y;
 };
 
-}  // namespace touchstone::fast::pixels
+}  // namespace touchstone::fast::pixel

@@ -2,9 +2,9 @@
 
 #include <stdexcept>
 
-#include "fast/bounds/outward.h"
+#include "fast/outward/outward.h"
 
-namespace touchstone::fast::pixels {
+namespace touchstone::fast::pixel {
 namespace {
 
 Polytope as_polytope(const Box& box) {
@@ -68,4 +68,4 @@ PosedPart posed(const Part& part, const Grid& grid) {
   return made;
 }
 
-}  // namespace touchstone::fast::pixels
+}  // namespace touchstone::fast::pixel

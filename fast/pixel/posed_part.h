@@ -7,7 +7,7 @@
 #include "fast/pixel/grid.h"
 #include "model/scene.h"
 
-namespace touchstone::fast::pixels {
+namespace touchstone::fast::pixel {
 
 /// A shape under one pose, or under two, the outer one first.
 struct Part {
@@ -32,4 +32,4 @@ struct PosedPart {
 /// Throws std::range_error if lengths exceed 2^1000.
 PosedPart posed(const Part& part, const Grid& grid);
 
-}  // namespace touchstone::fast::pixels
+}  // namespace touchstone::fast::pixel

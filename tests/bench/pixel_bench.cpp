@@ -40,7 +40,7 @@ double nanoseconds(int runs, int times, F&& f) {
 }
 
 /// The cost of a loop that only reads. It has four sums, so that no addition waits for another.
-std::uint64_t read_all(const fast::pixels::BitMask& mask) {
+std::uint64_t read_all(const fast::pixel::BitMask& mask) {
   std::uint64_t sums[4] = {};
   for (int j = 0; j < mask.rows(); ++j) {
     const std::uint64_t* const row = mask.row(j);
@@ -56,9 +56,9 @@ constexpr int side_of_a_mask = 64;  ///< multiple of the requested size
 void masks(int size, int rounds) {
   const int side = side_of_a_mask * size;
   std::uint64_t state = 1;
-  fast::pixels::BitMask A(side, side);
-  fast::pixels::BitMask B(side, side);
-  for (fast::pixels::BitMask* mask : {&A, &B}) {
+  fast::pixel::BitMask A(side, side);
+  fast::pixel::BitMask B(side, side);
+  for (fast::pixel::BitMask* mask : {&A, &B}) {
     for (int j = 0; j < side; ++j) {
       for (int i = 0; i < side; ++i) {
         if ((next_bits(state) & 1U) != 0) mask->set(i, j);
@@ -74,7 +74,7 @@ void masks(int size, int rounds) {
   std::printf("masks,%d,plain read,peer,%.1f,,,\n", side, read);
   for (const auto& [x, y] : {std::pair(0, 0), {64, 1}, {5, -3}}) {
     const double laid = nanoseconds(rounds, times, [&, dx = x, dy = y](int) {
-      sink += static_cast<std::uint64_t>(fast::pixels::overlap(A, B, dx, dy).count);
+      sink += static_cast<std::uint64_t>(fast::pixel::overlap(A, B, dx, dy).count);
       asm volatile("" : "+r"(sink) : : "memory");
     });
     std::printf("masks,%d,overlap at (%d %d),ours,%.1f,,,\n", side, x, y, laid);
@@ -133,7 +133,7 @@ void misses(const std::string& workload, int fine) {
   }
   int missed = 0;
   const double sampled = nanoseconds(
-      1, pairs, [&](int i) { missed += !any(fast::pixel(scenes[static_cast<std::size_t>(i)]).meet_sampled); });
+      1, pairs, [&](int i) { missed += !any(fast::pixels(scenes[static_cast<std::size_t>(i)]).meet_sampled); });
   const double exact = nanoseconds(1, pairs, [&](int i) { fast::distance(scenes[static_cast<std::size_t>(i)]); });
   const double share = static_cast<double>(missed) / pairs;
   std::printf("%s,%d,sampled pixels,ours,%.0f,%.4g,%.4g,\n", workload.c_str(), fine, sampled, share, share);

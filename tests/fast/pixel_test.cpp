@@ -26,7 +26,7 @@ bool holds(const Mask& wide, const Mask& exact) {
 
 void check_against_the_reference(const Scene& scene) {
   const Pixels exact = reference::pixel(scene);
-  const Pixels said = fast::pixel(scene);
+  const Pixels said = fast::pixels(scene);
   CHECK(said.sampled == exact.sampled);
   CHECK(said.overlap == exact.overlap);
   CHECK(said.meet_sampled == exact.meet_sampled);
@@ -69,8 +69,8 @@ TEST_CASE("word-parallel overlap is bit by bit overlap, at every shift around th
   properties::Random random(3);
   for (const int columns : {1, 63, 64, 65, 130}) {
     const int rows = 5;
-    fast::pixels::BitMask A(columns, rows);
-    fast::pixels::BitMask B(columns, rows);
+    fast::pixel::BitMask A(columns, rows);
+    fast::pixel::BitMask B(columns, rows);
     for (int j = 0; j < rows; ++j) {
       for (int i = 0; i < columns; ++i) {
         if (random.one_in(9)) A.set(i, j);
@@ -88,12 +88,12 @@ TEST_CASE("word-parallel overlap is bit by bit overlap, at every shift around th
             if (expected.count++ == 0) expected.first = {i, j};
           }
         }
-        REQUIRE(fast::pixels::overlap(A, B, shift_x, shift_y) == expected);
+        REQUIRE(fast::pixel::overlap(A, B, shift_x, shift_y) == expected);
       }
     }
     for (const int far : {std::numeric_limits<int>::min(), std::numeric_limits<int>::max()}) {
-      CHECK(fast::pixels::overlap(A, B, far, 0) == MaskOverlap{});
-      CHECK(fast::pixels::overlap(A, B, 0, far) == MaskOverlap{});
+      CHECK(fast::pixel::overlap(A, B, far, 0) == MaskOverlap{});
+      CHECK(fast::pixel::overlap(A, B, 0, far) == MaskOverlap{});
     }
   }
 }
@@ -112,7 +112,7 @@ TEST_CASE("lengths at the ends of the range") {
     check_against_the_reference(complete);
   }
   scene.bodies[1].shape = Sphere{0x1p1001};
-  CHECK_THROWS_AS(fast::pixel(scene), std::range_error);
+  CHECK_THROWS_AS(fast::pixels(scene), std::range_error);
   scene.raster.reset();
-  CHECK_THROWS_AS(fast::pixel(scene), InputError);
+  CHECK_THROWS_AS(fast::pixels(scene), InputError);
 }

@@ -57,8 +57,6 @@ NAMESPACES = [
     (r"oracle/subjects/ode/.*", {"oracle::subjects::in_ode"}),
     (r"oracle/subjects/simbody/.*", {"oracle::subjects::in_simbody"}),
     (r"fast/(bounds|broad_phase)/.*|fast/time_of_impact/inflation\.h", {"fast"}),
-    (r"fast/bounds/.*", {"fast::outward"}),
-    (r"fast/pixel/.*", {"fast::pixels"}),  # `fast::pixel` is the query's function
     (r"fast/simulation/.*", {"fast::world"}),
     (r"fast/time_of_impact/.*", {"fast::toi"}),  # `fast::time_of_impact` is the query's function
     (r"properties/scenes/rapidcheck_domain\.h", {""}),  # RapidCheck finds showValue by its argument's type

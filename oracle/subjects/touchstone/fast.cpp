@@ -49,7 +49,7 @@ class Fast : public Subject {
 
   Answer<Pixels> pixel(const Scene& scene) override {
     try {
-      return fast::pixel(scene);
+      return fast::pixels(scene);
     } catch (const std::range_error& beyond) {
       return Abstains{beyond.what()};
     }

@@ -5,8 +5,8 @@
 #include <array>
 #include <cmath>
 
-#include "fast/bounds/displacement.h"
 #include "fast/bounds/forced_box.h"
+#include "fast/outward/displacement.h"
 #include "model/input_error.h"
 #include "reference/bounds.h"
 #include "reference/exact_pose.h"

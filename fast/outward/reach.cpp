@@ -1,10 +1,10 @@
-#include "fast/bounds/reach.h"
+#include "fast/outward/reach.h"
 
 #include <algorithm>
 #include <cmath>
 #include <variant>
 
-#include "fast/bounds/outward.h"
+#include "fast/outward/outward.h"
 
 namespace touchstone::fast::outward {
 namespace {

@@ -1,7 +1,7 @@
-#include "fast/bounds/spun_ball.h"
+#include "fast/outward/spun_ball.h"
 
-#include "fast/bounds/centre_of_mass.h"
-#include "fast/bounds/reach.h"
+#include "fast/outward/centre_of_mass.h"
+#include "fast/outward/reach.h"
 
 namespace touchstone::fast::outward {
 

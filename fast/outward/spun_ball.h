@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "fast/bounds/outward.h"
+#include "fast/outward/outward.h"
 #include "model/scene.h"
 
 namespace touchstone::fast::outward {

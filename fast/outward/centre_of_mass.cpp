@@ -1,4 +1,4 @@
-#include "fast/bounds/centre_of_mass.h"
+#include "fast/outward/centre_of_mass.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,8 +6,8 @@
 #include <variant>
 #include <vector>
 
-#include "fast/bounds/outward.h"
 #include "fast/exact/vector.h"
+#include "fast/outward/outward.h"
 #include "model/input_error.h"
 
 namespace touchstone::fast::outward {

@@ -1,10 +1,10 @@
-#include "fast/bounds/displacement.h"
+#include "fast/outward/displacement.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "fast/bounds/outward.h"
+#include "fast/outward/outward.h"
 
 namespace touchstone::fast::outward {
 namespace {

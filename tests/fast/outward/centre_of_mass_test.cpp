@@ -1,10 +1,10 @@
 // The centre of mass of bodies with a density against the exact reference, including thin, distant and tiny solids.
-#include "fast/bounds/centre_of_mass.h"
+#include "fast/outward/centre_of_mass.h"
 
 #include <cmath>
 
-#include "fast/bounds/outward.h"
-#include "fast/bounds/spun_ball.h"
+#include "fast/outward/outward.h"
+#include "fast/outward/spun_ball.h"
 #include "model/input_error.h"
 #include "reference/mass.h"
 #include "tests/catch.h"

@@ -1,4 +1,4 @@
-#include "fast/bounds/outward.h"
+#include "fast/outward/outward.h"
 
 #include <algorithm>
 #include <cmath>
