@@ -1,5 +1,5 @@
 # What `cmake --install` copies: the program, its subjects, and the libraries with their headers for
-# find_package(touchstone).
+# find_package(touchstone). The target `api` makes pages of those headers.
 
 function(touchstone_install target layer is_executable)
   if(NOT is_executable AND layer IN_LIST TOUCHSTONE_INSTALLED_LAYERS)
@@ -23,19 +23,15 @@ endfunction()
 
 set(TOUCHSTONE_INSTALLED_LAYERS model reference oracle properties fast)
 
-# The sub-folders of reference/ are private: only its headers on top are installed.
-foreach(folder IN LISTS TOUCHSTONE_INSTALLED_LAYERS)
-  if(folder STREQUAL "reference")
-    file(GLOB public_headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/reference/*.h)
-    install(FILES ${public_headers} DESTINATION include/touchstone/reference)
-  else()
-    install(DIRECTORY ${PROJECT_SOURCE_DIR}/${folder} DESTINATION include/touchstone FILES_MATCHING PATTERN "*.h"
-      PATTERN "subjects" EXCLUDE PATTERN "corpus" EXCLUDE)
-  endif()
-endforeach()
+set(package ${CMAKE_CURRENT_BINARY_DIR}/package)
+install(CODE "execute_process(COMMAND_ERROR_IS_FATAL ANY COMMAND \"${CMAKE_COMMAND}\" -D \"SOURCE=${PROJECT_SOURCE_DIR}\"
+  -D \"DESTINATION=${package}/include\" -P \"${PROJECT_SOURCE_DIR}/cmake/public_headers.cmake\")")
+install(DIRECTORY ${package}/include/touchstone DESTINATION include)
+
+add_custom_target(api COMMAND ${CMAKE_COMMAND} -D SOURCE=${PROJECT_SOURCE_DIR} -D FOLDER=${PROJECT_BINARY_DIR}/api
+  -P ${PROJECT_SOURCE_DIR}/cmake/api_pages.cmake USES_TERMINAL VERBATIM)
 
 include(CMakePackageConfigHelpers)
-set(package ${CMAKE_CURRENT_BINARY_DIR}/package)
 configure_file(${PROJECT_SOURCE_DIR}/cmake/TouchstoneConfig.cmake.in ${package}/touchstone-config.cmake @ONLY)
 write_basic_package_version_file(${package}/touchstone-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${package}/touchstone-config.cmake ${package}/touchstone-config-version.cmake DESTINATION lib/cmake/touchstone)

@@ -13,6 +13,7 @@ namespace touchstone::fast {
 /// An end beyond the range of doubles is the greatest finite double. Requires a valid scene; faces are not needed.
 Bounds bounds(const Scene& scene);
 
+/// The box of one body, by the same law.
 Aabb box(const Body& body);
 
 }  // namespace touchstone::fast

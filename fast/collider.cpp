@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "fast/broad_phase/wrapped_grid.h"
+
 namespace touchstone::fast {
 namespace {
 
@@ -31,6 +33,8 @@ Ball ball_around(const lin_canny::Solid& solid) {
 }
 
 }  // namespace
+
+Collider::Collider(double margin) : Collider(std::make_unique<WrappedGrid>(), margin) {}
 
 Collider::Collider(std::unique_ptr<BroadPhase> broad_phase, double margin)
     : broad_phase_(std::move(broad_phase)), margin_(margin) {}

@@ -20,7 +20,7 @@ struct NearPair {
 /// Boxes prune the pairs. For each remaining pair the closest features are cached while its boxes overlap.
 ///
 /// A body's box is a fixed-size cube around its bounding ball, so setting a pose costs one product. Every pair of
-/// bodies at most `margin` apart is near. The results in pairs() obey fast/distance.h: exact verdicts and valid
+/// bodies at most `margin` (m) apart is near. The results in pairs() obey fast/distance.h: exact verdicts and valid
 /// enclosures.
 ///
 /// Cost of a frame: that of the broad phase, O(n) expected under coherence, and O(m) for m near pairs. Memory is
@@ -29,6 +29,8 @@ struct NearPair {
 /// Errors: as BroadPhase, and InputError for a shape that is not a solid. Requires valid shapes and poses.
 class Collider {
  public:
+  /// With `wrapped_grid`, the default broad phase for many bodies (fast/broad_phase/strategies.h).
+  explicit Collider(double margin = 0);
   explicit Collider(std::unique_ptr<BroadPhase> broad_phase, double margin = 0);
 
   void insert(BodyId id, const Shape& shape, const Pose& X_WB);

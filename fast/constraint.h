@@ -9,6 +9,7 @@
 
 namespace touchstone::fast {
 
+/// How finely time is cut, and how long a step is solved.
 struct ConstraintOptions {
   std::optional<double> step = {};  ///< s, the longest step; if absent, 1/4096 of the motion's duration
   int sweeps = 200;                 ///< most solver sweeps per step

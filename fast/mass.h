@@ -18,6 +18,7 @@ namespace touchstone::fast {
 /// Source: Mirtich 1996, "Fast and accurate computation of polyhedral mass properties" (the integrals).
 std::optional<MassProperties> mass(const Body& body);
 
+/// One entry per body, in the scene's order.
 Masses mass(const Scene& scene);
 
 }  // namespace touchstone::fast

@@ -22,6 +22,7 @@ struct Choice {
   std::string why;
 };
 
+/// The parts chosen for a scene.
 struct Plan {
   std::string strategy;           ///< a name of fast/broad_phase/strategies.h
   std::vector<BoundKind> bounds;  ///< indexed by body

@@ -12,6 +12,7 @@
 
 namespace touchstone::fast {
 
+/// What a run may cost and what it keeps. A run that reaches a limit stops (Simulated::stopped).
 struct SimulationOptions {
   double frame = 1.0 / 30;      ///< s; the time over which boxes enclose trajectories. No trajectory depends on it
                                 ///< where all times of impact have closed forms
@@ -33,11 +34,12 @@ class BeyondDoubles : public InputError {
 
 /// Why a simulation ended early.
 struct Stopped {
-  double time = 0;
+  double time = 0;   ///< s
   int a = 0, b = 0;  ///< the pair that was being processed; b = -1: a alone
   std::string why;
 };
 
+/// A trajectory until the end of the motion, or until the run stopped, with what was counted on the way.
 struct Simulated {
   Trajectory trajectory;
   world::Statistics statistics;
@@ -54,6 +56,7 @@ struct Simulated {
 /// every machine; a body that never comes near others changes no bit of their trajectories.
 Simulated simulate(const Scene& scene, const SimulationOptions& options = {});
 
+/// The trajectory alone.
 Trajectory simulation(const Scene& scene);
 
 }  // namespace touchstone::fast

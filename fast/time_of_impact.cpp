@@ -7,6 +7,7 @@
 
 #include "fast/lin_canny/nearest_parts.h"
 #include "fast/time_of_impact/advance.h"
+#include "fast/time_of_impact/first_contact.h"
 #include "fast/time_of_impact/spheres.h"
 #include "model/input_error.h"
 

@@ -1,4 +1,4 @@
-// The answers of a subject: one plain type for each query, wrapped in Answer<T> = T | Abstains | Breaks.
+// The answers of a subject: one plain type for each query, wrapped in `Answer<T>` = `T | Abstains | Breaks`.
 #pragma once
 
 #include <array>
@@ -116,6 +116,7 @@ struct TimeOfImpact {
   bool operator==(const TimeOfImpact&) const = default;
 };
 
+/// Pose and velocity of one body at one time, in W.
 struct State {
   Pose X_WB;
   Velocity velocity;
@@ -170,6 +171,7 @@ struct Breaks {
   bool operator==(const Breaks&) const = default;
 };
 
+/// What a subject returns to a query: the answer, or why there is none.
 template <class T>
 using Answer = std::variant<T, Abstains, Breaks>;
 

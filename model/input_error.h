@@ -6,6 +6,8 @@
 
 namespace touchstone {
 
+/// `place` is a file, a JSON path ("bodies[3].shape.radius"), an option, or "" where the message needs none. what() is
+/// "place: what_is_wrong".
 class InputError : public std::runtime_error {
  public:
   InputError(const std::string& place, const std::string& what_is_wrong)

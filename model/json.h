@@ -15,8 +15,12 @@
 
 namespace touchstone {
 
+/// Objects keep the order in which their keys were written.
 using Json = nlohmann::ordered_json;
 
+/// The JSON of a value, in the form that `read` reads (docs/scene.schema.json, docs/protocol.schema.json). An optional
+/// member that is absent has no key. Infinite friction is written "sticking"; any other number that is not finite
+/// becomes null when it is printed, which no reader accepts.
 Json json_of(const Vec3& v);
 Json json_of(const Pose& X);
 Json json_of(const Velocity& velocity);
@@ -71,7 +75,8 @@ std::string text_of(const Json& json);
 /// Parses, reads and validates (model/limits.h) a scene. Throws InputError.
 Scene scene_from(std::string_view text, const std::string& place);
 
-/// Reads a whole file. Throws InputError.
+/// `read_text` returns a whole file, byte for byte, or standard input for "-"; `read_scene` is read_source
+/// (model/source_text.h) and scene_from. Both throw InputError for a file that cannot be read or is too large.
 std::string read_text(const std::string& path);
 Scene read_scene(const std::string& path);
 

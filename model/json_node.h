@@ -48,6 +48,8 @@ class Node {
   int index_ = -1;
 };
 
+/// Read the value of a node; a wrong type or size, an unknown or a missing key throws InputError with its place. The
+/// values are not validated beyond that (model/limits.h).
 Vec3 read_vec3(const Node& node);
 Mat3 read_mat3(const Node& node);
 MassProperties read_mass_properties(const Node& node);

@@ -7,6 +7,7 @@
 
 namespace touchstone {
 
+/// `place` is the file or stream. what() is "place: what_is_wrong".
 class OutputError : public std::runtime_error {
  public:
   OutputError(const std::string& place, const std::string& what_is_wrong)

@@ -54,6 +54,8 @@ struct Fixed {
 
 using Mass = std::variant<Density, MassProperties, Fixed>;
 
+/// A solid with its pose, velocity, material and mass. Bodies are known by their index in Scene::bodies; the name is
+/// for messages.
 struct Body {
   std::string name;
   Shape shape;
@@ -130,6 +132,8 @@ struct Motion {
   bool operator==(const Motion&) const = default;
 };
 
+/// The bodies of a query, and what else it asks about. Which scenes are valid: model/limits.h for the conditions that
+/// floating point decides, reference/validity.h for the others.
 struct Scene {
   std::string name;
   std::vector<Body> bodies;

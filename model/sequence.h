@@ -11,6 +11,7 @@ namespace touchstone {
 /// By body; no pose: the body is not present.
 using Places = std::vector<std::optional<Pose>>;
 
+/// Does the scene have frames?
 inline bool is_sequence(const Scene& scene) { return !scene.frames.empty(); }
 
 /// All poses of bodies in W: their own, and those of the sequence.

@@ -13,8 +13,9 @@ namespace touchstone {
 /// A larger file is refused unread. The limit is 2 million triangles of binary STL, or 500,000 vertices of a scene.
 inline constexpr std::size_t largest_text_bytes = 100'000'000;
 
+/// A text, and where it came from.
 struct SourceText {
-  std::string name;  ///< name of the file; "<stdin>" for standard input
+  std::string name;  ///< name of the file; `<stdin>` for standard input
   std::string text;  ///< without the byte order mark of UTF-8
 };
 

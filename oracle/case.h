@@ -7,10 +7,11 @@
 
 #include "model/json.h"
 #include "model/scene.h"
-#include "oracle/judge/finding.h"
+#include "oracle/finding.h"
 
 namespace touchstone::oracle {
 
+/// The contents of a case file.
 struct Case {
   std::string property;     ///< "distance.value"
   std::string subject;      ///< "bullet.double"; empty in a corpus: for any subject
@@ -33,6 +34,8 @@ Json json_of(const Case& a_case);
 Finding read_finding(const Json& json, const std::string& place);
 Case case_from(std::string_view text, const std::string& place);
 
+/// `read_case` throws InputError for what `case_from` or read_source (model/source_text.h) refuses; `write_case` throws
+/// what write_text (model/json.h) throws, and leaves the old file where it fails.
 Case read_case(const std::string& path);
 void write_case(const Case& a_case, const std::string& path);
 

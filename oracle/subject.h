@@ -9,6 +9,7 @@
 
 namespace touchstone::oracle {
 
+/// The arithmetic in which the subject computes: rational, or with 53 or 24 bits. Allowed errors follow from it.
 enum class Precision { exact, binary64, binary32 };
 
 /// A known departure from the specification, as data. It explains a failing row but does not excuse it.
@@ -31,6 +32,9 @@ struct Card {
   std::vector<Deviation> deviations;
 };
 
+/// An adapter overrides the queries that its engine answers. It never repairs the engine's answer. An exception that
+/// leaves a query also leaves Property::check (properties/property.h); only where the subject runs in a process of its
+/// own it is caught, and counted as `Breaks`.
 class Subject {
  public:
   virtual ~Subject() = default;

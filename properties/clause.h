@@ -7,6 +7,7 @@
 
 namespace touchstone::properties {
 
+/// One clause; the texts are those of the page.
 struct Clause {
   std::string id;     ///< "TS-DISTANCE-2"
   std::string query;  ///< "distance": the page's name

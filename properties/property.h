@@ -6,11 +6,13 @@
 #include <vector>
 
 #include "model/scene.h"
-#include "oracle/judge/finding.h"
+#include "oracle/finding.h"
 #include "oracle/subject.h"
 
 namespace touchstone::properties {
 
+/// `check` asks the subject, once or more often, and judges what it answers. Requires a completed scene
+/// (reference/validity.h); one outside the clause's domain has the outcome `outside`.
 struct Property {
   std::string id;                    ///< "distance.symmetric"
   std::string query;                 ///< "distance"

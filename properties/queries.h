@@ -7,6 +7,7 @@
 
 namespace touchstone::properties {
 
+/// The lists that properties::all() is made of.
 std::vector<Property> mass_properties();
 std::vector<Property> bounds_properties();
 std::vector<Property> broad_phase_properties();

@@ -6,11 +6,13 @@
 
 namespace touchstone::properties {
 
+/// One page: the query that it is named after, and its Markdown.
 struct SpecPage {
   std::string_view query;
   std::string_view text;
 };
 
+/// In the order of the queries.
 const std::vector<SpecPage>& spec_pages();
 
 }  // namespace touchstone::properties

@@ -9,13 +9,15 @@
 
 namespace touchstone::reference {
 
-/// The least and the greatest corner of a body's box in W. Exact: vertices under R(q/|q|) are rational
+/// The least and the greatest corner of a body's box in W (m). Exact: vertices under R(q/|q|) are rational
 /// (reference/exact_pose.h).
 struct ExactBox {
   std::array<Rational, 3> lo;
   std::array<Rational, 3> hi;
 };
 
+/// The tight box of one body, and those of all bodies in the scene's order (m, in W). Require valid shapes; faces are
+/// not needed.
 ExactBox box(const Body& body);
 std::vector<ExactBox> bounds(const Scene& scene);
 

@@ -25,6 +25,7 @@ struct BallTruth {
   std::array<Interval, 3> p_WB, v_WB, w_WB;
 };
 
+/// The ball's mode and its changes, with bounds of the quantities by which an answer is judged.
 struct ConstraintTruth {
   enum class Mode { ballistic, sliding, rolling };
   /// At `time` the set of contacts changes, or the mode of one.

@@ -24,6 +24,7 @@
 
 namespace touchstone::reference {
 
+/// The distance of bodies 0 (A) and 1 (B), in W.
 struct DistanceTruth {
   Verdict verdict = Verdict::separated;
   int part_A = 0;  ///< the pair of parts that the fields below describe
@@ -50,8 +51,8 @@ enum class Route {
 /// Requires a completed scene (reference/validity.h) of at least two bodies.
 DistanceTruth distance(const Scene& scene, Route route = Route::certified);
 
-/// The exact squared distance of a point (doubles, in W) to the core of the nearest body part; 0 inside. For a swollen
-/// part: an enclosure of (distance to the core − radius), 0 inside. For judging witness points.
+/// The tightest doubles around the distance (m) of a point (exact, in W) from a body; [0, 0] on the body and inside it.
+/// For judging witness points. Requires a body of a completed scene.
 Interval distance_to_body(const Body& body, const Vec3& p_W);
 
 }  // namespace touchstone::reference

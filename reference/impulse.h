@@ -20,11 +20,13 @@ namespace touchstone::reference {
 
 using ExactVec3 = std::array<Rational, 3>;
 
+/// Of the centre of mass, and angular; in W.
 struct ExactVelocity {
   ExactVec3 v_WBcm;  ///< m/s
   ExactVec3 w_WB;    ///< rad/s
 };
 
+/// The impulse, the velocities after it, and what happened in between.
 struct ImpulseTruth {
   /// What happened. Slip whose direction turns smoothly is neither `straight` nor `stuck_from_start`.
   struct Modes {

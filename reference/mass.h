@@ -27,16 +27,18 @@ struct SolidTruth {
   std::array<Interval, 6> inertia;  ///< of unit density, about the centroid
 };
 
+/// The moments of one shape, exact up to π. A polytope needs its faces, as reference/validity.h derives them.
 SolidTruth solid(const Shape& shape);
 
-/// Enclosures of mass, centre of mass and inertia about it, for one body; none for a fixed body. Given properties are
-/// returned unchanged.
+/// Enclosures of mass (kg), centre of mass in B (m) and inertia about it in B's axes (kg m²), for one body. Given
+/// properties are returned unchanged.
 struct MassTruth {
   Interval mass;
   std::array<Interval, 3> p_BBcm;
   std::array<Interval, 6> I_BBcm_B;  ///< xx, yy, zz, xy, xz, yz
 };
 
+/// One entry per body, in the scene's order; none for a fixed body. Requires a completed scene (reference/validity.h).
 std::vector<std::optional<MassTruth>> mass(const Scene& scene);
 
 /// The middle of each enclosure: one of the two neighbouring doubles.

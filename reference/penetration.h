@@ -13,6 +13,7 @@
 
 namespace touchstone::reference {
 
+/// The depth of bodies 0 (A) and 1 (B), and a direction in which A leaves B; lengths in m, directions in W.
 struct PenetrationTruth {
   Verdict verdict = Verdict::separated;
   Rational core_squared;  ///< squared depth of the cores (cores overlap), or |d*|² (cores apart)
@@ -23,6 +24,7 @@ struct PenetrationTruth {
   Vec3 nhat_BA_W = Vec3::Zero();  ///< direction, normalised in doubles
 };
 
+/// Independent routes to the same depth.
 enum class DepthRoute {
   gauss_map,      ///< interval filter over the facets of the Gauss map, then exact arithmetic on those that remain
   minkowski_hull  ///< hull of all vertex differences, then the least facet distance

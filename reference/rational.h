@@ -51,6 +51,7 @@ class Rational {
   std::unique_ptr<Impl> impl_;
 };
 
+/// Three components, exactly.
 struct RationalVec3 {
   Rational x, y, z;
 

@@ -12,6 +12,7 @@
 
 namespace touchstone::reference {
 
+/// The first contact, or the proof that there is none; points and directions in W.
 struct TimeOfImpactTruth {
   TimeOfImpact::Status status = TimeOfImpact::Status::undecided;
 

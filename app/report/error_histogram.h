@@ -5,7 +5,7 @@
 #include <map>
 #include <string>
 
-#include "oracle/judge/finding.h"
+#include "oracle/finding.h"
 
 namespace touchstone::app {
 

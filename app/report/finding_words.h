@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "oracle/judge/finding.h"
+#include "oracle/finding.h"
 
 namespace touchstone::app {
 

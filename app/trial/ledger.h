@@ -12,7 +12,7 @@
 #include "app/trial/meshes.h"
 #include "model/scene.h"
 #include "oracle/case.h"
-#include "oracle/judge/finding.h"
+#include "oracle/finding.h"
 #include "oracle/judge/grade.h"
 #include "oracle/minimise/minimise.h"
 #include "oracle/subject.h"

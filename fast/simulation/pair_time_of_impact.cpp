@@ -9,7 +9,7 @@
 #include "fast/rounding.h"
 #include "fast/simulation/length.h"
 #include "fast/simulation/range.h"
-#include "fast/time_of_impact.h"
+#include "fast/time_of_impact/first_contact.h"
 
 namespace touchstone::fast::world {
 namespace {

@@ -2,12 +2,12 @@
 // taken.
 #pragma once
 
-#include "fast/time_of_impact.h"
+#include "fast/time_of_impact/first_contact.h"
 #include "fast/time_of_impact/separation_query.h"
 
 namespace touchstone::fast::toi {
 
-/// As fast/time_of_impact.h, for two parts.
+/// As fast/time_of_impact/first_contact.h, for two parts.
 ///
 /// Far apart, the balls around the two bodies' centres of mass bound the time without contact. Near, the separating
 /// plane of the closest features does (separating_plane.h): its bound misses the distance by less than a second-order

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "fast/time_of_impact.h"
+#include "fast/time_of_impact/first_contact.h"
 
 namespace touchstone::fast::toi {
 

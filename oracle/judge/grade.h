@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "oracle/judge/finding.h"
+#include "oracle/finding.h"
 
 namespace touchstone::oracle {
 

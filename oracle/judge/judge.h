@@ -6,7 +6,7 @@
 #include <type_traits>
 
 #include "model/answers.h"
-#include "oracle/judge/finding.h"
+#include "oracle/finding.h"
 #include "oracle/subject.h"
 
 namespace touchstone::oracle::judge {

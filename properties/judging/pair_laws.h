@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "oracle/judge/finding.h"
+#include "oracle/finding.h"
 #include "oracle/subject.h"
 
 namespace touchstone::properties {

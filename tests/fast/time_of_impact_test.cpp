@@ -4,6 +4,7 @@
 
 #include "fast/distance.h"
 #include "fast/lin_canny/nearest_parts.h"
+#include "fast/time_of_impact/first_contact.h"
 #include "model/input_error.h"
 #include "reference/time_of_impact.h"
 #include "reference/validity.h"

@@ -1,4 +1,4 @@
-#include "oracle/judge/finding.h"
+#include "oracle/finding.h"
 
 namespace touchstone::oracle {
 

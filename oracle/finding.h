@@ -8,6 +8,7 @@
 
 namespace touchstone::oracle {
 
+/// What came of asking.
 enum class Outcome {
   holds,     ///< asked, answered, right
   fails,     ///< asked, answered, wrong
@@ -55,6 +56,7 @@ enum class Defect {
   garbage  ///< an answer that cannot be read
 };
 
+/// An outcome, and what a user needs to understand it. Fields that an outcome does not need are empty.
 struct Finding {
   Outcome outcome = Outcome::holds;
   Defect defect = Defect::none;
@@ -74,6 +76,7 @@ struct Finding {
 /// The unit of a failure without a magnitude: two answers that should be equal, a pair (2, 1), a body without an entry.
 inline constexpr const char* without_size = "broken laws";
 
+/// The enumerator itself, as case files and reports have it: "too_far".
 std::string name_of(Outcome outcome);
 std::string name_of(Defect defect);
 
