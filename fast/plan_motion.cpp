@@ -2,14 +2,14 @@
 
 #include "fast/counted.h"
 #include "fast/plan.h"
-#include "fast/simulation/pair_time_of_impact.h"
+#include "fast/simulation/prediction/pair_time_of_impact.h"
 
 namespace touchstone::fast {
 namespace {
 
 using motion::Turning;
-using world::BodyMotion;
-using world::Kind;
+using simulation::BodyMotion;
+using simulation::Kind;
 
 void note(std::vector<Choice>& parts, std::size_t n, const std::string& one, const std::string& many,
           const std::string& what, const std::string& why) {
@@ -48,7 +48,7 @@ Sorts sorts_of(const Scene& scene) {
 bool has_acceleration(const Scene& scene) { return !scene.gravity.isZero(0) || !scene.motion->forces.empty(); }
 
 /// Contact mode handles contacts with micro-bounces within the envelope. Without gravity and applied forces there are
-/// no micro-bounces, unless a body's own rotation presses it back (fast/simulation/loop_islands.cpp).
+/// no micro-bounces, unless a body's own rotation presses it back (fast/simulation/response.h).
 void plan_contact(const Scene& scene, const Sorts& sorts, Plan& plan) {
   const std::size_t may = has_acceleration(scene) ? sorts.pairs() : sorts.pairs() - sorts.closed();
   note(plan.used, may, "pair", "pairs", "contact mode",

@@ -42,7 +42,7 @@ struct Stopped {
 /// A trajectory until the end of the motion, or until the run stopped, with what was counted on the way.
 struct Simulated {
   Trajectory trajectory;
-  world::Statistics statistics;
+  simulation::Statistics statistics;
   std::vector<Vec3> momentum_before,
       momentum;  ///< kg m/s, indexed by body, with exact_momentum: the sums of the two are the same double
   std::optional<Stopped> stopped;
@@ -55,8 +55,5 @@ struct Simulated {
 /// docs/design/simulation.md defines motion, times of impact and events. Laws: the same scene gives the same bits on
 /// every machine; a body that never comes near others changes no bit of their trajectories.
 Simulated simulate(const Scene& scene, const SimulationOptions& options = {});
-
-/// The trajectory alone.
-Trajectory simulation(const Scene& scene);
 
 }  // namespace touchstone::fast

@@ -8,7 +8,7 @@
 #include "fast/bounds.h"
 #include "fast/broad_phase.h"
 #include "fast/motion/quaternion.h"
-#include "fast/simulation/pair_time_of_impact.h"
+#include "fast/simulation/prediction/pair_time_of_impact.h"
 #include "model/input_error.h"
 #include "reference/exact_pose.h"
 #include "reference/penetration.h"
@@ -70,7 +70,7 @@ double greatest_sum(const Aabb& box) { return box.lo.cwiseAbs().cwiseMax(box.hi.
 /// less than the clearance of `fast` where it has closed forms. For all other pairs any depth is overlap, as in `fast`
 /// and `reference`.
 double touching(const Body& A, const Aabb& box_A, const Body& B, const Aabb& box_B) {
-  using fast::world::BodyMotion;
+  using fast::simulation::BodyMotion;
   const bool as_written = !is_compound(A) && !is_compound(B) &&
                           !has_closed_form(BodyMotion(A, 0, Vec3::Zero()), BodyMotion(B, 0, Vec3::Zero()));
   return as_written ? 0 : 0x1p-48 * (greatest_sum(box_A) + greatest_sum(box_B));

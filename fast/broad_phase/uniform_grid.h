@@ -18,9 +18,6 @@ namespace touchstone::fast {
 /// Cost of a frame: O(n + tests) if bodies have similar sizes; a great ratio of sizes makes it quadratic. Rebuilt each
 /// frame.
 class UniformGrid final : public BroadPhase {
- public:
-  double cell_size() const { return size_; }
-
  private:
   void refresh() override;
   double choose_cell_size() const;

@@ -6,7 +6,7 @@
 
 namespace touchstone::fast::lin_canny {
 
-/// R with ‖R − R(q/|q|)‖₂ ≤ rotation_error, for any q ≠ 0.
+/// R with ‖R − R(q/|q|)‖₂ ≤ 12u, for any q ≠ 0.
 ///
 /// Each entry is N s, with N a difference of products and s ≈ 1/D, D = |q|².
 ///   D = (w² + x²) + (y² + z²), all terms ≥ 0: relative 3u; 1/D: 1u more. One factor for all entries, ‖R‖₂ = 1: 4u.
@@ -17,7 +17,6 @@ namespace touchstone::fast::lin_canny {
 ///   Frobenius norm of six uD and three 2uD: √18 uD < 4.3uD; the u|N|: another 1.8u.
 /// Together < 11.9u; 12u covers the terms of second order. q is scaled by a power of two so that nothing overflows;
 /// underflow then costs less than 2^-900.
-constexpr double rotation_error = 12 * u;
 Mat3 rotation(const Quaternion& q);
 
 /// The same rotation by a quaternion whose squares neither overflow nor underflow: q itself, or q times a power of two.

@@ -6,7 +6,7 @@
 
 #include "fast/impulse.h"
 
-namespace touchstone::fast::world {
+namespace touchstone::fast::simulation {
 namespace {
 
 Vec3 at_centre(const BodyMotion& m, const State& state) {
@@ -142,4 +142,4 @@ ImpactResult micro_collision(const BodyMotion& a, const State& at_a, const BodyM
   return with_loss(others_after(a, at_a, b, at_b, touch, P), a, at_a, b, at_b, touch, u);
 }
 
-}  // namespace touchstone::fast::world
+}  // namespace touchstone::fast::simulation

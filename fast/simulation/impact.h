@@ -1,9 +1,9 @@
 // The impulse and the velocities after an impact of two bodies on their trajectories.
 #pragma once
 
-#include "fast/simulation/pair_time_of_impact.h"
+#include "fast/simulation/prediction/pair_time_of_impact.h"
 
-namespace touchstone::fast::world {
+namespace touchstone::fast::simulation {
 
 /// Coefficients of a pair: the lesser of the two bodies' values (docs/design/simulation.md).
 struct Coefficients {
@@ -31,12 +31,12 @@ double normal_velocity(const BodyMotion& a, const State& at_a, const BodyMotion&
 ImpactResult impact(const BodyMotion& a, const State& at_a, const BodyMotion& b, const State& at_b, const Touch& touch,
                     const Coefficients& coefficients);
 
-/// One of the many micro-bounces that replace a resting contact: the bodies separate with u_n = `speed`. As in
-/// fast/impulse/micro_collision.h, with u_n' = (u_n − speed)/2 in place of u_n: if P = −2 K⁻¹u' is in the friction
-/// cone, the impulse is P, which reverses the slip, so that its mean is 0; otherwise it is that of an elastic impact
+/// One of the many micro-bounces that replace a resting contact: the bodies separate with u_n = `speed`. With
+/// u_n' = (u_n − speed)/2 in place of u_n: if P = −2 K⁻¹u' is in the friction cone, the impulse is P, which reverses
+/// the slip, so that its mean is 0 (only the factor 2 conserves the energy); otherwise it is that of an elastic impact
 /// against u'. The error is of second order in `speed`; the first of a series, with u_n = 0, is the half kick that
-/// makes it so (docs/design/simulation.md).
+/// makes it so. Source: Mirtich 1996, 3.5; docs/design/simulation.md.
 ImpactResult micro_collision(const BodyMotion& a, const State& at_a, const BodyMotion& b, const State& at_b,
                              const Touch& touch, Coefficients coefficients, double speed);
 
-}  // namespace touchstone::fast::world
+}  // namespace touchstone::fast::simulation

@@ -8,7 +8,7 @@
 
 #include "fast/lin_canny/solid.h"
 
-namespace touchstone::fast::world {
+namespace touchstone::fast::simulation {
 namespace {
 
 using Vec2 = Eigen::Vector2d;
@@ -123,4 +123,4 @@ bool supports(const std::vector<Vec3>& corners, const Vec3& nhat_W, const Vec3& 
   return true;
 }
 
-}  // namespace touchstone::fast::world
+}  // namespace touchstone::fast::simulation

@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "fast/simulation/body_motion.h"
+#include "fast/simulation/prediction/body_motion.h"
 
-namespace touchstone::fast::world {
+namespace touchstone::fast::simulation {
 
 /// The corners, in order around it, of the convex region in which A and B are within `within` (m) of each other's
 /// outermost planes across n̂, at time t; `p_WC` alone if the region is a point. Velocities are affine over the region,
@@ -19,4 +19,4 @@ std::vector<Vec3> patch(const BodyMotion& a, const BodyMotion& b, double t, cons
 /// Whether the projection of p along n̂ is in the interior of the corners' region.
 bool supports(const std::vector<Vec3>& corners, const Vec3& nhat_W, const Vec3& p_W);
 
-}  // namespace touchstone::fast::world
+}  // namespace touchstone::fast::simulation

@@ -5,10 +5,10 @@
 #include <string>
 
 #include "fast/simulation.h"
-#include "fast/simulation/pair_time_of_impact.h"
+#include "fast/simulation/prediction/pair_time_of_impact.h"
 #include "model/limits.h"
 
-namespace touchstone::fast::world {
+namespace touchstone::fast::simulation {
 namespace {
 
 constexpr double greatest = 0x1p250, least = 0x1p-250;            // of quantities that are squared twice
@@ -67,4 +67,4 @@ bool positions_resolved(const BodyMotion& a, const BodyMotion& b, double t) {
   return clearance(a, b, t, never) < least_resolution * std::min(size_of(a), size_of(b));
 }
 
-}  // namespace touchstone::fast::world
+}  // namespace touchstone::fast::simulation

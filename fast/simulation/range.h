@@ -1,10 +1,10 @@
 // The numbers that a simulation in doubles supports, and the times at which positions are too coarse to continue.
 #pragma once
 
-#include "fast/simulation/body_motion.h"
+#include "fast/simulation/prediction/body_motion.h"
 #include "model/scene.h"
 
-namespace touchstone::fast::world {
+namespace touchstone::fast::simulation {
 
 /// Throws BeyondDoubles, naming the first number whose square or product with others would over- or underflow. Lengths,
 /// speeds and accelerations must be below 2^250 (about 1.8e75), sizes above 2^-250, and masses, moments of inertia and
@@ -16,4 +16,4 @@ void refuse_beyond_doubles(const Scene& scene, const std::vector<BodyMotion>& bo
 /// on neither.
 bool positions_resolved(const BodyMotion& a, const BodyMotion& b, double t);
 
-}  // namespace touchstone::fast::world
+}  // namespace touchstone::fast::simulation

@@ -3,10 +3,11 @@
 
 #include <array>
 #include <cstdint>
+#include <numeric>
 
 #include "model/answers.h"
 
-namespace touchstone::fast::world {
+namespace touchstone::fast::simulation {
 
 /// Sums over all events so far. Ballistic motion loses no energy: while bodies only move ballistically, collide and
 /// take contact steps, the sum of kinetic and potential energy falls by `loss` + `contact_loss`, and momentum changes
@@ -22,6 +23,7 @@ struct Statistics {
   Vec3 to_fixed = Vec3::Zero();    ///< N s; momentum that fixed bodies took in impacts
 
   std::int64_t of(Event::Kind kind) const { return count[static_cast<std::size_t>(kind)]; }
+  std::int64_t events() const { return std::reduce(count.begin(), count.end()); }
 };
 
-}  // namespace touchstone::fast::world
+}  // namespace touchstone::fast::simulation

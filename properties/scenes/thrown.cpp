@@ -83,13 +83,6 @@ Material some_material(Random& random) {
   return {restitution, random.pick({0.0, 0.0, 0.25, 0.5, 1.0})};
 }
 
-Vec3 some_axis(Random& random) {
-  Vec3 axis = Vec3::Zero();
-  const int i = random.below(3);
-  axis[i] = random.sign();
-  return axis;
-}
-
 Scene turned_somehow(Random& random, Scene scene) {
   for (int turns = random.below(3); turns > 0; --turns) scene = turned(scene).value_or(scene);
   return random.one_in(2) ? half_turned(std::move(scene)) : scene;

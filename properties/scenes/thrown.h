@@ -35,9 +35,6 @@ Motion motion_until(double end, int samples = 1);
 /// impacts accumulate.
 Material some_material(Random& random);
 
-/// One of the six axis directions.
-Vec3 some_axis(Random& random);
-
 /// The scene under a random rotation that maps axes to axes.
 Scene turned_somehow(Random& random, Scene scene);
 

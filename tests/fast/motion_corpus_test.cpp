@@ -18,7 +18,7 @@ class Fast : public oracle::Subject {
   Fast() { card_.name = "fast"; }
   const oracle::Card& card() const override { return card_; }
   Answer<TimeOfImpact> time_of_impact(const Scene& scene) override { return time_of_impact_of(scene); }
-  Answer<Trajectory> simulation(const Scene& scene) override { return fast::simulation(scene); }
+  Answer<Trajectory> simulation(const Scene& scene) override { return fast::simulate(scene).trajectory; }
   Answer<Trajectory> constraint(const Scene& scene) override { return constrained(scene, {}); }
 
  private:

@@ -57,7 +57,7 @@ class Fast : public Subject {
 
   Answer<Trajectory> simulation(const Scene& scene) override {
     try {
-      return fast::simulation(scene);
+      return fast::simulate(scene).trajectory;
     } catch (const fast::BeyondDoubles& beyond) {
       return Abstains{beyond.what()};
     } catch (const std::range_error& beyond) {

@@ -51,7 +51,7 @@ int main(int count, char** paths) {
   using namespace touchstone;
   for (int i = 1; i < count; ++i) {
     const Scene scene = read_scene(paths[i]);
-    const Trajectory said = fast::simulation(scene);
+    const Trajectory said = fast::simulate(scene).trajectory;
     Fingerprint bits;
     for (const std::vector<State>& bodies : said.states) {
       for (const State& state : bodies) bits.add(state);

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 
-#include "fast/impulse/micro_collision.h"
 #include "fast/impulse/restart.h"
 #include "properties/random.h"
 #include "tests/catch.h"
@@ -153,45 +152,6 @@ TEST_CASE("speeds and masses of any size: only the unit changes") {
     CHECK(same.p == std::ldexp(out.p, power));
     CHECK(same.P1 == std::ldexp(out.P1, power));
   }
-}
-
-TEST_CASE("a micro-collision within the cone turns u round and keeps the energy; beyond it friction takes some") {
-  properties::Random random(2);
-  int reversed = 0;
-  for (int k = 0; k < 2000; ++k) {
-    Impact i = some_impact(random, Law::newton);
-    i.u1 *= 0.2;
-    i.u2 *= 0.2;
-    const Outcome out = micro_collision(i);
-    const After end = after(i, out);
-    // The terms that cancel in u + K P, and in (u + u_f)·P, each with a few roundings.
-    const double terms = 3 + (i.l1 + std::abs(i.k1)) * std::abs(out.P1) + (i.l2 + std::abs(i.k2)) * std::abs(out.P2) +
-                         (i.b + std::abs(i.k1) + std::abs(i.k2)) * out.p;
-    const double scale = 1e-15 * terms * (1 + std::abs(out.P1) + std::abs(out.P2) + out.p);
-    CAPTURE(k, i.l1, i.l2, i.k1, i.k2, i.b, i.u1, i.u2, i.un, i.mu);
-    CHECK(std::hypot(out.P1, out.P2) <= i.mu * out.p * (1 + 1e-14));
-    const bool turned_round = std::abs(end.u1 + i.u1) + std::abs(end.u2 + i.u2) + std::abs(end.un + i.un) <= scale;
-    reversed += turned_round;
-    CHECK(end.energy <= scale);
-    if (turned_round) CHECK(std::abs(end.energy) <= scale);
-  }
-  CHECK(reversed > 200);
-  CHECK(reversed < 1800);
-}
-
-TEST_CASE("a block that friction holds on a ramp does not creep: each hop brings it back") {
-  // Gravity acts down the ramp and onto it; between micro-collisions the block is in ballistic motion. mu exceeds the
-  // slope's tangent.
-  const double down = 0.3, onto = 1, interval = 1e-3;
-  double speed = down * interval / 2, place = 0;  // starts with half a step of acceleration: symmetric in time
-  for (int k = 0; k < 100000; ++k) {
-    const Impact i{1, 1, 0, 0, 1, speed, 0, -onto * interval / 2, Law::poisson, 0, 0.5};
-    const Outcome out = micro_collision(i);
-    speed += out.P1;
-    place += speed * interval + down * interval * interval / 2;
-    speed += down * interval;
-  }
-  CHECK(std::abs(place) <= 1e-11);  // rounding alone: 1e5 micro-bounces of some 1e-7
 }
 
 }  // namespace

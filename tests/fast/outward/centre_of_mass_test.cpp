@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "fast/outward/outward.h"
-#include "fast/outward/spun_ball.h"
 #include "model/input_error.h"
 #include "reference/mass.h"
 #include "tests/catch.h"

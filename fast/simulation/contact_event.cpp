@@ -1,0 +1,106 @@
+#include "fast/simulation/contact_event.h"
+
+#include <algorithm>
+
+#include "fast/simulation/impact_event.h"
+#include "fast/simulation/island/island_event.h"
+#include "fast/simulation/later.h"
+#include "fast/simulation/range.h"
+#include "fast/simulation/response.h"
+#include "fast/simulation/rest/rest_event.h"
+
+namespace touchstone::fast::simulation {
+namespace {
+
+/// The contact point of two bodies in ballistic motion or at rest in closed form; none if they are farther apart than
+/// predicted.
+std::optional<Touch> contact_of(Run& run, const PairEvent& pair) {
+  const World& world = run.world;
+  const BodyMotion &a = world.body(pair.a), &b = world.body(pair.b);
+  const Touch nearest = run.schedule.nearest_points(pair.a, pair.b, world.now());
+  if (nearest.gap > std::max(world.envelope(), 2 * clearance(a, b, world.now(), never))) return {};
+  return has_closed_form(a, b) ? nearest : fastest_approach(run, pair.a, pair.b).value_or(nearest);
+}
+
+/// A body that touches another one in a closed form, if there is one, now.
+std::optional<RestCandidate> resting(const World& world, const PairEvent& pair, const Touch& touch) {
+  std::optional<RestCandidate> candidate = rest_candidate(world, pair.a, pair.b, touch);
+  return candidate && closed_form_rest(world, *candidate, 1) ? candidate : std::nullopt;
+}
+
+/// Micro-bounces after an impact that would all stay within the envelope are completed at once. The first has the speed
+/// `rebound`; under the acceleration `presses` they end 2 rebound/(presses (1 − e)) later.
+void complete_bounces(Run& run, const PairEvent& pair, const Touch& touch, double rebound, double presses,
+                      double restitution) {
+  const World& world = run.world;
+  const std::optional<RestCandidate> candidate = rest_candidate(world, pair.a, pair.b, touch);
+  if (!candidate) return;
+  try_rest(run, *candidate, world.body(candidate->id).path().velocity(world.now()), {rebound, (1 + restitution) / 2},
+           world.now() + 2 * rebound / (presses * (1 - restitution)));
+}
+
+void respond(Run& run, const PairEvent& pair, const Touch& touch) {
+  const World& world = run.world;
+  const BodyMotion &a = world.body(pair.a), &b = world.body(pair.b);
+  const State at_a = run.islands.state(pair.a), at_b = run.islands.state(pair.b);
+  const Coefficients c = world.coefficients(pair.a, pair.b);
+  const bool in_contact = run.is_in_contact(pair.a) || run.is_in_contact(pair.b) || world.had_impact_now(pair.a) ||
+                          world.had_impact_now(pair.b);
+  const ContactSpeeds speeds =
+      contact_speeds(world, run.islands, pair.a, pair.b, touch, normal_velocity(a, at_a, b, at_b, touch), in_contact);
+  const std::optional<RestCandidate> rest =
+      speeds.is_slow() && !in_contact ? resting(world, pair, touch) : std::nullopt;
+  switch (classify(speeds, rest.has_value(), run.options.micro_collisions)) {
+    case Response::later:
+      return schedule_later(run, pair.a, pair.b);
+    case Response::rest:
+      try_rest(run, *rest, world.body(rest->id).path().velocity(world.now()), {}, world.now());
+      return;
+    case Response::join_island:
+      return merge_islands(run, pair.a, pair.b) ? void() : schedule_later(run, pair.a, pair.b);
+    case Response::micro_collision:
+      return apply_impulse(run, Event::Kind::micro_collision, pair.a, pair.b, touch,
+                           micro_collision(a, at_a, b, at_b, touch, c, speeds.bounce_speed));
+    case Response::impact:
+      break;
+  }
+  if (c.restitution < 1 && collides_endlessly(run, pair.a, pair.b, speeds.u_n) && merge_islands(run, pair.a, pair.b))
+    return;
+  const double rebound = c.restitution * -speeds.u_n, presses = pressing_acceleration(a, b, touch);
+  apply_impulse(run, Event::Kind::impact, pair.a, pair.b, touch, impact(a, at_a, b, at_b, touch, c));
+  if (!in_contact && rebound <= speeds.bounce_speed && c.restitution < 1)
+    complete_bounces(run, pair, touch, rebound, presses, c.restitution);
+}
+
+/// With at least one body in an island. The steps lead near the predicted contact but not exactly there, so the contact
+/// is tested again. If both bodies are in islands or fixed, their islands merge before the bodies touch: steps of the
+/// merged island end where they do.
+void resolve_island_contact(Run& run, const PairEvent& pair) {
+  cut_step(run, pair.a);
+  cut_step(run, pair.b);
+  if (run.islands.follows_steps(pair.a) && run.islands.follows_steps(pair.b))
+    return merge_islands(run, pair.a, pair.b) ? void() : recheck(run, pair.a, pair.b);
+  const std::optional<Touch> touch = fastest_approach(run, pair.a, pair.b);
+  if (!touch) return recheck(run, pair.a, pair.b);
+  respond(run, pair, *touch);
+  run.guard.check_events(run.recorder.statistics(), run.world.now(), pair.a, pair.b);
+}
+
+}  // namespace
+
+void resolve_contact(Run& run, const PairEvent& pair) {
+  const World& world = run.world;
+  if (!run.guard.makes_progress(world.now(), pair.a, pair.b)) return;
+  if (run.rests.rests_on(pair.a, pair.b)) return end_rest_phase(run, pair.a);
+  if (run.rests.rests_on(pair.b, pair.a)) return end_rest_phase(run, pair.b);
+  if (run.islands.of(pair.a) || run.islands.of(pair.b)) return resolve_island_contact(run, pair);
+  if (!positions_resolved(world.body(pair.a), world.body(pair.b), world.now()))
+    return run.guard.stop({world.now(), static_cast<int>(pair.a), static_cast<int>(pair.b),
+                           "rounding moves the two by more than a thousandth of the smaller one"});
+  const std::optional<Touch> touch = contact_of(run, pair);
+  if (!touch) return recheck(run, pair.a, pair.b);
+  respond(run, pair, *touch);
+  run.guard.check_events(run.recorder.statistics(), world.now(), pair.a, pair.b);
+}
+
+}  // namespace touchstone::fast::simulation

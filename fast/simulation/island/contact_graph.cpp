@@ -1,0 +1,158 @@
+#include "fast/simulation/island/contact_graph.h"
+
+#include <algorithm>
+#include <tuple>
+
+#include "fast/simulation/prediction/length.h"
+
+namespace touchstone::fast::simulation {
+namespace {
+
+constexpr double overlap_tolerance = 0x1p-10;  // of `near`: contact steps are as accurate as that (island_step.cpp)
+
+/// An upper bound of the speed of any point of the body within h (m/s), without contact forces.
+double speed_bound(const IslandBody& island_body, double h) {
+  const Velocity& V = island_body.state().velocity;
+  return length(V.v_WBcm) + length(V.w_WB) * island_body.body->radius() +
+         h * length(island_body.step_body.acceleration);
+}
+
+}  // namespace
+
+void ContactGraph::add(const IslandBody& island_body) {
+  const auto place = std::ranges::lower_bound(bodies_, island_body.id, {}, &IslandBody::id);
+  bodies_.insert(place, island_body);
+}
+
+std::size_t ContactGraph::index(BodyId id) const {
+  return static_cast<std::size_t>(std::ranges::lower_bound(bodies_, id, {}, &IslandBody::id) - bodies_.begin());
+}
+
+bool ContactGraph::has(BodyId id) const {
+  const std::size_t i = index(id);
+  return i < bodies_.size() && bodies_[i].id == id;
+}
+
+bool ContactGraph::connects(BodyId a, BodyId b) const {
+  return std::ranges::any_of(contact_pairs_,
+                             [=](const ContactPair& j) { return j.a == std::min(a, b) && j.b == std::max(a, b); });
+}
+
+BodyId ContactGraph::key() const {
+  return std::ranges::find_if(bodies_, [](const IslandBody& island_body) { return !island_body.fixed(); })->id;
+}
+
+void ContactGraph::sort_contact_pairs() {
+  std::ranges::stable_sort(contact_pairs_, {},
+                           [](const ContactPair& j) { return std::tuple(j.a, j.b, j.part_a, j.part_b); });
+}
+
+void ContactGraph::absorb(const ContactGraph& other) {
+  for (const IslandBody& island_body : other.bodies_) {
+    if (!has(island_body.id)) add(island_body);
+  }
+  contact_pairs_.insert(contact_pairs_.end(), other.contact_pairs_.begin(), other.contact_pairs_.end());
+  sort_contact_pairs();
+}
+
+bool ContactGraph::link(BodyId id_a, BodyId id_b) {
+  const BodyId a = std::min(id_a, id_b), b = std::max(id_a, id_b);
+  link(a, b, reach_);
+  return connects(a, b);
+}
+
+/// Requires a < b.
+void ContactGraph::link(BodyId a, BodyId b, double reach) {
+  const IslandBody &A = bodies_[index(a)], &B = bodies_[index(b)];
+  const std::size_t parts_a = A.body->model().solid.parts().size(), parts_b = B.body->model().solid.parts().size();
+  for (std::size_t i = 0; i < parts_a; ++i) {
+    for (std::size_t j = 0; j < parts_b; ++j) {
+      const auto same = [&](const ContactPair& k) { return k.a == a && k.b == b && k.part_a == i && k.part_b == j; };
+      if (std::ranges::any_of(contact_pairs_, same)) continue;
+      ContactPair contact_pair{a, b, i, j};
+      if (update(contact_pair, A, B, near_, reach)) contact_pairs_.push_back(std::move(contact_pair));
+    }
+  }
+  sort_contact_pairs();
+}
+
+void ContactGraph::link_parts(double h) {
+  std::vector<BodyPair> pairs;
+  for (const ContactPair& contact_pair : contact_pairs_) pairs.push_back({contact_pair.a, contact_pair.b});
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  for (const BodyPair& pair : pairs)
+    link(pair.a, pair.b,
+         reach_ + h * (speed_bound(bodies_[index(pair.a)], h) + speed_bound(bodies_[index(pair.b)], h)));
+}
+
+std::vector<ContactPair> ContactGraph::take_out_separating(const std::function<double(BodyId, BodyId)>& release_speed) {
+  std::vector<bool> held(bodies_.size());
+  for (std::size_t i = 0; i < bodies_.size(); ++i) held[i] = bodies_[i].fixed();
+  std::vector<ContactPair> near, kept, out;
+  for (ContactPair& contact_pair : contact_pairs_) {
+    const ContactPair before = contact_pair;
+    const std::size_t a = index(contact_pair.a), b = index(contact_pair.b);
+    if (!update(contact_pair, bodies_[a], bodies_[b], near_, reach_)) {
+      out.push_back(before);
+      continue;
+    }
+    for (const contact::ContactPoint& contact_point : contact_pair.contact_points) {
+      const ImpactCandidate at = candidate_at(contact_pair, contact_point, bodies_[a], bodies_[b]);
+      if (at.u_n <= release_speed(contact_pair.a, contact_pair.b) || at.touch.gap < -near_ * overlap_tolerance)
+        held[a] = held[b] = true;
+    }
+    near.push_back(contact_pair);
+  }
+  for (const ContactPair& contact_pair : near)
+    (held[index(contact_pair.a)] && held[index(contact_pair.b)] ? kept : out).push_back(contact_pair);
+  contact_pairs_ = std::move(kept);
+  std::erase_if(out, [](const ContactPair& contact_pair) { return !contact_pair.touched; });
+  return out;
+}
+
+std::optional<ImpactCandidate> ContactGraph::fastest_approach() const {
+  std::optional<ImpactCandidate> most;
+  for (const ContactPair& contact_pair : contact_pairs_) {
+    const IslandBody &A = bodies_[index(contact_pair.a)], &B = bodies_[index(contact_pair.b)];
+    for (const contact::ContactPoint& contact_point : contact_pair.contact_points) {
+      const ImpactCandidate found = candidate_at(contact_pair, contact_point, A, B);
+      if (!most || found.u_n < most->u_n) most = found;
+    }
+  }
+  return most;
+}
+
+void ContactGraph::emit_again(BodyId id) {
+  for (ContactPair& contact_pair : contact_pairs_) contact_pair.emitted = contact_pair.emitted && !contact_pair.has(id);
+}
+
+std::vector<ContactGraph> ContactGraph::components() const {
+  std::vector<std::size_t> root(bodies_.size());
+  for (std::size_t i = 0; i < root.size(); ++i) root[i] = i;
+  const auto find = [&](std::size_t i) {
+    while (root[i] != i) i = root[i];
+    return i;
+  };
+  for (const ContactPair& contact_pair : contact_pairs_) {
+    const std::size_t a = find(index(contact_pair.a)), b = find(index(contact_pair.b));
+    if (!bodies_[index(contact_pair.a)].fixed() && !bodies_[index(contact_pair.b)].fixed())
+      root[std::max(a, b)] = std::min(a, b);
+  }
+  std::vector<ContactGraph> graphs;
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    if (bodies_[i].fixed() || root[i] != i) continue;
+    ContactGraph graph(near_, reach_);
+    for (const ContactPair& contact_pair : contact_pairs_) {
+      const std::size_t a = index(contact_pair.a), b = index(contact_pair.b);
+      if (find(bodies_[a].fixed() ? b : a) != i) continue;
+      for (const std::size_t body : {a, b}) {
+        if (!graph.has(bodies_[body].id)) graph.add(bodies_[body]);
+      }
+      graph.contact_pairs_.push_back(contact_pair);
+    }
+    if (!graph.contact_pairs_.empty()) graphs.push_back(std::move(graph));
+  }
+  return graphs;
+}
+
+}  // namespace touchstone::fast::simulation

@@ -1,0 +1,94 @@
+#include "fast/simulation/island/contact_pair.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+#include "fast/lin_canny/proximity.h"
+
+namespace touchstone::fast::simulation {
+namespace {
+
+/// The direction of greatest separation among n, the contact point's normal, and the normals of nearby faces of A and
+/// B.
+Vec3 separating_direction(const contact::Part& A, const contact::Part& B, const Vec3& n) {
+  Vec3 best = n;
+  double widest = apart(A, B, n);
+  for (const Vec3& other : contact::faces_along(A, B, n)) {
+    const double wide = apart(A, B, other);
+    if (wide > widest) widest = wide, best = other;
+  }
+  return best;
+}
+
+lin_canny::Proximity proximity_of(const contact::Part& A, const State& at_a, const contact::Part& B,
+                                  const State& at_b) {
+  lin_canny::FeaturePair memory;
+  return lin_canny::proximity(*A.convex, lin_canny::CachedPose(at_a.X_WB), *B.convex, lin_canny::CachedPose(at_b.X_WB),
+                              memory);
+}
+
+contact::Part part_of(const IslandBody& island_body, std::size_t part, const State& state) {
+  contact::StepBody there = island_body.step_body;
+  there.state = state;
+  return contact::part_of(island_body.body->model().solid.parts()[part], lin_canny::CachedPose(state.X_WB),
+                          there.transform());
+}
+
+Vec3 normal(const ContactPair& contact_pair, const contact::Part& A, const State& at_a, const contact::Part& B,
+            const State& at_b, double near) {
+  if (contact_pair.contact_points.empty()) return contact::parting(A, B, proximity_of(A, at_a, B, at_b));
+  const contact::ContactPoint& contact_point = contact_pair.contact_points.front();
+  const Vec3 n = separating_direction(
+      A, B, nearness(contact_point.a, A.body, contact_point.b, B.body, contact_pair.nhat_BA_W).nhat_BA_W);
+  const double wide = apart(A, B, n);
+  if (wide >= -near / 4) return n;
+  const Vec3 other = contact::parting(A, B, proximity_of(A, at_a, B, at_b));
+  return apart(A, B, other) > wide ? other : n;
+}
+
+}  // namespace
+
+bool update(ContactPair& contact_pair, const IslandBody& body_a, const IslandBody& body_b, double near, double reach) {
+  const State &at_a = body_a.state(), &at_b = body_b.state();
+  const contact::Part A = part_of(body_a, contact_pair.part_a, at_a), B = part_of(body_b, contact_pair.part_b, at_b);
+  contact_pair.nhat_BA_W = normal(contact_pair, A, at_a, B, at_b, near);
+  const double gap = apart(A, B, contact_pair.nhat_BA_W);
+  if (gap > reach) return false;
+  std::vector<contact::ContactPoint> contact_points;
+  // If the parts overlap a little, all corners in the overlap become contact points.
+  if (gap <= near) contact_points = contact::contact_points(A, B, contact_pair.nhat_BA_W, near + std::max(0.0, -gap));
+  if (gap <= near && contact_points.empty()) {
+    const lin_canny::Proximity found = proximity_of(A, at_a, B, at_b);
+    contact_pair.nhat_BA_W = contact::parting(A, B, found);
+    if (apart(A, B, contact_pair.nhat_BA_W) <= near)
+      contact_points = contact::contact_points(A, B, contact_pair.nhat_BA_W, near);
+    if (contact_points.empty() && !(found.distance > near)) {
+      contact_points = {contact::contact_point_between(A, found.p_WCa, B, found.p_WCb, contact_pair.nhat_BA_W)};
+    }
+  }
+  // Initial guess: the impulses of the last step, if the points may be the same ones.
+  for (std::size_t i = 0; i < contact_points.size() && contact_points.size() == contact_pair.contact_points.size(); ++i)
+    contact_points[i].P_A_W = contact_pair.contact_points[i].P_A_W;
+  contact_pair.contact_points = std::move(contact_points);
+  contact_pair.touched = contact_pair.touched || !contact_pair.contact_points.empty();
+  if (!contact_pair.contact_points.empty())
+    contact_pair.p_WC = candidate_at(contact_pair, contact_pair.contact_points.front(), body_a, body_b).touch.p_WC;
+  return true;
+}
+
+ImpactCandidate candidate_at(const ContactPair& contact_pair, const contact::ContactPoint& contact_point,
+                             const IslandBody& A, const IslandBody& B) {
+  const contact::Nearness near = nearness(contact_point.a, A.step_body.transform(), contact_point.b,
+                                          B.step_body.transform(), contact_pair.nhat_BA_W);
+  const Vec3 n = near.nhat_BA_W.normalized();  // the normal of a plane may be off by a few u
+  const Touch touch{near.gap, near.p_WC - near.gap / 2 * n, n};
+  return {contact_pair.a, contact_pair.b, touch, normal_velocity(*A.body, A.state(), *B.body, B.state(), touch)};
+}
+
+std::vector<double> clearances(const ContactPair& contact_pair, const IslandBody& body_a, const State& at_a,
+                               const IslandBody& body_b, const State& at_b, double near) {
+  const contact::Part A = part_of(body_a, contact_pair.part_a, at_a), B = part_of(body_b, contact_pair.part_b, at_b);
+  return contact::clearances(A, B, normal(contact_pair, A, at_a, B, at_b, near));
+}
+
+}  // namespace touchstone::fast::simulation

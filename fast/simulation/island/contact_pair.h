@@ -1,0 +1,55 @@
+// Two convex parts of bodies in contact, with the contact points at which they touch.
+#pragma once
+
+#include "fast/contact/step.h"
+#include "fast/simulation/impact.h"
+
+namespace touchstone::fast::simulation {
+
+/// A body of an island: one that moves, or a fixed one that supports others.
+struct IslandBody {
+  BodyId id = 0;
+  const BodyMotion* body = nullptr;
+  contact::StepBody step_body;
+
+  bool fixed() const { return body->fixed(); }
+  const State& state() const { return step_body.state; }
+};
+
+/// Two convex parts that touch or are near each other, with the contact points at which they touch.
+struct ContactPair {
+  BodyId a = 0, b = 0;  ///< a < b
+  std::size_t part_a = 0, part_b = 0;
+  Vec3 nhat_BA_W = Vec3::Zero();
+  Vec3 p_WC = Vec3::Zero();  ///< of its first contact point
+  std::vector<contact::ContactPoint> contact_points = {};
+  bool emitted = false;  ///< its contact event has been emitted
+  bool touched = false;  ///< has had a contact point; otherwise the pair is only near
+
+  bool has(BodyId id) const { return a == id || b == id; }
+};
+
+/// A contact point at which the pair may collide.
+struct ImpactCandidate {
+  BodyId a = 0, b = 0;
+  Touch touch;
+  double u_n = 0;
+};
+
+/// Recomputes the normal and the contact points from the current states of A and B. Parts touch up to a distance of
+/// `near` (m). Returns false, and leaves the contact points as they are, if they are farther apart than `reach` (m).
+///
+/// The normal is that of the first contact point's features, if the pair has contact points, since the bodies have not
+/// moved far. If it says that the parts overlap, other features may separate them by now, as when the end of an edge
+/// hangs over the side of a face: then all normals of the separating-axis theorem are tested.
+bool update(ContactPair& contact_pair, const IslandBody& A, const IslandBody& B, double near, double reach);
+
+/// The contact point at the current states of A and B.
+ImpactCandidate candidate_at(const ContactPair& contact_pair, const contact::ContactPoint& contact_point,
+                             const IslandBody& A, const IslandBody& B);
+
+/// The separations of all vertices of both parts along the pair's normal (m), with A and B in the given states.
+std::vector<double> clearances(const ContactPair& contact_pair, const IslandBody& A, const State& at_a,
+                               const IslandBody& B, const State& at_b, double near);
+
+}  // namespace touchstone::fast::simulation

@@ -1,0 +1,72 @@
+// Islands: bodies connected by contacts, which take their steps together.
+#pragma once
+
+#include "fast/simulation/island/island_step.h"
+
+namespace touchstone::fast::simulation {
+
+/// A contact graph with a clock of its own: its states are those at `since`, and it is within a step that ends at
+/// `until`, asleep, or waits for its next step to begin.
+class Island {
+ public:
+  Island(ContactGraph graph, double now) : graph_(std::move(graph)), since_(now) {}
+
+  const ContactGraph& graph() const { return graph_; }
+  ContactGraph& graph() { return graph_; }
+
+  double since() const { return since_; }  ///< s; the time of the states
+  double until() const { return until_; }  ///< s; the end of the current step; never: the island sleeps
+  bool waits() const { return waits_; }    ///< the next step has not begun
+  bool sleeps() const { return until_ == never; }
+  const StepPlan& plan() const { return *plan_; }  ///< of the current step
+  double margin() const { return margin_; }        ///< m; `deviation` of the current step
+  /// The speed at which bodies may leave their represented trajectories within the step (m/s), up to `margin`.
+  double drift() const { return margin_ > 0 ? 2 * margin_ / (until_ - since_) : 0; }
+
+  /// The states at `time` inside the current step, from a step of length `time - since`. Changes no state.
+  std::vector<State> states_at(double time) const;
+
+  /// Begins a step: one of `steps` while a body falls by its size, turns by a radian or moves by its size, at most
+  /// `most` (s), or shorter (`shorten`, island_step.h).
+  void begin_step(double steps, double most);
+  void sleep();
+  /// Ends the current step at `time`: its planned end or an earlier one.
+  void end_step(double time);
+  /// Lets steps that were shortened become longer again.
+  void lengthen() { longest_ *= 2; }
+  /// Makes the next steps shorter for a while, but not shorter than `least_share` of the longest step. Returns false if
+  /// the current step is that short already, and true if there has been no step.
+  bool shorten(double least_share);
+
+  /// Sets the velocity of a body. Its contacts may separate, so events for those that remain are emitted again.
+  void set_velocity(BodyId id, const Velocity& velocity);
+  void set_acceleration(BodyId id, const Vec3& acceleration);
+  /// Counts an impact at the current time. Returns false if there have been so many at this time that each seems to
+  /// cause the next.
+  bool allows_impact();
+
+  /// Adds the bodies and contact pairs of another island, which must be at the same time.
+  void absorb(const Island& other);
+  /// The islands that its contact pairs still connect, which wait.
+  std::vector<Island> components() const;
+
+ private:
+  struct Impacts {
+    double time = -never;   ///< s
+    std::size_t count = 0;  ///< at that time
+  };
+
+  ContactGraph graph_;
+  double since_, until_ = 0;
+  double longest_ = never;  ///< s; temporary upper bound of the next steps
+  double step_length_ = 0;  ///< s; the longest step
+  double margin_ = 0;
+  bool waits_ = true;
+  std::optional<StepPlan> plan_;
+  Impacts impacts_;
+};
+
+/// Of the longest step: no step is requested to be shorter.
+inline constexpr double shortest_step = 0x1p-20;
+
+}  // namespace touchstone::fast::simulation

@@ -1,0 +1,46 @@
+#include "fast/simulation/island/island_rest.h"
+
+#include "fast/simulation/island/island_step.h"
+#include "fast/simulation/prediction/length.h"
+
+namespace touchstone::fast::simulation {
+namespace {
+
+constexpr double balance_tolerance = 0x1p-30;  // greatest unbalanced acceleration, relative to the applied one
+
+}  // namespace
+
+void remove_approach(ContactGraph& graph) {
+  std::vector<contact::StepBody> all = step_bodies(graph);
+  contact::land(all, constraints(graph));
+  for (std::size_t i = 0; i < all.size(); ++i) graph.body(i).step_body.state = all[i].state;
+}
+
+bool rest_test(ContactGraph& graph, double rest_speed) {
+  bool pulled = false;
+  for (const IslandBody& island_body : graph.bodies()) {
+    const Velocity& V = island_body.state().velocity;
+    const double speed = length(V.v_WBcm) + length(V.w_WB) * island_body.body->radius();
+    if (speed > (island_body.fixed() ? 0 : rest_speed)) return false;
+    pulled = pulled || (!island_body.fixed() && !island_body.step_body.acceleration.isZero(0));
+  }
+  std::vector<contact::ContactConstraint> contact_points = constraints(graph);
+  if (pulled && !(contact::unbalanced(step_bodies(graph), contact_points) <= balance_tolerance)) return false;
+  for (std::size_t i = 0; i < graph.bodies().size(); ++i) graph.body(i).step_body.state.velocity = {};
+  return true;
+}
+
+double energy(const ContactGraph& graph) {
+  double sum = 0;
+  for (const IslandBody& island_body : graph.bodies()) {
+    if (island_body.fixed()) continue;
+    const contact::RigidTransform transform = island_body.step_body.transform();
+    const Velocity& V = island_body.state().velocity;
+    const Vec3 w_B = transform.R_WB.transpose() * V.w_WB;
+    const double moving = V.v_WBcm.dot(V.v_WBcm) / 2 - island_body.step_body.acceleration.dot(transform.centre);
+    sum += moving * island_body.step_body.model->mass + w_B.dot(island_body.step_body.model->I_BBcm_B * w_B) / 2;
+  }
+  return sum;
+}
+
+}  // namespace touchstone::fast::simulation

@@ -1,0 +1,34 @@
+// One step of the bodies of an island: how long it is, where it leads, and how well trajectories represent it.
+#pragma once
+
+#include "fast/simulation/island/contact_graph.h"
+
+namespace touchstone::fast::simulation {
+
+std::vector<contact::StepBody> step_bodies(const ContactGraph& graph);
+std::vector<contact::ContactConstraint> constraints(const ContactGraph& graph);
+
+struct StepPlan {
+  double h = 0;  ///< s
+  contact::Stepped stepped;
+  std::vector<contact::ContactConstraint> constraints;  ///< with the impulses of the step
+};
+
+/// The longest step (s): one of `steps` while a body falls by its size, turns by a radian or moves by its size, and at
+/// most `most`.
+double step_length(const ContactGraph& graph, double steps, double most);
+
+/// A step of h. Bodies that overlap are moved apart no faster than in a step of max(h, longest).
+StepPlan solve_step(const ContactGraph& graph, double h, double longest);
+
+/// A step of h, or a shorter one that ends where the first corner not yet in contact comes down.
+StepPlan plan_step(const ContactGraph& graph, double h, double longest);
+
+/// m; the greatest depth of two parts at the end of the step.
+double deepest(const ContactGraph& graph, const StepPlan& plan);
+
+/// An estimate of how far bodies leave the trajectories with which the step is represented (m): parabolas and steady
+/// turns, although forces and angular velocities change within the step.
+double deviation(const ContactGraph& graph, const StepPlan& plan);
+
+}  // namespace touchstone::fast::simulation

@@ -1,0 +1,60 @@
+#include "fast/simulation/later.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace touchstone::fast::simulation {
+namespace {
+
+constexpr double short_step = 0x1p-6;  // of the longest step: a separating pair hardly returns within it
+
+/// The pair touches within the envelope but separates: from now on it counts as in contact only where the bodies
+/// overlap. If the represented trajectories deviate faster than the bodies separate, this cannot be decided, so steps
+/// get shorter until another contact point that comes down is found in time. If no step is short enough, or if the pair
+/// can touch at one point only, it is not queried within the step.
+void defer_separating_pair(Run& run, BodyId a, BodyId b) {
+  const bool is_point = has_closed_form(run.world.body(a), run.world.body(b));
+  bool shorter = false;
+  for (const BodyId id : {a, b}) {
+    Island* island = run.islands.of(id);
+    if (island && island->shorten(is_point ? short_step : shortest_step)) shorter = true;
+  }
+  PairMemory& memory = run.schedule.memory(a, b);
+  memory.separating_at = run.world.now();
+  memory.impacts = run.world.impacts(a, b);
+  if (is_point || !shorter) memory.not_queried_at = run.world.now();
+}
+
+/// A time (s) within which two bodies cannot approach by more than a part of the envelope.
+double time_apart(const BodyMotion& a, const BodyMotion& b, double now, double envelope) {
+  double speed = (b.path().velocity(now) - a.path().velocity(now)).lpNorm<1>();
+  double acceleration = (b.path().a - a.path().a).lpNorm<1>();
+  for (const BodyMotion* body : {&a, &b}) {
+    if (body->fixed() || body->kind() != Kind::other) continue;
+    speed += body->ballistic().rate() * body->radius();
+    acceleration += body->ballistic().acceleration_per_radius() * body->radius();
+  }
+  const double near = envelope / 16;
+  return 2 * near / (speed + std::sqrt(speed * speed + 2 * acceleration * near));
+}
+
+}  // namespace
+
+void recheck(Run& run, BodyId a, BodyId b) {
+  Island *island_a = run.islands.of(a), *island_b = run.islands.of(b);
+  if (!island_a && !island_b) return run.schedule.predict(a, b, run.world.now());
+  for (Island* island : {island_a, island_b}) {
+    if (island) island->shorten(shortest_step);
+  }
+}
+
+void schedule_later(Run& run, BodyId a, BodyId b) {
+  if (run.islands.of(a) || run.islands.of(b)) return defer_separating_pair(run, a, b);
+  const World& world = run.world;
+  const double step = time_apart(world.body(a), world.body(b), world.now(), world.envelope());
+  const double grain = world.now() * 0x1p-51;
+  if (step < grain) run.guard.count_lost_resolution();
+  run.schedule.predict(a, b, world.now() + std::max(step, grain));
+}
+
+}  // namespace touchstone::fast::simulation

@@ -1,0 +1,173 @@
+#include "fast/simulation/prediction/pair_time_of_impact.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+
+#include "fast/lin_canny/nearest_parts.h"
+#include "fast/rounding.h"
+#include "fast/simulation/prediction/length.h"
+#include "fast/simulation/range.h"
+#include "fast/time_of_impact/first_contact.h"
+
+namespace touchstone::fast::simulation {
+namespace {
+
+constexpr int most_steps = 200;  // quadratic convergence takes a few; after that many the result is still a lower bound
+
+/// Lengths are computed by a plain sqrt: the limits of a scene's numbers keep squares far from overflow.
+struct Nearest {
+  double gap;
+  Vec3 n;      ///< from B to A
+  Vec3 p_WCb;  ///< on B
+};
+
+Nearest balls(const BodyMotion& a, const BodyMotion& b, const Vec3& s, const Vec3& p_b) {
+  const double far = length(s);
+  const Vec3 n = far > 0 ? Vec3(s / far) : Vec3(0, 0, 1);
+  return {far - (a.radius() + b.radius()), n, p_b + b.radius() * n};
+}
+
+/// For a centre inside the block: the nearest face.
+Nearest inside(const BodyMotion& ball, const BodyMotion& block, const Vec3& s_B, const Vec3& p_block) {
+  int axis = 0;
+  const Vec3 left = block.half_extents() - s_B.cwiseAbs();
+  left.minCoeff(&axis);
+  Vec3 n_B = Vec3::Zero();
+  n_B[axis] = s_B[axis] < 0 ? -1 : 1;
+  return {-left[axis] - ball.radius(), block.R_WB() * n_B, p_block + block.R_WB() * (s_B + left[axis] * n_B)};
+}
+
+/// s: from the origin of the block to the centre of the ball.
+Nearest ball_on_block(const BodyMotion& ball, const BodyMotion& block, const Vec3& s, const Vec3& p_block) {
+  const Vec3 s_B = block.R_WB().transpose() * s;
+  const Vec3 nearest_B = s_B.cwiseMax(-block.half_extents()).cwiseMin(block.half_extents());
+  const Vec3 away = s_B - nearest_B;
+  const double far = length(away);
+  if (!(far > 0)) return inside(ball, block, s_B, p_block);
+  return {far - ball.radius(), block.R_WB() * (away / far), p_block + block.R_WB() * nearest_B};
+}
+
+/// For two bodies with a closed form, at positions p_a and p_b.
+Nearest nearest(const BodyMotion& a, const BodyMotion& b, const Vec3& p_a, const Vec3& p_b) {
+  const Vec3 s = p_a - p_b;
+  if (a.kind() == Kind::block) {
+    const Nearest other = ball_on_block(b, a, -s, p_a);
+    return {other.gap, -other.n, other.p_WCb + other.gap * other.n};
+  }
+  return b.kind() == Kind::block ? ball_on_block(a, b, s, p_b) : balls(a, b, s, p_b);
+}
+
+double rounding(const BodyMotion& m, double t) {
+  const Path& path = m.path();
+  const double tau = t - path.since, speed = path.v.lpNorm<1>() + tau * path.a.lpNorm<1>();
+  const double own = m.kind() == Kind::ball ? m.radius() : 0;
+  return 16 * u * (path.p.lpNorm<1>() + own + tau * speed) + 4 * u * t * speed;
+}
+
+struct Relative {
+  Vec3 v, a;
+};
+
+Relative relative(const BodyMotion& a, const BodyMotion& b, double t) {
+  return {a.path().velocity(t) - b.path().velocity(t), a.path().a - b.path().a};
+}
+
+/// Balls that separate do so for ever. The quadratic is solved twice, since the clearance depends on the time of
+/// impact. Balls that pass each other count as a miss only if their distance exceeds the rounding of their positions.
+double equally_accelerated_balls(const BodyMotion& a, const BodyMotion& b, double from, double until, double envelope,
+                                 double margin) {
+  const Vec3 s = a.path().place(from) - b.path().place(from);
+  const Vec3 v = relative(a, b, from).v;
+  const double b_half = s.dot(v);
+  if (b_half >= 0) return never;
+  const double reach = a.radius() + b.radius() + margin;
+  const double about = sphere_closing_time(s, v, reach + clearance(a, b, from, envelope));
+  const double then = about < never ? from + about : std::min(until, from - b_half / v.dot(v));
+  if (!positions_resolved(a, b, then)) return from + sphere_closing_time(s, v, reach + clearance(a, b, then, never));
+  return about > 0 && about < never ? from + sphere_closing_time(s, v, reach + clearance(a, b, from + about, envelope))
+                                    : from + about;
+}
+
+double by_planes(const BodyMotion& a, const BodyMotion& b, double from, double until, double envelope, double margin) {
+  double t = from;
+  for (int step = 0; step < most_steps; ++step) {
+    const double clear = clearance(a, b, t, envelope) + margin;
+    const Nearest at = nearest(a, b, a.path().place(t), b.path().place(t));
+    const Relative rate = relative(a, b, t);
+    const double dt = closing_time(at.gap - clear, at.n.dot(rate.v), at.n.dot(rate.a));
+    if (!(dt > 0) || (at.gap <= 2 * clear && at.n.dot(rate.v) < 0)) return t;
+    if (at.gap <= 2 * clearance(a, b, t, never) && !positions_resolved(a, b, t)) return t;
+    if (!(t + dt <= until)) return never;
+    if (t + dt == t) return t;
+    t += dt;
+  }
+  return t;
+}
+
+/// If doubles cannot decide whether two grazing bodies touch, they count as separated, and the search continues after
+/// the undecided interval. If their positions are not even resolved, a contact is returned, and the loop stops the run
+/// there.
+double by_advancement(const BodyMotion& a, const BodyMotion& b, double from, double until, double envelope,
+                      const Inflation& inflation, PairMemory& memory) {
+  memory.queries = 0;
+  while (true) {
+    const FirstContact found =
+        time_of_impact(a.ballistic(), b.ballistic(), from, until, envelope, memory.features, inflation);
+    memory.queries += found.queries;
+    if (found.status == TimeOfImpact::Status::hit) {
+      if (envelope == 0) return found.hi;
+      memory.time = found.lo;
+      memory.touch = {0, found.p_WC, found.nhat_BA_W};
+      return found.lo;
+    }
+    if (found.status == TimeOfImpact::Status::undecided && !positions_resolved(a, b, found.hi)) return found.lo;
+    if (found.status == TimeOfImpact::Status::miss || !(found.hi > from) || found.hi >= until) return never;
+    from = found.hi;
+  }
+}
+
+}  // namespace
+
+bool has_closed_form(const BodyMotion& a, const BodyMotion& b) {
+  return (a.kind() == Kind::ball && b.kind() != Kind::other) || (a.kind() == Kind::block && b.kind() == Kind::ball);
+}
+
+double clearance(const BodyMotion& a, const BodyMotion& b, double t, double envelope) {
+  constexpr std::uint64_t exponent = 0x7ff0000000000000;
+  const double sum = rounding(a, t) + rounding(b, t);
+  return std::min(envelope / 2, 2 * std::bit_cast<double>(std::bit_cast<std::uint64_t>(sum) & exponent));
+}
+
+Touch touch(const BodyMotion& a, const BodyMotion& b, double t, PairMemory& memory) {
+  if (has_closed_form(a, b)) {
+    const Nearest at = nearest(a, b, a.path().place(t), b.path().place(t));
+    return {at.gap, at.p_WCb + at.gap / 2 * at.n, at.n};
+  }
+  if (memory.time == t) return memory.touch;
+  const lin_canny::Solid &A = a.model().solid, &B = b.model().solid;
+  memory.features.resize(A.parts().size() * B.parts().size());
+  const auto found = lin_canny::nearest_parts(A, lin_canny::CachedPose(a.ballistic().pose(t)), B,
+                                              lin_canny::CachedPose(b.ballistic().pose(t)), memory.features);
+  const lin_canny::Proximity& at = found.proximity;
+  const Vec3 apart = at.p_WCa - at.p_WCb;
+  const double far = length(apart);
+  return {at.verdict == Verdict::overlapping ? -1.0 : at.distance, (at.p_WCa + at.p_WCb) / 2,
+          far > 0 ? Vec3(apart / far) : Vec3(Vec3::Zero())};
+}
+
+double first_contact(const BodyMotion& a, const BodyMotion& b, double from, double until, double envelope,
+                     const Inflation& inflation, PairMemory& memory) {
+  if (has_closed_form(a, b)) {
+    const double margin = inflation.at(until);
+    const bool alike = a.kind() == b.kind() && a.path().a == b.path().a;
+    const double t = alike ? equally_accelerated_balls(a, b, from, until, envelope, margin)
+                           : by_planes(a, b, from, until, envelope, margin);
+    return t <= until ? t : never;
+  }
+  memory.features.resize(a.model().solid.parts().size() * b.model().solid.parts().size());
+  return by_advancement(a, b, from, until, envelope, inflation, memory);
+}
+
+}  // namespace touchstone::fast::simulation

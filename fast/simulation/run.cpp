@@ -1,0 +1,45 @@
+#include "fast/simulation/run.h"
+
+#include <algorithm>
+
+namespace touchstone::fast::simulation {
+namespace {
+
+/// The requested frame length, or a longer one so that there are at most 2^13 frames.
+double frame_length(const World& world, const SimulationOptions& options) {
+  return std::max(options.frame, world.end() * 0x1p-13);
+}
+
+}  // namespace
+
+Run::Run(const Scene& scene, const SimulationOptions& given)
+    : options(given),
+      world(scene),
+      islands(world),
+      rests(world.bodies().size()),
+      recorder(world, islands, given.keep_events),
+      guard(given, frame_length(world, given), world.end(), world.bodies().size()),
+      schedule(world, islands, rests, frame_length(world, given), recorder.statistics(), guard) {
+  if (given.exact_momentum) exact_momentum.emplace(world);
+}
+
+void Run::advance_to(double time) {
+  recorder.sample_before(time);
+  world.advance_to(time);
+}
+
+void Run::end_frame() {
+  if (!stopped()) world.advance_to(schedule.frame_end());
+  recorder.sample_through(world.now());
+}
+
+Simulated Run::result() {
+  Simulated done = recorder.take(guard.stopped());
+  if (exact_momentum) {
+    done.momentum_before = exact_momentum->before();
+    done.momentum = exact_momentum->now();
+  }
+  return done;
+}
+
+}  // namespace touchstone::fast::simulation

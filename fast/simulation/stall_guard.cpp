@@ -1,0 +1,53 @@
+#include "fast/simulation/stall_guard.h"
+
+#include <algorithm>
+
+namespace touchstone::fast::simulation {
+namespace {
+
+// Limits at which a run stops and reports why. They are not derived; they end runs that would not end.
+constexpr double stall_window = 0x1p-10;        // of a frame, or of the motion if that is shorter
+constexpr std::int64_t max_iterations = 4'000;  // iterations in a stall window
+constexpr std::int64_t iterations_per_body = 16;
+constexpr int queries_per_iteration = 64;  // so many separation queries cost about one iteration, and count as one
+constexpr std::int64_t iterations_without_progress = 512;
+
+Stopped at_pair(double now, BodyId a, BodyId b, const char* why) {
+  return {now, static_cast<int>(a), static_cast<int>(b), why};
+}
+
+}  // namespace
+
+StallGuard::StallGuard(const SimulationOptions& options, double frame, double end, std::size_t bodies)
+    : options_(options),
+      window_(stall_window * std::min(frame, end)),
+      most_iterations_(max_iterations + iterations_per_body * static_cast<std::int64_t>(bodies)) {}
+
+bool StallGuard::makes_progress(double now, BodyId a, BodyId b) {
+  if (now > window_end_) {
+    window_end_ = now + window_;
+    iterations_ = 0;
+  }
+  if (++iterations_ <= most_iterations_) return true;
+  stop(at_pair(now, a, b, "time hardly goes on"));
+  return false;
+}
+
+void StallGuard::count_queries(int queries) { iterations_ += queries / queries_per_iteration; }
+
+void StallGuard::count_lost_resolution() { iterations_ += iterations_without_progress; }
+
+void StallGuard::check_events(const Statistics& statistics, double now, BodyId a, BodyId b) {
+  if (statistics.events() > options_.most_events) stop(at_pair(now, a, b, "more events than allowed"));
+  if (statistics.of(Event::Kind::micro_collision) > options_.most_micro_bounces) {
+    stop(at_pair(now, a, b, "a contact that rests on hops alone takes more of them than allowed"));
+  }
+}
+
+void StallGuard::check_steps(const Statistics& statistics, double now, BodyId a, BodyId b) {
+  if (statistics.contact_steps > options_.most_contact_steps) {
+    stop(at_pair(now, a, b, "contacts that take more steps than allowed"));
+  }
+}
+
+}  // namespace touchstone::fast::simulation

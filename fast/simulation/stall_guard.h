@@ -1,0 +1,40 @@
+// When a run is given up, and why.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "fast/broad_phase/strategy.h"
+#include "fast/simulation.h"
+
+namespace touchstone::fast::simulation {
+
+/// Counts iterations of the main loop within a stall window of time. A run stops if a window has too many of them, or
+/// if it has more events, micro-bounces or contact steps than the options allow.
+class StallGuard {
+ public:
+  /// `frame` and `end`: the lengths of a frame and of the motion (s).
+  StallGuard(const SimulationOptions& options, double frame, double end, std::size_t bodies);
+
+  /// Counts an iteration that processes the pair. Returns false, and stops the run, if time hardly goes on.
+  bool makes_progress(double now, BodyId a, BodyId b);
+  /// So many separation queries for one first contact cost as much as some iterations.
+  void count_queries(int queries);
+  /// An iteration whose contact changes faster than time can advance counts as many.
+  void count_lost_resolution();
+  void check_events(const Statistics& statistics, double now, BodyId a, BodyId b);
+  void check_steps(const Statistics& statistics, double now, BodyId a, BodyId b);
+
+  void stop(const Stopped& stopped) { stopped_ = stopped; }
+  const std::optional<Stopped>& stopped() const { return stopped_; }
+
+ private:
+  const SimulationOptions options_;
+  double window_;  ///< s
+  std::int64_t most_iterations_;
+  double window_end_ = 0;  ///< s
+  std::int64_t iterations_ = 0;
+  std::optional<Stopped> stopped_;  ///< the last reason
+};
+
+}  // namespace touchstone::fast::simulation

@@ -1,0 +1,56 @@
+// The bodies of a simulation at the current time: trajectories, applied accelerations, coefficients, impacts so far.
+#pragma once
+
+#include <vector>
+
+#include "fast/simulation/impact.h"
+#include "model/scene.h"
+
+namespace touchstone::fast::simulation {
+
+class World {
+ public:
+  /// Throws InputError if the motion is missing or a shape is not a solid, and BeyondDoubles (range.h). The scene must
+  /// outlive the world.
+  explicit World(const Scene& scene);
+
+  const Motion& motion() const { return *scene_->motion; }
+  const Vec3& gravity() const { return scene_->gravity; }
+  double envelope() const { return envelope_; }
+  double reach() const { return reach_; }  ///< m; bodies in contact that are this near take their steps together
+  double end() const { return end_; }      ///< s; of the motion
+
+  double now() const { return now_; }
+  void advance_to(double time) { now_ = std::max(now_, time); }
+
+  const std::vector<BodyMotion>& bodies() const { return bodies_; }
+  const BodyMotion& body(BodyId id) const { return bodies_[id]; }
+  BodyMotion& body(BodyId id) { return bodies_[id]; }
+  double start_time(BodyId id) const;
+  Coefficients coefficients(BodyId a, BodyId b) const;
+
+  /// Restarts a body's trajectory from its reported state if by `until` it will have turned so far that doubles lose
+  /// its orientation. Returns false if it tumbles too fast to be followed until then even so.
+  bool keep_orientation(BodyId id, double until);
+
+  const Vec3& acceleration(BodyId id) const { return acceleration_[id]; }  ///< m/s²; by gravity and the applied force
+  double next_force_time() const;                                          ///< s; infinity if there is none
+  /// Sets the acceleration of the next force's body, which does not change its trajectory yet. Returns the force.
+  const AppliedForce& apply_next_force();
+
+  void count_impact(BodyId id) { last_impact_[id] = now_, ++impacts_[id]; }
+  bool had_impact_now(BodyId id) const { return last_impact_[id] == now_; }
+  std::uint64_t impacts(BodyId a, BodyId b) const { return impacts_[a] + impacts_[b]; }  ///< of either, with any body
+
+ private:
+  const Scene* scene_;
+  double envelope_, reach_, end_;
+  double now_ = 0;
+  std::vector<BodyMotion> bodies_;
+  std::vector<Vec3> acceleration_;  ///< indexed by body, like the next two: if it moves
+  std::vector<double> last_impact_;
+  std::vector<std::uint64_t> impacts_;
+  std::size_t applied_forces_ = 0;
+};
+
+}  // namespace touchstone::fast::simulation

@@ -1,0 +1,78 @@
+// Steps whose result is known: free fall, rest on a table, and a fall that ends where the ball comes down.
+#include "fast/simulation/island/island_step.h"
+
+#include "tests/catch.h"
+#include "tests/fast/simulation/island/island_bodies.h"
+
+namespace touchstone::fast::simulation {
+namespace {
+
+const Vec3 still = Vec3::Zero(), g(0, 0, -10);
+constexpr double near = 0x1p-10, reach = 0.125;
+
+TEST_CASE("island step: the length is a part of the time in which a body falls or moves by its size, or turns") {
+  Body body = ball(1, {0, 0, 9}, {3, 0, 4}, {});
+  body.velocity.w_WB = {0, 2, 0};
+  // Rates: |w| = 2, |v|/size = 5, sqrt(|a|/size) = 3; the table does not count.
+  const IslandBodies bodies({body, table()}, {0, 0, -9});
+  const ContactGraph graph = bodies.graph(near, reach);
+  CHECK(step_length(graph, 32, 100) == Approx(1.0 / 320));
+  CHECK(step_length(graph, 32, 0.001) == 0.001);
+}
+
+TEST_CASE("island step: without contacts the step is a parabola") {
+  const IslandBodies bodies({ball(1, {0, 0, 9}, {2, 0, 0}, {})}, g);
+  const ContactGraph graph = bodies.graph(near, reach);
+  const StepPlan plan = solve_step(graph, 0.5, 0.5);
+  CHECK(plan.h == 0.5);
+  CHECK(plan.stepped.after[0].X_WB.p_WB.x() == Approx(1));
+  CHECK(plan.stepped.after[0].X_WB.p_WB.z() == Approx(9 - 1.25));
+  CHECK(plan.stepped.after[0].velocity.v_WBcm.z() == Approx(-5));
+  CHECK(plan_step(graph, 0.5, 0.5).h == 0.5);
+}
+
+TEST_CASE("island step: a ball that lies on a table stays there, and its contact carries its weight") {
+  const IslandBodies bodies({ball(1, {0, 0, 1}, still, {}, 2), table()}, g);
+  const ContactGraph graph = bodies.graph(near, reach);
+  CHECK(constraints(graph).size() == 1);
+  CHECK(step_bodies(graph).size() == 2);
+  const StepPlan plan = plan_step(graph, 0.125, 0.125);
+  CHECK(plan.h == 0.125);
+  CHECK(plan.stepped.after[0].X_WB.p_WB.z() == Approx(1));
+  CHECK(plan.stepped.after[0].velocity.v_WBcm.norm() < 2 * near / 1024 / 0.125);
+  REQUIRE(plan.constraints.size() == 1);
+  CHECK(plan.constraints[0].contact_point.P_A_W.z() > 0);
+  CHECK(deepest(graph, plan) <= near / 1024);
+}
+
+TEST_CASE("island step: a step ends where a ball that did not touch comes down") {
+  const IslandBodies bodies({ball(1, {0, 0, 1.0625}, {0, 0, -1}, {}), table()}, still);
+  const ContactGraph graph = bodies.graph(near, reach);
+  REQUIRE(graph.contact_pairs().size() == 1);
+  const StepPlan plan = plan_step(graph, 0.125, 0.125);
+  const double gap = 0.0625 - plan.h;
+  CHECK(gap >= 0);
+  CHECK(gap <= near / 4);
+  CHECK(deepest(graph, plan) == 0);
+}
+
+TEST_CASE("island step: how deep two bodies are at its end") {
+  const IslandBodies bodies({ball(1, {0, 0, 1.0625}, {0, 0, -1}, {}), table()}, still);
+  const ContactGraph graph = bodies.graph(near, reach);
+  CHECK(deepest(graph, solve_step(graph, 0.125, 0.125)) == Approx(0.0625));
+}
+
+TEST_CASE("island step: the deviation is a quarter of what the velocity changes in the step") {
+  const IslandBodies falls({ball(1, {0, 0, 9}, still, {})}, g);
+  const ContactGraph graph = falls.graph(near, reach);
+  CHECK(deviation(graph, solve_step(graph, 0.5, 0.5)) == Approx(0.5 * 5 / 4));
+  // A box of radius 3 that turns by 0.5 rad: an eighth of its cube for each metre.
+  Body box = brick({1, 2, 2}, {0, 0, 9}, {});
+  box.velocity.w_WB = {1, 0, 0};
+  const IslandBodies turns({box}, still);
+  const ContactGraph turning = turns.graph(near, reach);
+  CHECK(deviation(turning, solve_step(turning, 0.5, 0.5)) == Approx(3 * 0.125 / 8).epsilon(1e-6));
+}
+
+}  // namespace
+}  // namespace touchstone::fast::simulation

@@ -1,0 +1,148 @@
+// What is predicted within a frame, and what is dropped or left out.
+#include "fast/simulation/prediction/collision_schedule.h"
+
+#include <cmath>
+
+#include "model/input_error.h"
+#include "tests/catch.h"
+#include "tests/fast/simulation/island/island_bodies.h"
+
+namespace touchstone::fast::simulation {
+namespace {
+
+const Vec3 still = Vec3::Zero();
+
+struct Parts {
+  explicit Parts(std::vector<Body> bodies, double frame = 1)
+      : scene(moving_scene(std::move(bodies), still, {3.5})),
+        world(scene),
+        islands(world),
+        rests(scene.bodies.size()),
+        guard({}, frame, 3.5, scene.bodies.size()),
+        schedule(world, islands, rests, frame, statistics, guard) {}
+
+  void begin_frame() {
+    schedule.begin_frame();
+    schedule.predict_frame();
+  }
+
+  Scene scene;
+  World world;
+  Islands islands;
+  RestingBodies rests;
+  Statistics statistics;
+  StallGuard guard;
+  CollisionSchedule schedule;
+};
+
+Body coming(double x, double v) { return ball(1, {x, 0, 0}, {v, 0, 0}, {}); }
+
+TEST_CASE("collision schedule: a contact is predicted in the frame in which it happens") {
+  Parts parts({coming(-2.5, 1), coming(2.5, -1), ball(1, {0, 99, 0}, still, {})});  // 3 m at 2 m/s
+  parts.begin_frame();
+  CHECK(parts.schedule.frame_end() == 1);
+  CHECK(parts.schedule.next() == nullptr);
+  parts.world.advance_to(1);
+  parts.begin_frame();
+  CHECK(parts.schedule.frame_end() == 2);
+  REQUIRE(parts.schedule.next() != nullptr);
+  const PairEvent event = parts.schedule.pop();
+  CHECK(event.time == Approx(1.5));
+  CHECK(event.a == 0);
+  CHECK(event.b == 1);
+  CHECK(parts.schedule.next() == nullptr);
+  CHECK(parts.statistics.frames == 2);
+  parts.begin_frame();
+  parts.begin_frame();
+  CHECK(parts.schedule.frame_end() == 3.5);  // of the motion
+}
+
+TEST_CASE("collision schedule: pairs whose boxes do not intersect are not queried") {
+  Parts parts({coming(-9, 1), coming(9, -1), ball(1, {0, 99, 0}, still, {})});
+  parts.begin_frame();
+  CHECK(parts.statistics.pairs == 0);
+}
+
+TEST_CASE("collision schedule: a new trajectory drops what was predicted, and is predicted on request") {
+  Parts parts({coming(-1.5, 1), coming(1.5, -1), ball(1, {-1.5, 2.5, 0}, still, {})});
+  parts.begin_frame();
+  REQUIRE(parts.schedule.next() != nullptr);
+  parts.world.advance_to(0.25);
+  parts.world.body(0).restart(0.25, {{{-1.25, 0, 0}, {}}, {{0, 1, 0}, still}}, still);  // 0.5 m above it: body 2
+  parts.schedule.trajectory_changed(0);
+  CHECK(parts.schedule.next() == nullptr);
+  parts.schedule.predict_all(0, 2);
+  REQUIRE(parts.schedule.next() != nullptr);
+  CHECK(parts.schedule.next()->b == 1);  // (2.5 − τ)² + τ² = 4, after 0.25 s
+  CHECK(parts.schedule.next()->time == Approx(0.25 + (5 - std::sqrt(7)) / 4));
+  parts.schedule.predict_all(0);
+  REQUIRE(parts.schedule.next() != nullptr);
+  CHECK(parts.schedule.next()->b == 2);
+  CHECK(parts.schedule.next()->time > 0.7);
+  CHECK(parts.schedule.next()->time < 0.8);
+}
+
+TEST_CASE("collision schedule: fixed bodies are not queried with each other") {
+  Parts parts({table(), table()});  // they overlap
+  parts.begin_frame();
+  parts.schedule.predict(0, 1, 0);
+  CHECK(parts.statistics.pairs == 0);
+  CHECK(parts.schedule.next() == nullptr);
+}
+
+TEST_CASE("collision schedule: bodies that overlap when both have started are refused") {
+  Parts parts({coming(-0.75, 0), coming(0.75, 0)});
+  try {
+    parts.begin_frame();
+    FAIL("not refused");
+  } catch (const InputError& error) {
+    CHECK_THAT(error.what(), Catch::StartsWith("bodies[0]"));
+    CHECK_THAT(error.what(), Catch::Contains("overlaps bodies[1] at the start by 0.5"));
+  }
+}
+
+TEST_CASE("collision schedule: a body that rests is due when its resting contact ends") {
+  Parts parts({ball(1, {0, 0, 1}, {1, 0, 0}, {}), table()});
+  RestingContact rest;
+  rest.on = 1;
+  rest.until = 0.75;
+  parts.rests.set(0, rest);
+  parts.begin_frame();
+  REQUIRE(parts.schedule.next() != nullptr);
+  CHECK(parts.schedule.next()->time == 0.75);
+}
+
+TEST_CASE("collision schedule: a contact pair of an island, and an island that waits, are not queried") {
+  Parts parts({table(), ball(1, {0, 0, 1}, {2, 0, 0}, {}), ball(1, {2.5, 0, 1}, still, {})});
+  const IslandBodies bodies(parts.scene.bodies, still);
+  ContactGraph graph(0x1p-10, 0x1p-8);
+  graph.add(bodies[0]);
+  graph.add(bodies[1]);
+  REQUIRE(graph.link(0, 1));
+  parts.islands.insert(Island(graph, 0));
+  parts.begin_frame();  // 2 m/s towards the ball half a metre in front of it, but it waits
+  CHECK(parts.schedule.next() == nullptr);
+  parts.islands.of(1)->begin_step(4, 1);  // an eighth of a second
+  parts.schedule.predict(0, 1, 0);
+  CHECK(parts.schedule.next() == nullptr);
+  parts.schedule.predict(1, 2, 0);
+  CHECK(parts.schedule.next() == nullptr);  // not within the step
+  parts.islands.of(1)->end_step(0);
+  parts.islands.of(1)->begin_step(1, 1);  // half a second
+  parts.schedule.predict(1, 2, 0);
+  REQUIRE(parts.schedule.next() != nullptr);
+  CHECK(parts.schedule.next()->time == Approx(0.25).margin(0.01));
+}
+
+TEST_CASE("collision schedule: nearest points now, and a memory for each pair") {
+  Parts parts({coming(-1.5, 1), coming(1.5, -1), coming(9, 0)});
+  const Touch touch = parts.schedule.nearest_points(0, 1, 0.25);
+  CHECK(touch.gap == Approx(0.5));
+  CHECK(touch.nhat_BA_W == Vec3(-1, 0, 0));
+  parts.schedule.memory(0, 1).last_impact = 7;
+  CHECK(parts.schedule.memory(0, 1).last_impact == 7);
+  CHECK(parts.schedule.memory(0, 2).last_impact == -1);
+}
+
+}  // namespace
+}  // namespace touchstone::fast::simulation

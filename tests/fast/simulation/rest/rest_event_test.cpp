@@ -1,0 +1,107 @@
+// A ball that comes to rest on a table, changes from slip to rolling, and leaves.
+#include "fast/simulation/rest/rest_event.h"
+
+#include "tests/catch.h"
+#include "tests/fast/simulation/scenes.h"
+
+namespace touchstone::fast::simulation {
+namespace {
+
+const Vec3 still = Vec3::Zero(), up(0, 0, 1), g(0, 0, -10);
+
+/// A ball (0) on a table (1).
+struct OnTable {
+  explicit OnTable(const Vec3& v)
+      : scene(moving_scene({ball(1, up, v, {0, 0.5}), table()}, g, {4})), run(scene, {.frame = 4}) {
+    run.schedule.begin_frame();
+    run.schedule.predict_frame();
+  }
+  RestCandidate candidate() const { return rest_candidate(run.world, 0, 1, {0, still, up}).value(); }
+  Event last_event() { return run.recorder.take({}).trajectory.events->back(); }
+
+  Scene scene;
+  Run run;
+};
+
+TEST_CASE("rest event: only a body that moves may rest on a fixed one") {
+  const Scene scene = moving_scene({table(), ball(1, up, {1, 0, -1}, {}), ball(1, {9, 0, 1}, still, {})}, g, {1});
+  const World world(scene);
+  CHECK_FALSE(rest_candidate(world, 1, 2, {0, still, up}).has_value());
+  const std::optional<RestCandidate> found = rest_candidate(world, 0, 1, {0, still, -up});
+  REQUIRE(found.has_value());
+  CHECK(found->id == 1);
+  CHECK(found->on == 0);
+  CHECK(found->nhat_W == up);
+  CHECK(found->state.velocity.v_WBcm == Vec3(1, 0, 0));
+  CHECK(closed_form_rest(world, *found, 1).has_value());
+}
+
+TEST_CASE("rest event: no closed form on a body that is no block") {
+  Body turntable = table();
+  turntable.velocity.w_WB = {0, 0, 1};
+  const Scene scene = moving_scene({ball(1, up, still, {}), turntable}, g, {1});
+  const World world(scene);
+  const std::optional<RestCandidate> found = rest_candidate(world, 0, 1, {0, still, up});
+  REQUIRE(found.has_value());
+  CHECK_FALSE(closed_form_rest(world, *found, 1).has_value());
+}
+
+TEST_CASE("rest event: a contact that starts is an event with the impulse of what is lost") {
+  OnTable ball({7, 0, -2});
+  REQUIRE(try_rest(ball.run, ball.candidate(), {7, 0, -2}, {}, 0));
+  REQUIRE(ball.run.rests.of(0) != nullptr);
+  CHECK(ball.run.rests.rests_on(0, 1));
+  CHECK(ball.run.world.body(0).path().a.x() == Approx(-5));
+  REQUIRE(ball.run.schedule.next() != nullptr);
+  CHECK(ball.run.schedule.next()->time == Approx(0.4));  // 2v/(7 μ g), when slip ends
+  const Event event = ball.last_event();
+  CHECK(event.kind == Event::Kind::contact);
+  CHECK(event.P_A_W.z() == Approx(2));
+  CHECK(event.p_WC == still);
+  CHECK(event.nhat_BA_W == up);
+}
+
+TEST_CASE("rest event: slip ends in rolling") {
+  OnTable ball({7, 0, 0});
+  REQUIRE(try_rest(ball.run, ball.candidate(), {7, 0, 0}, {}, 0));
+  ball.run.advance_to(ball.run.rests.of(0)->until);
+  end_rest_phase(ball.run, 0);
+  REQUIRE(ball.run.rests.of(0) != nullptr);
+  const State rolls = ball.run.world.body(0).state(ball.run.world.now());
+  CHECK(rolls.velocity.v_WBcm.x() == Approx(5));
+  CHECK(rolls.velocity.w_WB.y() == Approx(5));
+  CHECK(ball.run.world.body(0).path().a == still);
+  CHECK(ball.run.recorder.statistics().of(Event::Kind::contact) == 2);
+}
+
+TEST_CASE("rest event: micro-bounces that remain are completed, with their impulse, when they end") {
+  OnTable ball(still);
+  // The first has 1/64 m/s, e = 0.5: they last 2v/(g (1 − e)) = 1/160 s with the mean force (1 + e)/2.
+  REQUIRE(try_rest(ball.run, ball.candidate(), still, {1.0 / 64, 0.75}, 1.0 / 160));
+  CHECK(ball.run.recorder.statistics().events() == 0);
+  CHECK(ball.run.rests.of(0)->until == 1.0 / 160);
+  ball.run.advance_to(1.0 / 160);
+  end_rest_phase(ball.run, 0);
+  CHECK(ball.run.rests.of(0)->until == never);
+  const Event event = ball.last_event();
+  CHECK(event.kind == Event::Kind::completed);
+  CHECK(event.P_A_W.z() == Approx(10.0 / 160 - 1.0 / 64));  // of the weight, less what the bounce had
+}
+
+TEST_CASE("rest event: a ball that leaves the face is released, and flies") {
+  OnTable ball({50, 0, 0});
+  RestingContact rest;
+  rest.on = 1;
+  rest.nhat_W = up;
+  rest.lever = -up;
+  ball.run.rests.set(0, rest);
+  ball.run.advance_to(0.5);
+  end_rest_phase(ball.run, 0);
+  CHECK(ball.run.rests.of(0) == nullptr);
+  CHECK(ball.run.world.body(0).path().a == g);
+  CHECK(ball.run.world.body(0).path().since == 0.5);
+  CHECK(ball.last_event().kind == Event::Kind::release);
+}
+
+}  // namespace
+}  // namespace touchstone::fast::simulation
