@@ -183,6 +183,8 @@ void add_report(CLI::App& program, Options& options) {
 void add_check(CLI::App& program, Options& options) {
   auto* command = program.add_subcommand("check", "The same for CI: short output, and exit code 1 if a property fails");
   add_run_options(*command, options.check);
+  command->add_flag("--first-failure", options.check.first_failure,
+                    "Stop at the first scene on which a property fails, and do not make it smaller");
   command->footer(help::check);
   command->callback([&options] { options.chosen = [&] { return check(options.check); }; });
 }
@@ -345,6 +347,22 @@ void add_test(CLI::App& program, Options& options) {
   });
 }
 
+/// Needs the source and a build folder of its own, which only the launcher knows.
+void add_mutate(CLI::App& program, Options& options) {
+  auto* command = program.add_subcommand("mutate",
+                                         "Plant faults in the source and see which are found (use the launcher: "
+                                         "./touchstone mutate)");
+  command->prefix_command();
+  command->footer(help::mutate);
+  command->callback([&options] {
+    options.chosen = []() -> int {
+      throw InputError("mutate",
+                       "this program has no source to plant faults in; the launcher at the root of the source tree "
+                       "does: ./touchstone mutate (see `touchstone help mutate`)");
+    };
+  });
+}
+
 std::string not_empty(const std::string& word) { return word.empty() ? "is empty" : ""; }
 
 /// An empty word is usually a script's variable that is not set. Options with numbers say what they expect instead.
@@ -463,7 +481,7 @@ int run_command(int argc, const char* const* argv) {
                    "touchstone");
   Options options;
   for (const auto add : {add_report, add_check, add_replay, add_minimise, add_ask, add_plan, add_simulate, add_import,
-                         add_list, add_soak, add_bench, add_test, add_completion, add_help}) {
+                         add_list, add_soak, add_bench, add_test, add_mutate, add_completion, add_help}) {
     add(program, options);
   }
   refuse_empty_words(program);

@@ -190,6 +190,21 @@ Exit codes:
   3  the set-up or the build failed
   8  a test failed)";
 
+inline constexpr const char* mutate = R"(
+Examples:
+  ./touchstone mutate --sample 200 --seed 1
+  ./touchstone mutate --help               all options, and what the table says
+
+A mutant is a copy of the source with one fault in it, made from the syntax tree. Each one is built and tried by check,
+with effort quick and then standard, and then by the unit tests of its file. The launcher ./touchstone at the root of
+the source tree does this; the program touchstone has no source in it.
+
+Exit codes:
+  0    the table is written, whatever survived
+  2    bad usage; or the program touchstone was asked instead of the launcher
+  3    the set-up or the build failed, or a run on the source without a fault fails
+  130  interrupted; the same command goes on where it was)";
+
 inline constexpr const char* help = R"(
 Examples:
   touchstone help

@@ -84,6 +84,7 @@ TrialPlan plan_of(const RunOptions& options) {
   plan.seed = options.seed;
   plan.jobs = options.jobs > 0 ? options.jobs : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   plan.limits = limits_of(options.time_limit);
+  plan.first_failure = options.first_failure;
   return plan;
 }
 

@@ -20,6 +20,7 @@ struct RunOptions {
   std::string json;       ///< other files, also without a report
   std::string junit;
   std::string meshes;  ///< folder; if empty, the known ones
+  bool first_failure = false;
 };
 
 /// Writes index.html, report.json, junit.xml and cases/ into `out`. Returns 0 whatever it found, 130 if interrupted.

@@ -1,6 +1,7 @@
 #include "app/trial/trial.h"
 
 #include <algorithm>
+#include <atomic>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -103,11 +104,14 @@ UnitResult nothing_of(const QueryTrial& query, std::size_t subjects) {
   return result;
 }
 
-UnitResult run_unit(const QueryTrial& query, const Unit& unit, const Subjects& subjects) {
+bool any_failing(const UnitResult& result) { return std::ranges::any_of(result.rows, &Row::failing); }
+
+UnitResult run_unit(const QueryTrial& query, const Unit& unit, const Subjects& subjects, bool first_failure) {
   UnitResult result = nothing_of(query, subjects.size());
   for (const auto& subject : subjects) start_afresh(*subject);
   std::vector<int> hangs(subjects.size());
   for (std::size_t q = unit.begin; q < unit.end && !interrupted(); ++q) {
+    if (first_failure && any_failing(result)) break;
     const Question question = query.questions[q];
     Example example{question.family, question.index, question.scene(), {}};
     const Scene& scene = example.scene;
@@ -170,11 +174,12 @@ void enter(Ledger& ledger, const QueryTrial& query, std::size_t first_row, UnitR
 }
 
 /// Merges units in order, whichever ends first, so the ledger does not depend on the threads. At most as many units
-/// wait as threads are at work.
+/// wait as threads are at work. If the run ends with the first failure, units after that of the failure do not count.
 class Entry {
  public:
-  Entry(Ledger& ledger, const std::vector<QueryTrial>& trials, const std::vector<Unit>& units, std::size_t subjects)
-      : ledger_(ledger), trials_(trials), units_(units), first_row_(trials.size()) {
+  Entry(Ledger& ledger, const std::vector<QueryTrial>& trials, const std::vector<Unit>& units, std::size_t subjects,
+        bool first_failure)
+      : ledger_(ledger), trials_(trials), units_(units), first_row_(trials.size()), first_failure_(first_failure) {
     for (std::size_t s = 1; s < trials.size(); ++s) {
       first_row_[s] = first_row_[s - 1] + trials[s - 1].properties.size() * subjects;
     }
@@ -184,16 +189,22 @@ class Entry {
     const std::lock_guard lock(mutex_);
     waiting_.emplace(unit, std::move(result));
     for (auto it = waiting_.begin(); it != waiting_.end() && it->first == next_; it = waiting_.erase(it), ++next_) {
+      if (ended_) continue;
+      ended_ = first_failure_ && any_failing(it->second);
       const std::size_t query = units_[next_].query;
       enter(ledger_, trials_[query], first_row_[query], std::move(it->second));
     }
   }
+
+  bool ended() const { return ended_; }
 
  private:
   Ledger& ledger_;
   const std::vector<QueryTrial>& trials_;
   const std::vector<Unit>& units_;
   std::vector<std::size_t> first_row_;
+  bool first_failure_;
+  std::atomic<bool> ended_ = false;
   std::mutex mutex_;
   std::map<std::size_t, UnitResult> waiting_;
   std::size_t next_ = 0;
@@ -218,17 +229,17 @@ Ledger run(const TrialPlan& plan, const MeshSet& meshes) {
   Ledger ledger = opened(plan, meshes, workers[0], all_trials);
 
   {
-    Entry entry(ledger, all_trials, all_units, workers[0].size());
+    Entry entry(ledger, all_trials, all_units, workers[0].size(), plan.first_failure);
     Progress progress("asking", static_cast<int>(all_units.size()));
     in_parallel(all_units.size(), plan.jobs, [&](std::size_t u, std::size_t job) {
       const QueryTrial& query = all_trials[all_units[u].query];
-      entry.add(u,
-                interrupted() ? nothing_of(query, workers[job].size()) : run_unit(query, all_units[u], workers[job]));
+      entry.add(u, interrupted() || entry.ended() ? nothing_of(query, workers[job].size())
+                                                  : run_unit(query, all_units[u], workers[job], plan.first_failure));
       progress.step(query.name);
     });
   }
-  name_empty_classes(ledger, all_trials);
-  cut_down(ledger, workers, plan.effort.minimise_budget);
+  if (!plan.first_failure) name_empty_classes(ledger, all_trials);
+  cut_down(ledger, workers, plan.first_failure ? 0 : plan.effort.minimise_budget);
   ledger.interrupted = interrupted();
   return ledger;
 }

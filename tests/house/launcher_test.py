@@ -61,6 +61,18 @@ class Launcher(unittest.TestCase):
             self.assertEqual((code, output), (0, f"{self.build}/bin/touchstone {' '.join(words)}\n"), errors)
         self.assertEqual([p.name for p in self.build.iterdir() if p.name.startswith(".set-up-for")], [".set-up-for-program"])
 
+    def test_mutants_have_a_build_folder_and_packages_of_their_own(self):
+        """The tester builds what it needs after it has read its words; the program has no part in it."""
+        tester = self.source / "tests/mutation/mutate.py"
+        tester.parent.mkdir(parents=True)
+        tester.write_text("import sys; print(*sys.argv[1:])")
+        for words in ["--sample", "3"], ["--help"]:
+            code, output, errors = self.run_launcher("mutate", *words)
+            self.assertEqual((code, output), (0, f"--build {self.build}-mutate {' '.join(words)}\n"), errors)
+        stamp = pathlib.Path(f"{self.build}-mutate/.set-up-for-mutation")
+        self.assertIn("python3-clang", stamp.read_text())
+        self.assertFalse(self.build.exists())
+
     def test_a_folder_that_cannot_be_made_is_named(self):
         (self.folder / "elsewhere").write_text("a file")
         code, output, errors = self.run_launcher("list")

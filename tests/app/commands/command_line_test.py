@@ -67,6 +67,10 @@ class Errors(Test):
         for words in (["test"], ["test", "-R", "model"], ["test", "--preset", "asan"]):
             self.refused(*words, says=["touchstone: test: ", "./touchstone test"])
 
+    def test_the_launcher_has_the_source_to_mutate(self):
+        for words in (["mutate"], ["mutate", "--sample", "3"]):
+            self.refused(*words, says=["touchstone: mutate: ", "./touchstone mutate"])
+
 
 class Numbers(Test):
     def test_seeds(self):
@@ -114,7 +118,7 @@ class Help(Test):
         for command in commands(self.succeeds("help")):
             options, examples = self.succeeds("help", command).split("Examples:")
             for line in examples.split("\n\n")[0].splitlines():
-                if command == "test" or f"touchstone {command}" not in line:
+                if command in ("test", "mutate") or f"touchstone {command}" not in line:
                     continue
                 for option in re.findall(r" (--[a-z-]+)", re.sub(r'"exec:[^"]*"', "", line.split("|")[0])):
                     self.assertIn(option, options, line)

@@ -1,0 +1,219 @@
+"""Tries a mutant: check with effort quick, check with effort standard, then the unit tests of its file.
+
+A kill is a red property, a red test, or an answer that is broken. Every way to find one is first tried on the program
+without a fault: what fails there is no kill, and what takes many times as long as there is one."""
+
+import dataclasses
+import json
+import re
+import threading
+import time
+
+import limited
+import reach
+
+QUICK_SEED, STANDARD_SEED = 1, 2  # standard begins with the scenes that quick has asked, so it has a seed of its own
+CANARY_TESTS = "canaries prove*,each canary about*"
+SIGNALS_OF_A_CRASH = range(-64, 0)
+
+
+@dataclasses.dataclass(frozen=True)
+class Limits:
+    standard: float = 60  # CPU seconds for all queries together
+    slack: float = 30     # CPU seconds that a quick check or a test may take in any case ...
+    factor: float = 5     # ... beside so many times what it takes without a fault
+
+
+@dataclasses.dataclass
+class Kill:
+    stage: str           # quick, standard or tests
+    by: str              # a property, a test, or "broken: ..."
+    scenes: int = 0      # how many were asked about, that of the failure included; 0: not known
+    scene: str = ""      # family and number
+
+
+class BaseFails(Exception):
+    """The program without a fault does not do what it should, so nothing can be said about mutants."""
+
+
+class Trial:
+    def __init__(self, workshop, queries, limits):
+        self.workshop, self.queries, self.limits = workshop, queries, limits
+        self.base, self.lock = {}, threading.Lock()
+        self.base_file = workshop.place / "base.json"
+
+    # --- without a fault -----------------------------------------------------------------------------------------
+
+    def without_fault(self, key, measure):
+        """What `measure` found out about the program without a fault; found out once."""
+        with self.lock:
+            if not self.base and self.base_file.exists():
+                self.base = json.loads(self.base_file.read_text())
+            if key not in self.base:
+                self.base[key] = measure()
+                self.base_file.write_text(json.dumps(self.base, indent=1))
+            return self.base[key]
+
+    def base_check(self, subject, query):
+        """{"seconds", "red"}: red are properties that the subject fails without a fault."""
+        def measure():
+            folder = self.workshop.place / "base"
+            folder.mkdir(parents=True, exist_ok=True)
+            run, rows = self.check(self.workshop.program("touchstone"), self.workshop.program(subject), folder,
+                                   ["--queries", query, "--effort", "quick", "--seed", str(QUICK_SEED)], 3600)
+            if run.code not in (0, 1) or not run.in_time:
+                raise BaseFails(f"check of {subject} about {query} ends with {run.code}: {run.output[-500:]}")
+            return {"seconds": run.seconds, "red": [row["property"] for row in rows if is_red(row)],
+                    "green": [row["property"] for row in rows if not is_red(row)]}
+        return self.without_fault(f"check {subject} {query}", measure)
+
+    def base_tests(self, target, words):
+        def measure():
+            run = limited.run([self.workshop.program(target), *words], 3600, self.workshop.build)
+            if run.code != 0:
+                raise BaseFails(f"{target} {' '.join(words)} fails: {run.output[-500:]}")
+            return {"seconds": run.seconds}
+        return self.without_fault(f"{target} {' '.join(words)}", measure)
+
+    def allowed(self, seconds):
+        return self.limits.slack + self.limits.factor * seconds
+
+    # --- with a fault --------------------------------------------------------------------------------------------
+
+    def check(self, judge, subject, folder, words, limit):
+        """(the run, the rows of its report)."""
+        report = folder / "report.json"
+        report.unlink(missing_ok=True)
+        run = limited.run([judge, "check", "--subjects", f"exec:{subject}", "--jobs", "1", "--json", report, *words], limit)
+        return run, rows_of(report)
+
+    def killed_by_check(self, stage, judge, subject, folder, words, limit, judge_is_mutant):
+        """(a kill or None, CPU seconds)."""
+        run, rows = self.check(judge, subject, folder, [*words, "--first-failure"], limit)
+        red = next((row for row in rows if is_red(row)), None)
+        if run.code == 1 and red:
+            how = red["property"] if red["fails"] else f"broken: {', '.join(red.get('defects', {}))} ({red['property']})"
+            worst = red["worst"]
+            return Kill(stage, how, scenes_of(folder / "report.json"), f"{worst['family']} {worst['index']}"), run.seconds
+        if run.code == 2:  # the subject does not start; the judge, if that is the mutant, refuses a good one
+            return Kill(stage, "broken: " + last_line(run.output)), run.seconds
+        if judge_is_mutant and (run.code == 3 or run.code in SIGNALS_OF_A_CRASH and run.in_time):
+            return Kill(stage, "broken: " + (last_line(run.output) or f"the judge ends with {run.code}")), run.seconds
+        if judge_is_mutant and not run.in_time and stage == "quick":
+            return Kill(stage, f"broken: the judge takes more than {limit:.0f} s of CPU time"), run.seconds
+        return None, run.seconds
+
+    def killed_by_tests(self, stage, program, target, words, folder):
+        base = self.base_tests(target, words)
+        limit = self.allowed(base["seconds"])
+        run = limited.run([program, *words, "--abort"], limit, self.workshop.build)
+        if not run.in_time:
+            return Kill(stage, f"broken: {target} takes more than {limit:.0f} s of CPU time"), run.seconds
+        return (Kill(stage, "test: " + red_test(run)) if run.code != 0 else None), run.seconds
+
+    def stages(self, mutant, group, objects, folder):
+        """Kills and CPU seconds, one for each thing that is tried, in order."""
+        link = self.linker(objects, folder)
+        queries = self.queries(mutant.path)
+        if group == "judge":
+            subjects = [("touchstone-subject-reference", None), ("touchstone-subject-fast", None)]
+            judge = link("touchstone")
+        else:
+            names = [f"touchstone-subject-{group}"]
+            names += [f"touchstone-subject-fast.{name}" for name in reach.strategies(mutant.path)]
+            subjects = [(name, link) for name in names]
+            judge = self.workshop.program("touchstone")
+        yield from self.quick(mutant, group, judge, subjects, queries, folder)
+        if group == "judge":
+            program = link("touchstone_tests_properties")
+            yield self.killed_by_tests("quick", program, "touchstone_tests_properties", [CANARY_TESTS], folder)
+        yield from self.standard(group, judge, subjects[-1:] if group == "judge" else subjects, queries, folder)
+        for layer, names in reach.tests_of(self.workshop.root, mutant.path):
+            target = f"touchstone_tests_{layer}"
+            words = ["--filenames-as-tags", ",".join(f"[#{name}]" for name in names)]
+            yield self.killed_by_tests("tests", link(target), target, words, folder)
+
+    def linker(self, objects, folder):
+        linked = {}
+
+        def link(target):
+            if target not in linked:
+                linked[target] = self.workshop.link(target, objects, folder)
+            return linked[target]
+        return link
+
+    def asked(self, subjects, queries):
+        """(name, program, query) of what is asked: the strategies of the broad phase answer no other query."""
+        for query in queries:
+            for name, link in subjects:
+                if query == "broad_phase" or "." not in name:
+                    yield name, link(name) if link else self.workshop.program(name), query
+
+    def quick(self, mutant, group, judge, subjects, queries, folder):
+        for name, program, query in self.asked(subjects, queries):
+            base = self.base_check(name, query)
+            if not base["green"]:
+                continue
+            words = ["--properties", ",".join(base["green"])] if base["red"] else ["--queries", query]
+            words += ["--effort", "quick", "--seed", str(QUICK_SEED)]
+            yield self.killed_by_check("quick", judge, program, folder, words, self.allowed(base["seconds"]),
+                                       group == "judge")
+
+    def standard(self, group, judge, subjects, queries, folder):
+        asked = list(self.asked(subjects, queries))
+        for name, program, query in asked:
+            base = self.base_check(name, query)
+            if not base["green"]:
+                continue
+            limit = self.limits.standard / len(asked)
+            words = ["--properties", ",".join(base["green"]), "--effort", "standard", "--seed", str(STANDARD_SEED)]
+            kill, seconds = self.killed_by_check("standard", judge, program, folder, words, limit, group == "judge")
+            if kill and kill.scene:
+                again, more = self.killed_by_check("standard", self.workshop.program("touchstone"),
+                                                   self.workshop.program(name), folder, words, limit + 2 * seconds, False)
+                seconds += more
+                kill = None if again and again.scene == kill.scene else kill
+            yield kill, seconds
+
+    def verdict(self, mutant, group, folder):
+        """The result of a mutant, as a dictionary for the results' file."""
+        began = time.monotonic()
+        objects = self.workshop.objects(mutant, folder)
+        built = time.monotonic() - began
+        result = {"id": mutant.id, "path": mutant.path, "line": mutant.line, "function": mutant.function,
+                  "kind": mutant.kind, "before": mutant.before, "after": mutant.after, "group": group,
+                  "query": reach.own_query(mutant.path) or "several", "build_seconds": round(built, 1)}
+        if not objects:
+            return {**result, "outcome": "same code" if objects == [] else "does not compile"}
+        seconds = 0.0
+        for kill, spent in self.stages(mutant, group, objects, folder):
+            seconds += spent
+            if kill:
+                result.update(outcome="killed", **dataclasses.asdict(kill))
+                break
+        else:
+            result["outcome"] = "survived"
+        return {**result, "cpu_seconds": round(seconds, 1), "seconds": round(time.monotonic() - began, 1)}
+
+
+def is_red(row):
+    return row["fails"] + row["breaks"] > 0
+
+
+def rows_of(report):
+    return json.loads(report.read_text())["rows"] if report.exists() else []
+
+
+def scenes_of(report):
+    return sum(json.loads(report.read_text())["scenes"].values())
+
+
+def last_line(text):
+    lines = [line for line in text.splitlines() if line.strip()]
+    return lines[-1][:200] if lines else ""
+
+
+def red_test(run):
+    """The name of the test that failed, from Catch2's console report."""
+    found = re.search(r"^-{79}\n(.+?)\n-{79}$", run.output, re.MULTILINE | re.DOTALL)
+    return " / ".join(line.strip() for line in found.group(1).splitlines()) if found else f"ends with {run.code}"
