@@ -333,34 +333,28 @@ void add_bench(CLI::App& program, Options& options) {
   command->callback([&options] { options.chosen = [&] { return bench(options.bench); }; });
 }
 
-/// The launcher runs the tests. Someone who asks the program instead deserves a better message than "unknown command".
-void add_test(CLI::App& program, Options& options) {
-  auto* command = program.add_subcommand("test", "Build and run the test suite (use the launcher: ./touchstone test)");
+/// A command of the launcher. Someone who asks the program instead deserves a better message than "unknown command".
+void add_for_launcher(CLI::App& program, Options& options, const std::string& name, const std::string& description,
+                      const char* footer, const std::string& what_is_missing) {
+  auto* command = program.add_subcommand(name, description + " (use the launcher: ./touchstone " + name + ")");
   command->prefix_command();
-  command->footer(help::test);
-  command->callback([&options] {
-    options.chosen = []() -> int {
-      throw InputError("test",
-                       "this program has no tests in it; the launcher at the root of the source tree builds "
-                       "and runs them: ./touchstone test (see `touchstone help test`)");
+  command->footer(footer);
+  command->callback([&options, name, what_is_missing] {
+    options.chosen = [name, what_is_missing]() -> int {
+      throw InputError(name, "this program has no " + what_is_missing +
+                                 " in it; the launcher at the root of the source tree does this: ./touchstone " + name +
+                                 " (see `touchstone help " + name + "`)");
     };
   });
 }
 
-/// Needs the source and a build folder of its own, which only the launcher knows.
+void add_test(CLI::App& program, Options& options) {
+  add_for_launcher(program, options, "test", "Build and run the test suite", help::test, "tests");
+}
+
 void add_mutate(CLI::App& program, Options& options) {
-  auto* command = program.add_subcommand("mutate",
-                                         "Plant faults in the source and see which are found (use the launcher: "
-                                         "./touchstone mutate)");
-  command->prefix_command();
-  command->footer(help::mutate);
-  command->callback([&options] {
-    options.chosen = []() -> int {
-      throw InputError("mutate",
-                       "this program has no source to plant faults in; the launcher at the root of the source tree "
-                       "does: ./touchstone mutate (see `touchstone help mutate`)");
-    };
-  });
+  add_for_launcher(program, options, "mutate", "Plant faults in the source, and see which of them are found",
+                   help::mutate, "source");
 }
 
 std::string not_empty(const std::string& word) { return word.empty() ? "is empty" : ""; }

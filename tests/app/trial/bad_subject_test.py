@@ -54,6 +54,15 @@ class OnAQuestion(Test):
                 suites = xml.etree.ElementTree.parse(self.folder / "r.xml").getroot()
                 self.assertEqual([suite.get("failures") for suite in suites], ["1", "0"])
 
+    def test_the_first_failure_ends_a_run(self):
+        for jobs in (1, 3):
+            self.succeeds("check", "--first-failure", "--subjects", f"{ENGINE} none", "--properties", "distance.value",
+                          "--cases", 200, "--jobs", jobs, "--json", f"{jobs}.json", code=1)
+        self.assertEqual(self.json("1.json"), self.json("3.json"))
+        [row] = self.json("1.json")["rows"]
+        self.assertEqual((row["fails"], row["size"]), (1, row["size_found"]))
+        self.assertLess(self.json("1.json")["scenes"]["distance"], 100)
+
     def test_a_name_is_no_path_and_no_markup(self):
         name = "../../a<b>&'x y\u00e9"
         write_meshes(self.folder / "meshes")
