@@ -3,7 +3,6 @@
 import dataclasses
 import os
 import pathlib
-import resource
 import signal
 import subprocess
 import tempfile
@@ -49,17 +48,12 @@ def kill_session(session):
             pass
 
 
-def restrain():
-    resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
-    resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
-
-
 def run(command, limit, folder=None):
     """`limit`: CPU seconds. A program that sleeps is ended after ten times as long."""
     began = time.monotonic()
     with tempfile.TemporaryFile() as output:
-        process = subprocess.Popen(command, cwd=folder, stdin=subprocess.DEVNULL, stdout=output, stderr=output,
-                                   start_new_session=True, preexec_fn=restrain)
+        process = subprocess.Popen(["prlimit", f"--as={MEMORY}", "--core=0", "--", *command], cwd=folder,
+                                   stdin=subprocess.DEVNULL, stdout=output, stderr=output, start_new_session=True)
         in_time, pause = True, 0.01
         while True:
             ended, status, usage = os.wait4(process.pid, os.WNOHANG)

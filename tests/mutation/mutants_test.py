@@ -43,6 +43,7 @@ class Mutants(unittest.TestCase):
         self.expect("int f(int a) { a += 2 * a; return a; }",
                     ("arithmetic", "int f(int a) { a -= 2 * a; return a; }"),
                     ("arithmetic", "int f(int a) { a += 2 / a; return a; }"))
+        self.expect("int f(int a) { return a + 1; }", ("arithmetic", "int f(int a) { return a - 1; }"))
         self.expect("void f(int a) { ++a; a--; }",
                     ("arithmetic", "void f(int a) { --a; a--; }"), ("arithmetic", "void f(int a) { ++a; a++; }"))
 

@@ -14,7 +14,6 @@ import shutil
 import signal
 import subprocess
 import sys
-import threading
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 import draws  # noqa: E402
@@ -113,7 +112,11 @@ def prepare(build, jobs):
     """Builds all programs that are tried, without a fault. Two runs in one build folder take turns."""
     build.mkdir(parents=True, exist_ok=True)
     lock = (build / ".lock").open("a")
-    fcntl.flock(lock, fcntl.LOCK_EX)
+    try:
+        fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except BlockingIOError:
+        say(f"waiting for another run that builds or uses {build}")
+        fcntl.flock(lock, fcntl.LOCK_EX)
     steps = [] if (build / "build.ninja").exists() else [["cmake", "--preset", "mutate", "-B", str(build)]]
     for step in [*steps, ["ninja", "-C", str(build), "-j", str(jobs), "mutation"]]:
         try:
@@ -138,8 +141,7 @@ class Reader:
     """The mutants of each file, which libclang reads once: later runs find them in the build folder."""
 
     def __init__(self, shop, tree):
-        self.shop, self.tree, self.lock = shop, tree, threading.Lock()
-        self.clang, self.seen = own_libclang(), {}
+        self.shop, self.tree, self.clang, self.seen = shop, tree, own_libclang(), {}
         self.tester = pathlib.Path(mutants.__file__).read_bytes()
 
     def source_with(self, path):
@@ -268,6 +270,7 @@ def main(words):
     found = try_all(wanted, options.sample, options.jobs, results.read_results(file),
                     functools.partial(judge_one, shop, trier), functools.partial(results.add_result, file))
     print("\n".join(results.tables(found, results.read_equivalent(EQUIVALENT), options.seed)))
+    print(f"\nNot mutated: {len(tree.headers_left_out())} headers that more than {draws.MOST_USERS} sources include.")
     lock.close()
     return 0
 

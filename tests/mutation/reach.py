@@ -51,12 +51,13 @@ class Reach:
         return seen
 
     def queries(self, path):
-        """The queries that reach a file, its own first. A judge's file that none reaches, such as one that draws
-        scenes, may serve all."""
+        """The queries that reach a file, its own first. A judge's file that none reaches draws scenes or speaks with
+        subjects, for all queries, or it makes failing scenes smaller, for none."""
         group = draws.group_of(path)
         sources = {self.objects[source] for source in self.tree.sources_of(path)}
         reached = [query for query in QUERIES if sources & self.of_query(group, query)]
-        if path.startswith("oracle/subjects/") or (group == "judge" and not reached):
+        serves_all = group == "judge" and not reached and not path.startswith("oracle/minimise/")
+        if path.startswith("oracle/subjects/") or serves_all:
             reached = [query for query in QUERIES if self.of_query(group, query)]
         return sorted(reached, key=lambda query: own_query(path) != query)
 

@@ -6,6 +6,7 @@ without a fault: what fails there is no kill, and what takes many times as long 
 import dataclasses
 import json
 import re
+import sys
 import threading
 import time
 
@@ -101,9 +102,11 @@ class Trial:
             return Kill(stage, "broken: " + (last_line(run.output) or f"the judge ends with {run.code}")), run.seconds
         if judge_is_mutant and not run.in_time and stage == "quick":
             return Kill(stage, f"broken: the judge takes more than {limit:.0f} s of CPU time"), run.seconds
+        if run.code == 3:
+            print(f"touchstone: the judge itself fails: {last_line(run.output)}", file=sys.stderr)
         return None, run.seconds
 
-    def killed_by_tests(self, stage, program, target, words, folder):
+    def killed_by_tests(self, stage, program, target, words):
         base = self.base_tests(target, words)
         limit = self.allowed(base["seconds"])
         run = limited.run([program, *words, "--abort"], limit, self.workshop.build)
@@ -116,22 +119,26 @@ class Trial:
         link = self.linker(objects, folder)
         queries = self.queries(mutant.path)
         if group == "judge":
-            subjects = [("touchstone-subject-reference", None), ("touchstone-subject-fast", None)]
-            judge = link("touchstone")
+            judge, program = link("touchstone"), self.workshop.program
+            asked = [("touchstone-subject-fast", query) for query in queries]
+            asked[:0] = [("touchstone-subject-reference", query) for query in queries[:1]]
         else:
-            names = [f"touchstone-subject-{group}"]
-            names += [f"touchstone-subject-fast.{name}" for name in reach.strategies(mutant.path)]
-            subjects = [(name, link) for name in names]
-            judge = self.workshop.program("touchstone")
-        yield from self.quick(mutant, group, judge, subjects, queries, folder)
+            judge, program = self.workshop.program("touchstone"), link
+            strategies = [f"touchstone-subject-fast.{name}" for name in reach.strategies(mutant.path)]
+            asked = [(name, query) for query in queries for name in
+                     [f"touchstone-subject-{group}", *(strategies if query == "broad_phase" else [])]]
+        asked = [(name, query) for name, query in asked if self.base_check(name, query)["green"]]
+        for name, query in asked:
+            yield self.quick(name, query, judge, program(name), group, folder)
         if group == "judge":
-            program = link("touchstone_tests_properties")
-            yield self.killed_by_tests("quick", program, "touchstone_tests_properties", [CANARY_TESTS], folder)
-        yield from self.standard(group, judge, subjects[-1:] if group == "judge" else subjects, queries, folder)
+            target = "touchstone_tests_properties"
+            yield self.killed_by_tests("quick", link(target), target, [CANARY_TESTS])
+        for name, query in asked:
+            yield self.standard(name, query, judge, program(name), group, folder, self.limits.standard / len(asked))
         for layer, names in reach.tests_of(self.workshop.root, mutant.path):
             target = f"touchstone_tests_{layer}"
             words = ["--filenames-as-tags", ",".join(f"[#{name}]" for name in names)]
-            yield self.killed_by_tests("tests", link(target), target, words, folder)
+            yield self.killed_by_tests("tests", link(target), target, words)
 
     def linker(self, objects, folder):
         linked = {}
@@ -142,38 +149,23 @@ class Trial:
             return linked[target]
         return link
 
-    def asked(self, subjects, queries):
-        """(name, program, query) of what is asked: the strategies of the broad phase answer no other query."""
-        for query in queries:
-            for name, link in subjects:
-                if query == "broad_phase" or "." not in name:
-                    yield name, link(name) if link else self.workshop.program(name), query
+    def quick(self, name, query, judge, program, group, folder):
+        base = self.base_check(name, query)
+        words = ["--properties", ",".join(base["green"])] if base["red"] else ["--queries", query]
+        words += ["--effort", "quick", "--seed", str(QUICK_SEED)]
+        limit = self.allowed(base["seconds"])
+        return self.killed_by_check("quick", judge, program, folder, words, limit, group == "judge")
 
-    def quick(self, mutant, group, judge, subjects, queries, folder):
-        for name, program, query in self.asked(subjects, queries):
-            base = self.base_check(name, query)
-            if not base["green"]:
-                continue
-            words = ["--properties", ",".join(base["green"])] if base["red"] else ["--queries", query]
-            words += ["--effort", "quick", "--seed", str(QUICK_SEED)]
-            yield self.killed_by_check("quick", judge, program, folder, words, self.allowed(base["seconds"]),
-                                       group == "judge")
-
-    def standard(self, group, judge, subjects, queries, folder):
-        asked = list(self.asked(subjects, queries))
-        for name, program, query in asked:
-            base = self.base_check(name, query)
-            if not base["green"]:
-                continue
-            limit = self.limits.standard / len(asked)
-            words = ["--properties", ",".join(base["green"]), "--effort", "standard", "--seed", str(STANDARD_SEED)]
-            kill, seconds = self.killed_by_check("standard", judge, program, folder, words, limit, group == "judge")
-            if kill and kill.scene:
-                again, more = self.killed_by_check("standard", self.workshop.program("touchstone"),
-                                                   self.workshop.program(name), folder, words, limit + 2 * seconds, False)
-                seconds += more
-                kill = None if again and again.scene == kill.scene else kill
-            yield kill, seconds
+    def standard(self, name, query, judge, program, group, folder, limit):
+        """The original is not known to hold everything here, so what kills is asked of it too."""
+        words = ["--properties", ",".join(self.base_check(name, query)["green"])]
+        words += ["--effort", "standard", "--seed", str(STANDARD_SEED)]
+        kill, seconds = self.killed_by_check("standard", judge, program, folder, words, limit, group == "judge")
+        if kill:
+            again, more = self.killed_by_check("standard", self.workshop.program("touchstone"),
+                                               self.workshop.program(name), folder, words, limit + 2 * seconds, False)
+            return None if again and again.scene == kill.scene else kill, seconds + more
+        return None, seconds
 
     def verdict(self, mutant, group, folder):
         """The result of a mutant, as a dictionary for the results' file."""
