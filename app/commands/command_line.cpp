@@ -353,8 +353,7 @@ void add_test(CLI::App& program, Options& options) {
 }
 
 void add_mutate(CLI::App& program, Options& options) {
-  add_for_launcher(program, options, "mutate", "Plant faults in the source, and see which of them are found",
-                   help::mutate, "source");
+  add_for_launcher(program, options, "mutate", "Plant faults in the source: which are found?", help::mutate, "source");
 }
 
 std::string not_empty(const std::string& word) { return word.empty() ? "is empty" : ""; }
