@@ -29,7 +29,7 @@ namespace words = oracle::words;
 // Sequences have properties of their own (properties/broad_phase_sequences.cpp).
 template <class Ask>
 Finding of_still(const Scene& scene, const Subject& subject, Ask&& ask) {
-  if (is_sequence(scene)) return judge::outside("a film");
+  if (is_sequence(scene)) return judge::outside("a scene with frames");
   return of_scene(scene, subject, std::forward<Ask>(ask));
 }
 

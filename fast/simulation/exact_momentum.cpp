@@ -16,7 +16,7 @@ Vec3 on_grid(const Vec3& P, double grid) {
 
 ExactMomentum::ExactMomentum(const World& world) : world_(&world) {
   if (!world.gravity().isZero(0) || !world.motion().forces.empty()) {
-    throw InputError("gravity", "changes momentum; it can be kept exact only without gravity and pushes");
+    throw InputError("gravity", "changes momentum; it can be kept exact only without gravity and applied forces");
   }
   double energy = 0, heaviest = 0;
   for (const BodyMotion& body : world.bodies()) {

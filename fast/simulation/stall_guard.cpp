@@ -40,7 +40,7 @@ void StallGuard::count_lost_resolution() { iterations_ += iterations_without_pro
 void StallGuard::check_events(const Statistics& statistics, double now, BodyId a, BodyId b) {
   if (statistics.events() > options_.most_events) stop(at_pair(now, a, b, "more events than allowed"));
   if (statistics.of(Event::Kind::micro_collision) > options_.most_micro_bounces) {
-    stop(at_pair(now, a, b, "a contact that rests on hops alone takes more of them than allowed"));
+    stop(at_pair(now, a, b, "a resting contact takes more micro-bounces than allowed"));
   }
 }
 

@@ -22,7 +22,7 @@ const Vec3 down(0, 0, -10);
 
 const State& last(const Simulated& done) { return done.trajectory.states.back()[0]; }
 
-TEST_CASE("a bouncing ball rises to e² of its height, and its hops end when the series says") {
+TEST_CASE("a bouncing ball rises to e² of its height, and its bounces end when the series says") {
   for (const double e : {0.5, 0.9}) {
     const Scene scene = moving_scene({ball(0.5, Vec3(0, 0, 1.5), Vec3::Zero(), {e, 0}), table()}, down, {20});
     const Simulated done = simulate(scene);
@@ -127,7 +127,7 @@ Scene turntable(double envelope) {
 
 const Vec3 on_the_turntable(0.84112921341523592, 0.54083421335883185, 0.5);  // cos 4/7, sin 4/7
 
-TEST_CASE("hops may stand for contact: a ball on a turntable circles at 2/7 of its rate") {
+TEST_CASE("micro-bounces may stand for contact: a ball on a turntable circles at 2/7 of its rate") {
   const auto error = [&](double envelope) {
     const Simulated done = simulate(turntable(envelope), {.micro_collisions = true});
     CHECK(done.statistics.of(Kind::micro_collision) > 1000);
@@ -301,11 +301,11 @@ TEST_CASE("a stack that is pushed goes, and what leans too far falls") {
   CHECK(simulate(leaning).trajectory.states.back()[1].X_WB.p_WB.z() < 1.25);
 }
 
-TEST_CASE("hops may stand for a stack: until there are too many, and it says so") {
+TEST_CASE("micro-bounces may stand for a stack: until there are too many, and it says so") {
   const Scene scene = moving_scene({brick_at(0.5, 1), brick_at(1.5, 1), table()}, down, {1});
   const Simulated done = simulate(scene, {.micro_collisions = true, .most_micro_bounces = 1000});
   REQUIRE(done.stopped);
-  CHECK_THAT(done.stopped->why, Catch::Contains("hops"));
+  CHECK_THAT(done.stopped->why, Catch::Contains("micro-bounces"));
   CHECK(done.trajectory.complete_until == done.stopped->time);
 }
 

@@ -38,7 +38,7 @@ std::string why_none(const app::MotionScene& motion, const Answer<Trajectory>& a
   const auto& trajectory = std::get<Trajectory>(answer);
   const double end = motion.scene.motion->sample_times.back();
   if (trajectory.complete_until) return fmt::format("gave up at {:.3g} s of {:.3g} s", *trajectory.complete_until, end);
-  if (trajectory.states.size() != motion.scene.motion->sample_times.size()) return "did not answer all looks";
+  if (trajectory.states.size() != motion.scene.motion->sample_times.size()) return "did not answer all samples";
   return std::isfinite(motion.error(trajectory)) ? "" : "answered a number that is not finite";
 }
 

@@ -63,7 +63,7 @@ TEST_CASE("stall guard: events, micro-bounces and steps up to their limits are a
   CHECK(guard.stopped()->why == "more events than allowed");
   impacts = 0, bounces = 3;
   guard.check_events(statistics, 2, 0, 1);
-  CHECK_THAT(guard.stopped()->why, Catch::Contains("hops"));
+  CHECK_THAT(guard.stopped()->why, Catch::Contains("micro-bounces"));
   statistics.contact_steps = 8;
   guard.check_steps(statistics, 2, 0, 1);
   CHECK_THAT(guard.stopped()->why, Catch::Contains("more steps"));
