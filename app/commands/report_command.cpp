@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <optional>
-#include <ranges>
 #include <set>
 #include <thread>
 
@@ -165,10 +164,12 @@ std::pair<bool, double> closeness(const Row& row) {
 /// its case.
 void print_closest(const Ledger& ledger, const std::string& out) {
   for (const auto& [query, scenes] : ledger.scenes) {
-    const auto of_query = [&](const Row& row) { return properties::find(row.property).query == query; };
-    auto rows = ledger.rows | std::views::filter(of_query);
-    const auto found = std::ranges::max_element(rows, {}, closeness);
-    if (found == rows.end() || !found->closest) continue;
+    const Row* found = nullptr;
+    for (const Row& row : ledger.rows) {
+      if (properties::find(row.property).query != query) continue;
+      if (!found || closeness(*found) < closeness(row)) found = &row;
+    }
+    if (!found || !found->closest) continue;
     const Row& row = *found;
     const Example& closest = *row.closest;
     const oracle::Finding& finding = closest.finding;

@@ -64,8 +64,7 @@ void end_at(Scene& scene, double until) {
     times.push_back(own_end + (until - own_end) * k / samples_beyond);
   }
   times.push_back(until);
-  const auto equal = std::ranges::unique(times);  // the interval may contain too few doubles
-  times.erase(equal.begin(), equal.end());
+  times.erase(std::unique(times.begin(), times.end()), times.end());  // the interval may contain too few doubles
 }
 
 Scene scene_of(const SimulateCommand& command) {

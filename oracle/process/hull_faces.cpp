@@ -135,7 +135,7 @@ class GiftWrapping {
 
   std::vector<Face> canonical() const {
     std::vector<Face> faces = faces_;
-    for (Face& face : faces) std::ranges::rotate(face, std::ranges::min_element(face));
+    for (Face& face : faces) std::rotate(face.begin(), std::ranges::min_element(face), face.end());
     std::ranges::sort(faces);
     return faces;
   }

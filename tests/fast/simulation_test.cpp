@@ -4,7 +4,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <limits>
-#include <ranges>
 
 #include "app/motion/motion_scenes.h"
 #include "fast/lin_canny/parting_normals.h"
@@ -404,7 +403,8 @@ TEST_CASE("groups that strike at one time change no bit of each other") {
   CHECK(alone.events->size() > 20);
   const Simulated both = simulate(two);
   REQUIRE(!both.stopped);
-  CHECK(std::ranges::equal(both.trajectory.states.back() | std::views::drop(5), alone.states.back()));
+  const std::vector<State>& last = both.trajectory.states.back();
+  CHECK(std::vector<State>(last.begin() + 5, last.end()) == alone.states.back());
 }
 
 /// The separation of two boxes along the direction of greatest separation (m); < 0: they overlap.
