@@ -80,8 +80,8 @@ Verdict verdict_at(double from, const Start& A, const Start& B, std::vector<lin_
   auto place = memory.begin();
   for (std::size_t i = 0; i < A.model.solid.parts().size(); ++i) {
     for (std::size_t j = 0; j < B.model.solid.parts().size(); ++j, ++place) {
-      const toi::Pair pair{A.motion, B.motion, i, j, {A.motion.start().p_WB}};
-      const toi::SeparationQuery query(pair, from, *place, Vec3::Zero());
+      const time_of_impact::Pair pair{A.motion, B.motion, i, j, {A.motion.start().p_WB}};
+      const time_of_impact::SeparationQuery query(pair, from, *place, Vec3::Zero());
       if (query.overlap(query)) return Verdict::overlapping;
     }
   }
@@ -90,20 +90,20 @@ Verdict verdict_at(double from, const Start& A, const Start& B, std::vector<lin_
 
 }  // namespace
 
-FirstContact time_of_impact(const motion::BallisticMotion& a, const motion::BallisticMotion& b, double from,
-                            double until, double envelope, std::span<lin_canny::FeaturePair> memory,
-                            const Inflation& inflation) {
-  if (inflation.is_none() && toi::are_falling_balls(a, b)) {
-    if (const std::optional<FirstContact> met = toi::spheres(a, b, from, until, envelope)) return *met;
+FirstContact first_contact(const motion::BallisticMotion& a, const motion::BallisticMotion& b, double from,
+                           double until, double envelope, std::span<lin_canny::FeaturePair> memory,
+                           const Inflation& inflation) {
+  if (inflation.is_none() && time_of_impact::are_falling_balls(a, b)) {
+    if (const std::optional<FirstContact> met = time_of_impact::spheres(a, b, from, until, envelope)) return *met;
   }
   FirstContact met{Status::miss, until, until, 0, Vec3::Zero(), Vec3::Zero()};
   int queries = 0;
   auto place = memory.begin();
   for (std::size_t i = 0; i < a.model().solid.parts().size(); ++i) {
     for (std::size_t j = 0; j < b.model().solid.parts().size(); ++j, ++place) {
-      const toi::Pair pair{a, b, i, j, toi::origin(a, b), inflation};
+      const time_of_impact::Pair pair{a, b, i, j, time_of_impact::origin(a, b), inflation};
       const double end = met.status == Status::hit ? met.hi : until;
-      const FirstContact found = toi::advance(pair, from, end, envelope, *place);
+      const FirstContact found = time_of_impact::advance(pair, from, end, envelope, *place);
       queries += found.queries;
       if (found.status != Status::miss) met = met.status == Status::miss ? found : either(met, found);
     }
@@ -112,10 +112,10 @@ FirstContact time_of_impact(const motion::BallisticMotion& a, const motion::Ball
   return met;
 }
 
-FirstContact time_of_impact(const motion::BallisticMotion& a, const motion::BallisticMotion& b, double from,
-                            double until, double envelope) {
+FirstContact first_contact(const motion::BallisticMotion& a, const motion::BallisticMotion& b, double from,
+                           double until, double envelope) {
   std::vector<lin_canny::FeaturePair> memory(a.model().solid.parts().size() * b.model().solid.parts().size());
-  return time_of_impact(a, b, from, until, envelope, memory);
+  return first_contact(a, b, from, until, envelope, memory);
 }
 
 TimeOfImpact time_of_impact_of(const Scene& scene) {
@@ -128,7 +128,7 @@ TimeOfImpact time_of_impact_of(const Scene& scene) {
     throw InputError("bodies",
                      '\'' + scene.bodies[0].name + "' and '" + scene.bodies[1].name + "' overlap at the start");
   }
-  const FirstContact met = time_of_impact(A.motion, B.motion, from, until, 0, memory);
+  const FirstContact met = first_contact(A.motion, B.motion, from, until, 0, memory);
   TimeOfImpact answer;
   answer.status = met.status;
   if (met.status == Status::miss) return answer;

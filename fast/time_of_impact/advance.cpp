@@ -8,7 +8,7 @@
 #include "fast/lin_canny/rotation.h"
 #include "fast/motion/steady_turn.h"
 
-namespace touchstone::fast::toi {
+namespace touchstone::fast::time_of_impact {
 namespace {
 
 using motion::Centre;
@@ -155,4 +155,4 @@ FirstContact advance(const Pair& pair, double from, double until, double envelop
   return met;
 }
 
-}  // namespace touchstone::fast::toi
+}  // namespace touchstone::fast::time_of_impact

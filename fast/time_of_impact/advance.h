@@ -5,7 +5,7 @@
 #include "fast/time_of_impact/first_contact.h"
 #include "fast/time_of_impact/separation_query.h"
 
-namespace touchstone::fast::toi {
+namespace touchstone::fast::time_of_impact {
 
 /// As fast/time_of_impact/first_contact.h, for two parts.
 ///
@@ -17,4 +17,4 @@ namespace touchstone::fast::toi {
 /// advancement continues).
 FirstContact advance(const Pair& pair, double from, double until, double envelope, lin_canny::FeaturePair& memory);
 
-}  // namespace touchstone::fast::toi
+}  // namespace touchstone::fast::time_of_impact

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace touchstone::fast::toi {
+namespace touchstone::fast::time_of_impact {
 
 using lin_canny::Hull;
 using lin_canny::PosedHull;
@@ -66,4 +66,4 @@ bool share_a_middle(const PosedHull& A, const PosedHull& B, double error) {
   return is_inside(A, mean, error) && is_inside(B, mean, error);
 }
 
-}  // namespace touchstone::fast::toi
+}  // namespace touchstone::fast::time_of_impact

@@ -3,7 +3,7 @@
 
 #include "fast/lin_canny/posed_hull.h"
 
-namespace touchstone::fast::toi {
+namespace touchstone::fast::time_of_impact {
 
 /// Whether p is inside a solid core by more than `error`. A core that is a point has no inside.
 bool is_inside(const lin_canny::PosedHull& P, const Vec3& p, double error);
@@ -14,4 +14,4 @@ bool is_inside(const lin_canny::PosedHull& P, const Vec3& p, double error);
 /// part, so the mean is deep inside relative to the corners, however thin A ∩ B is.
 bool share_a_middle(const lin_canny::PosedHull& A, const lin_canny::PosedHull& B, double error);
 
-}  // namespace touchstone::fast::toi
+}  // namespace touchstone::fast::time_of_impact

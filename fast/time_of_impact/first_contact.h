@@ -35,12 +35,12 @@ struct FirstContact {
 /// `memory`: one entry per pair of parts, as for lin_canny::nearest_parts: where its walk starts, and afterwards where
 /// it ended. `inflation`: the margin by which a is inflated while the trajectories are uncertain; the inflated bodies
 /// may then overlap at `from`.
-FirstContact time_of_impact(const motion::BallisticMotion& a, const motion::BallisticMotion& b, double from,
-                            double until, double envelope, std::span<lin_canny::FeaturePair> memory,
-                            const Inflation& inflation = {});
+FirstContact first_contact(const motion::BallisticMotion& a, const motion::BallisticMotion& b, double from,
+                           double until, double envelope, std::span<lin_canny::FeaturePair> memory,
+                           const Inflation& inflation = {});
 
 /// The same without the memory of an earlier query.
-FirstContact time_of_impact(const motion::BallisticMotion& a, const motion::BallisticMotion& b, double from,
-                            double until, double envelope = 0);
+FirstContact first_contact(const motion::BallisticMotion& a, const motion::BallisticMotion& b, double from,
+                           double until, double envelope = 0);
 
 }  // namespace touchstone::fast

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace touchstone::fast::toi {
+namespace touchstone::fast::time_of_impact {
 
 using lin_canny::Convex;
 
@@ -54,4 +54,4 @@ MovingCore ball_around(const motion::BallisticMotion& motion, double t, const mo
   return s;
 }
 
-}  // namespace touchstone::fast::toi
+}  // namespace touchstone::fast::time_of_impact

@@ -4,7 +4,7 @@
 #include "fast/lin_canny/posed_hull.h"
 #include "fast/motion/ballistic_motion.h"
 
-namespace touchstone::fast::toi {
+namespace touchstone::fast::time_of_impact {
 
 /// A point at r from the centre of mass, in W, is known within the core's errors and moves at v + w × r (v known within
 /// v_error, w within w_error), and |p̈ − acceleration| ≤ acceleration_per_radius |r| (motion/ballistic_motion.h).
@@ -28,4 +28,4 @@ MovingCore moving_core(const motion::BallisticMotion& motion, std::size_t part, 
 /// The ball around the centre of mass that contains the body at any orientation.
 MovingCore ball_around(const motion::BallisticMotion& motion, double t, const motion::Origin& O);
 
-}  // namespace touchstone::fast::toi
+}  // namespace touchstone::fast::time_of_impact

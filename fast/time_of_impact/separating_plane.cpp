@@ -8,7 +8,7 @@
 #include "fast/lin_canny/bracket.h"
 #include "fast/motion/steady_turn.h"
 
-namespace touchstone::fast::toi {
+namespace touchstone::fast::time_of_impact {
 
 double first_root(double z, double s, double c) {
   const double square = s * s - 2 * c * z;
@@ -115,4 +115,4 @@ double SeparatingPlane::clear_until(double h_max) const {
   return h < H / 4 ? std::max(h, clear(2 * h)) : h;
 }
 
-}  // namespace touchstone::fast::toi
+}  // namespace touchstone::fast::time_of_impact

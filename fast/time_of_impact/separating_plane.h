@@ -6,7 +6,7 @@
 
 #include "fast/time_of_impact/moving_core.h"
 
-namespace touchstone::fast::toi {
+namespace touchstone::fast::time_of_impact {
 
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -70,4 +70,4 @@ class SeparatingPlane {
   double gap_ = 0, error_ = 0, speed_error_ = 0, bend_error_ = 0, greatest_bend_ = 0, greatest_rate_ = 0;
 };
 
-}  // namespace touchstone::fast::toi
+}  // namespace touchstone::fast::time_of_impact

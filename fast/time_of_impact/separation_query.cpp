@@ -11,7 +11,7 @@
 #include "fast/lin_canny/surround.h"
 #include "fast/time_of_impact/common_middle.h"
 
-namespace touchstone::fast::toi {
+namespace touchstone::fast::time_of_impact {
 
 using lin_canny::FeaturePair;
 using lin_canny::Hull;
@@ -246,4 +246,4 @@ Vec3 SeparationQuery::middle() const {
   return a.kind <= b.kind ? point_of(A_.core, a) : point_of(B_.core, b);
 }
 
-}  // namespace touchstone::fast::toi
+}  // namespace touchstone::fast::time_of_impact

@@ -7,7 +7,7 @@
 #include "fast/time_of_impact/inflation.h"
 #include "fast/time_of_impact/separating_plane.h"
 
-namespace touchstone::fast::toi {
+namespace touchstone::fast::time_of_impact {
 
 /// Part `part_A` of a's body and part `part_B` of b's body.
 struct Pair {
@@ -59,4 +59,4 @@ class SeparationQuery {
   SeparatingPlane plane_;
 };
 
-}  // namespace touchstone::fast::toi
+}  // namespace touchstone::fast::time_of_impact

@@ -7,7 +7,7 @@
 #include "fast/motion/steady_turn.h"
 #include "fast/time_of_impact/separation_query.h"
 
-namespace touchstone::fast::toi {
+namespace touchstone::fast::time_of_impact {
 namespace {
 
 using motion::BallisticMotion;
@@ -110,4 +110,4 @@ std::optional<FirstContact> spheres(const BallisticMotion& a, const BallisticMot
   return std::nullopt;
 }
 
-}  // namespace touchstone::fast::toi
+}  // namespace touchstone::fast::time_of_impact

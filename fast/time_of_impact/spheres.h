@@ -5,7 +5,7 @@
 
 #include "fast/time_of_impact/first_contact.h"
 
-namespace touchstone::fast::toi {
+namespace touchstone::fast::time_of_impact {
 
 /// Whether both bodies are balls about their centres of mass and have equal accelerations.
 bool are_falling_balls(const motion::BallisticMotion& a, const motion::BallisticMotion& b);
@@ -23,4 +23,4 @@ bool are_falling_balls(const motion::BallisticMotion& a, const motion::Ballistic
 std::optional<FirstContact> spheres(const motion::BallisticMotion& a, const motion::BallisticMotion& b, double from,
                                     double until, double envelope);
 
-}  // namespace touchstone::fast::toi
+}  // namespace touchstone::fast::time_of_impact

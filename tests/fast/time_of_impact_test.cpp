@@ -145,10 +145,10 @@ TEST_CASE("a split flight meets when the whole one does") {
     const motion::RigidBodyModel A(scene.bodies[0]), B(scene.bodies[1]);
     const motion::BallisticMotion a(A, 0, scene.bodies[0].X_WB, scene.bodies[0].velocity, scene.gravity);
     const motion::BallisticMotion b(B, 0, scene.bodies[1].X_WB, scene.bodies[1].velocity, scene.gravity);
-    const FirstContact whole = time_of_impact(a, b, 0, 2);
+    const FirstContact whole = first_contact(a, b, 0, 2);
     const double split = 2 * random.unit();
-    FirstContact parts = time_of_impact(a, b, 0, split);
-    if (parts.status == Status::miss) parts = time_of_impact(a, b, split, 2);
+    FirstContact parts = first_contact(a, b, 0, split);
+    if (parts.status == Status::miss) parts = first_contact(a, b, split, 2);
     CAPTURE(i, split);
     REQUIRE(whole.status == parts.status);
     if (whole.status != Status::hit) continue;
@@ -164,7 +164,7 @@ TEST_CASE("with an envelope, a hit is a time at which the two are within it") {
     const motion::RigidBodyModel A(scene.bodies[0]), B(scene.bodies[1]);
     const motion::BallisticMotion a(A, 0, scene.bodies[0].X_WB, scene.bodies[0].velocity, scene.gravity);
     const motion::BallisticMotion b(B, 0, scene.bodies[1].X_WB, scene.bodies[1].velocity, scene.gravity);
-    const FirstContact met = time_of_impact(a, b, 0, 2, 1e-9);
+    const FirstContact met = first_contact(a, b, 0, 2, 1e-9);
     if (met.status != Status::hit) continue;
     REQUIRE(met.lo == met.hi);
     scene.bodies[0].X_WB = a.pose(met.lo);
@@ -199,7 +199,7 @@ TEST_CASE("swollen, the two are apart before they meet by more than the swelling
     const Inflation inflation = drawn_inflation(random, i);
     const double from = i % 4 == 3 ? random.unit() / 4 : 0, until = 2, envelope = i / 2 % 2 == 0 ? 0 : 1e-9;
     std::vector<lin_canny::FeaturePair> memory(1), walk(1);
-    const FirstContact met = time_of_impact(a, b, from, until, envelope, memory, inflation);
+    const FirstContact met = first_contact(a, b, from, until, envelope, memory, inflation);
     const auto farther_by = [&](double t) {
       const lin_canny::CachedPose at_a(a.pose(t)), at_b(b.pose(t));
       const double thicker = inflation.at_first + inflation.rate * (t - inflation.since);

@@ -114,7 +114,7 @@ double by_advancement(const BodyMotion& a, const BodyMotion& b, double from, dou
   memory.queries = 0;
   while (true) {
     const FirstContact found =
-        time_of_impact(a.ballistic(), b.ballistic(), from, until, envelope, memory.features, inflation);
+        fast::first_contact(a.ballistic(), b.ballistic(), from, until, envelope, memory.features, inflation);
     memory.queries += found.queries;
     if (found.status == TimeOfImpact::Status::hit) {
       if (envelope == 0) return found.hi;
