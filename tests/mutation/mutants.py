@@ -87,14 +87,15 @@ class Tree:
         start, end = cursor.extent.start, cursor.extent.end
         if start.file is None or start.file.name != self.file or end.offset <= start.offset:
             return None
-        return Node(cursor, start.offset, end.offset, self.source[start.offset:end.offset].decode())
+        text = self.source[start.offset:end.offset].decode(errors="replace")
+        return Node(cursor, start.offset, end.offset, text)
 
     def children(self, cursor):
         return [node for node in map(self.node, cursor.get_children()) if node]
 
     def between(self, left, right):
         """(begin, end, text) of what stands between two nodes, without white space."""
-        text = self.source[left.end:right.begin].decode()
+        text = self.source[left.end:right.begin].decode(errors="replace")
         begin = left.end + len(text[:len(text) - len(text.lstrip())].encode())
         return begin, begin + len(text.strip().encode()), text.strip()
 

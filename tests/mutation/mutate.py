@@ -102,10 +102,8 @@ def own_libclang():
         import clang.cindex
         clang.cindex.Index.create()
         return clang.cindex
-    except (ImportError, OSError, AttributeError) as error:
-        raise GiveUp(f"libclang for Python is missing: {error} (Debian: apt-get install python3-clang)") from error
-    except Exception as error:  # LibclangError has no other base
-        raise GiveUp(f"libclang for Python does not start: {error} (Debian: apt-get install python3-clang)") from error
+    except Exception as error:  # one that is missing or too old raises many kinds
+        raise GiveUp(f"libclang for Python: {error} (Debian: apt-get install python3-clang)") from error
 
 
 def prepare(build, jobs):
@@ -128,7 +126,7 @@ def prepare(build, jobs):
 
 
 def digest_of_source():
-    """Results are kept only for the source, tests and tester that gave them."""
+    """What is measured holds only for the source, tests and tester that it was measured with."""
     total = hashlib.sha256()
     for folder in JUDGED_FOLDERS:
         for path in sorted((ROOT / folder).rglob("*")):
@@ -155,8 +153,9 @@ class Reader:
 
     def read(self, path):
         source = (ROOT / path).read_bytes()
-        key = hashlib.sha256(self.tester + path.encode() + source).hexdigest()[:16]
-        kept = self.shop.place / "mutants" / f"{key}.json"
+        included = (ROOT / name for name in sorted(self.tree.reached(path)))
+        content = b"\n".join([self.tester, path.encode(), source, *(name.read_bytes() for name in included)])
+        kept = self.shop.build / "mutation/mutants" / f"{hashlib.sha256(content).hexdigest()[:16]}.json"
         if kept.exists():
             return [mutants.Mutant(**fields) for fields in json.loads(kept.read_text())]
         through = self.source_with(path)
@@ -253,7 +252,7 @@ def main(words):
     own_libclang()
     lock = prepare(build, options.jobs)
     tree = draws.SourceTree(ROOT)
-    shop = workshop.Workshop(ROOT, build, tree)
+    shop = workshop.Workshop(ROOT, build, tree, build / "mutation" / digest_of_source())
     reader = Reader(shop, tree)
     if options.list:
         list_mutants(options, tree, reader)
@@ -265,7 +264,7 @@ def main(words):
         return 0
     for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
         signal.signal(number, interrupt)
-    file = shop.place / f"results.{digest_of_source()}.jsonl"
+    file = shop.place / "results.jsonl"
     trier = trial.Trial(shop, reach.Reach(tree, shop.object_of).queries, trial.Limits())
     found = try_all(wanted, options.sample, options.jobs, results.read_results(file),
                     functools.partial(judge_one, shop, trier), functools.partial(results.add_result, file))

@@ -95,7 +95,7 @@ class Project(unittest.TestCase):
              "command": f"ccache g++ -O1 -MD -MT x -MF x.d -Werror -I{cls.root} -o fast/{name}.cpp.o -c {cls.root}/fast/{name}.cpp"}
             for name in ("mass", "bounds")]))
         cls.tree = draws.SourceTree(cls.root)
-        cls.shop = workshop.Workshop(cls.root, build, cls.tree)
+        cls.shop = workshop.Workshop(cls.root, build, cls.tree, build / "mutation")
         cls.reach = reach.Reach(cls.tree, cls.shop.object_of)
         cls.trial = trial.Trial(cls.shop, cls.reach.queries, trial.Limits())
 
@@ -141,6 +141,10 @@ class Project(unittest.TestCase):
 
     def test_a_compiler_error_is_no_kill(self):
         self.assertEqual(self.verdict(mutant("a < 0", "a < nothing"))["outcome"], "does not compile")
+
+    def test_a_linker_error_is_no_kill(self):
+        planted = mutant("return 0;", "extern int nothing(int); return nothing(a);")
+        self.assertEqual(self.verdict(planted)["outcome"], "does not compile")
 
     def test_the_machine_code_of_the_original_is_no_survivor(self):
         self.assertEqual(self.verdict(mutant("a < 0", "a <= -1"))["outcome"], "same code")

@@ -12,6 +12,7 @@ import time
 
 import limited
 import reach
+import workshop
 
 QUICK_SEED, STANDARD_SEED = 1, 2  # standard begins with the scenes that quick has asked, so it has a seed of its own
 CANARY_TESTS = "canaries prove*,each canary about*"
@@ -38,10 +39,10 @@ class BaseFails(Exception):
 
 
 class Trial:
-    def __init__(self, workshop, queries, limits):
-        self.workshop, self.queries, self.limits = workshop, queries, limits
+    def __init__(self, shop, queries, limits):
+        self.workshop, self.queries, self.limits = shop, queries, limits
         self.base, self.lock = {}, threading.Lock()
-        self.base_file = workshop.place / "base.json"
+        self.base_file = shop.place / "base.json"
 
     # --- without a fault -----------------------------------------------------------------------------------------
 
@@ -52,6 +53,7 @@ class Trial:
                 self.base = json.loads(self.base_file.read_text())
             if key not in self.base:
                 self.base[key] = measure()
+                self.base_file.parent.mkdir(parents=True, exist_ok=True)
                 self.base_file.write_text(json.dumps(self.base, indent=1))
             return self.base[key]
 
@@ -71,7 +73,7 @@ class Trial:
     def base_tests(self, target, words):
         def measure():
             run = limited.run([self.workshop.program(target), *words], 3600, self.workshop.build)
-            if run.code != 0:
+            if run.code != 0 or "No test" in run.output:
                 raise BaseFails(f"{target} {' '.join(words)} fails: {run.output[-500:]}")
             return {"seconds": run.seconds}
         return self.without_fault(f"{target} {' '.join(words)}", measure)
@@ -96,7 +98,7 @@ class Trial:
             how = red["property"] if red["fails"] else f"broken: {', '.join(red.get('defects', {}))} ({red['property']})"
             worst = red["worst"]
             return Kill(stage, how, scenes_of(folder / "report.json"), f"{worst['family']} {worst['index']}"), run.seconds
-        if run.code == 2:  # the subject does not start; the judge, if that is the mutant, refuses a good one
+        if run.code == 2 and (judge_is_mutant or "subject" in run.output):  # it does not introduce itself
             return Kill(stage, "broken: " + last_line(run.output)), run.seconds
         if judge_is_mutant and (run.code == 3 or run.code in SIGNALS_OF_A_CRASH and run.in_time):
             return Kill(stage, "broken: " + (last_line(run.output) or f"the judge ends with {run.code}")), run.seconds
@@ -178,13 +180,16 @@ class Trial:
         if not objects:
             return {**result, "outcome": "same code" if objects == [] else "does not compile"}
         seconds = 0.0
-        for kill, spent in self.stages(mutant, group, objects, folder):
-            seconds += spent
-            if kill:
-                result.update(outcome="killed", **dataclasses.asdict(kill))
-                break
-        else:
-            result["outcome"] = "survived"
+        try:
+            for kill, spent in self.stages(mutant, group, objects, folder):
+                seconds += spent
+                if kill:
+                    result.update(outcome="killed", **dataclasses.asdict(kill))
+                    break
+            else:
+                result["outcome"] = "survived"
+        except workshop.DoesNotLink:
+            result["outcome"] = "does not compile"
         return {**result, "cpu_seconds": round(seconds, 1), "seconds": round(time.monotonic() - began, 1)}
 
 

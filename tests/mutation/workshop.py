@@ -10,6 +10,7 @@ import re
 import shlex
 import shutil
 import subprocess
+import threading
 
 import limited
 
@@ -19,7 +20,11 @@ TAKES_A_VALUE = ("-o", "-c", "-MT", "-MF")
 
 
 class BuildFailed(Exception):
-    pass
+    """The original does not build."""
+
+
+class DoesNotLink(Exception):
+    """A mutant compiles, but needs what nothing defines, or defines what a library defines too."""
 
 
 def compile_words(command):
@@ -49,9 +54,11 @@ def without_precompiled(words):
 
 
 class Workshop:
-    def __init__(self, root, build, tree):
+    """`place`: the folder for all that is made; it must be another one when the source is another one."""
+
+    def __init__(self, root, build, tree, place):
         self.root, self.build, self.tree = pathlib.Path(root), pathlib.Path(build), tree
-        self.place = self.build / "mutation"
+        self.place, self.lock = pathlib.Path(place), threading.Lock()
         commands = json.loads((self.build / "compile_commands.json").read_text())
         self.commands = {}
         for entry in commands:
@@ -84,14 +91,15 @@ class Workshop:
     def original(self, source):
         """The object of the original, compiled as that of a mutant is."""
         out = self.place / "originals" / (source + ".o")
-        if not out.exists():
-            folder = self.place / "originals" / (source + ".made")
-            self.write(folder, source, (self.root / source).read_bytes())
-            made = self.compile(folder, source)
-            if not made:
-                raise BuildFailed(f"the original of {source} does not compile")
-            made.replace(out)
-            shutil.rmtree(folder)
+        with self.lock:
+            if not out.exists():
+                folder = self.place / "originals" / (source + ".made")
+                self.write(folder, source, (self.root / source).read_bytes())
+                made = self.compile(folder, source)
+                if not made:
+                    raise BuildFailed(f"the original of {source} does not compile")
+                made.replace(out)
+                shutil.rmtree(folder)
         return out
 
     def objects(self, mutant, folder):
@@ -128,7 +136,7 @@ class Workshop:
         out = folder / target
         run = limited.run([*before, str(out), *map(str, objects), *after], COMPILE_LIMIT, self.build)
         if run.code != 0:
-            raise BuildFailed(f"{target} does not link: {run.output[-500:]}")
+            raise DoesNotLink(f"{target} does not link: {run.output[-500:]}")
         return out
 
     def program(self, target):
