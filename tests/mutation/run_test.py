@@ -143,7 +143,7 @@ class Project(unittest.TestCase):
         self.assertEqual(self.verdict(mutant("a < 0", "a < nothing"))["outcome"], "does not compile")
 
     def test_a_linker_error_is_no_kill(self):
-        planted = mutant("return 0;", "extern int nothing(int); return nothing(a);")
+        planted = mutant("return 0;", "{ extern int nothing(int); return nothing(a); }")
         self.assertEqual(self.verdict(planted)["outcome"], "does not compile")
 
     def test_the_machine_code_of_the_original_is_no_survivor(self):
