@@ -35,7 +35,7 @@ Sorts sorts_of(const Scene& scene) {
     const BodyMotion body_motion(body, 0, scene.gravity);
     ++sorts.bodies;
     sorts.fixed += body_motion.fixed();
-    sorts.stationary += body_motion.is_stationary();
+    sorts.stationary += is_stationary(body_motion);
     sorts.balls += body_motion.kind() == Kind::ball;
     sorts.fixed_balls += body_motion.kind() == Kind::ball && body_motion.fixed();
     sorts.blocks += body_motion.kind() == Kind::block;

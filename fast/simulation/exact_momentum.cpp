@@ -22,7 +22,7 @@ ExactMomentum::ExactMomentum(const World& world) : world_(&world) {
   for (const BodyMotion& body : world.bodies()) {
     if (body.fixed()) continue;
     const Vec3 w = body.path().w;
-    energy += body.path().v.squaredNorm() / body.inverse_mass() / 2 + w.squaredNorm() * body.inertia().trace() / 2;
+    energy += body.path().v.squaredNorm() / body.inverse_mass() / 2 + w.squaredNorm() * inertia(body).trace() / 2;
     heaviest = std::max(heaviest, 1 / body.inverse_mass());
   }
   int exponent = 0;

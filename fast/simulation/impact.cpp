@@ -55,7 +55,7 @@ Mat3 mobility(const BodyMotion& m, const State& state, const Vec3& p_WC) {
   const Vec3 r = p_WC - at_centre(m, state);
   Mat3 S;
   S << 0, -r.z(), r.y(), r.z(), 0, -r.x(), -r.y(), r.x(), 0;
-  return m.inverse_mass() * Mat3::Identity() - S * (R * m.inertia().inverse() * R.transpose()) * S;
+  return m.inverse_mass() * Mat3::Identity() - S * (R * inertia(m).inverse() * R.transpose()) * S;
 }
 
 bool is_ball_or_fixed(const BodyMotion& m) { return m.kind() == Kind::ball || m.fixed(); }
@@ -94,7 +94,7 @@ ImpactResult others_after(const BodyMotion& a, const State& at_a, const BodyMoti
   const auto after = [&](const BodyMotion& m, const State& state, const Vec3& push) -> Velocity {
     if (m.fixed()) return state.velocity;
     const Mat3 R = lin_canny::rotation(state.X_WB.q_WB);
-    const Vec3 turn = R * (m.inertia().inverse() * (R.transpose() * (touch.p_WC - at_centre(m, state)).cross(push)));
+    const Vec3 turn = R * (inertia(m).inverse() * (R.transpose() * (touch.p_WC - at_centre(m, state)).cross(push)));
     return {state.velocity.v_WBcm + m.inverse_mass() * push, state.velocity.w_WB + turn};
   };
   return {0, P, after(a, at_a, P), after(b, at_b, -P), 0};

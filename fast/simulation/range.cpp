@@ -25,7 +25,7 @@ double most(const Vec3& v) { return v.cwiseAbs().maxCoeff(); }
 
 void refuse_mass(const std::string& place, const BodyMotion& body) {
   const double mass = 1 / body.inverse_mass();
-  const Vec3 moments = body.inertia().diagonal();
+  const Vec3 moments = inertia(body).diagonal();
   const auto fits = [](double x) { return x > least_sum && x < greatest_sum; };
   if (!fits(mass)) refuse(place + ".mass", "is beyond 2^-1000 to 2^1000 kg");
   if (!fits(moments.minCoeff()) || !fits(moments.maxCoeff())) {

@@ -44,7 +44,10 @@ void apply_force(Run& run) {
     run.recorder.record(
         {Event::Kind::force, world.now(), force.body, -1, Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), state, {}});
   }
-  if (island) return island->set_acceleration(id, world.acceleration(id));
+  if (island) {
+    island->graph().body(island->graph().index(id)).step_body.acceleration = world.acceleration(id);
+    return;
+  }
   body.restart(from, state, world.acceleration(id));
   keep_orientation(run, id);
   run.schedule.trajectory_changed(id);

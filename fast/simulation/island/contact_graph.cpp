@@ -17,6 +17,10 @@ double speed_bound(const IslandBody& island_body, double h) {
          h * length(island_body.step_body.acceleration);
 }
 
+void sort(std::vector<ContactPair>& pairs) {
+  std::ranges::stable_sort(pairs, {}, [](const ContactPair& j) { return std::tuple(j.a, j.b, j.part_a, j.part_b); });
+}
+
 }  // namespace
 
 void ContactGraph::add(const IslandBody& island_body) {
@@ -42,17 +46,12 @@ BodyId ContactGraph::key() const {
   return std::ranges::find_if(bodies_, [](const IslandBody& island_body) { return !island_body.fixed(); })->id;
 }
 
-void ContactGraph::sort_contact_pairs() {
-  std::ranges::stable_sort(contact_pairs_, {},
-                           [](const ContactPair& j) { return std::tuple(j.a, j.b, j.part_a, j.part_b); });
-}
-
 void ContactGraph::absorb(const ContactGraph& other) {
   for (const IslandBody& island_body : other.bodies_) {
     if (!has(island_body.id)) add(island_body);
   }
   contact_pairs_.insert(contact_pairs_.end(), other.contact_pairs_.begin(), other.contact_pairs_.end());
-  sort_contact_pairs();
+  sort(contact_pairs_);
 }
 
 bool ContactGraph::link(BodyId id_a, BodyId id_b) {
@@ -73,7 +72,7 @@ void ContactGraph::link(BodyId a, BodyId b, double reach) {
       if (update(contact_pair, A, B, near_, reach)) contact_pairs_.push_back(std::move(contact_pair));
     }
   }
-  sort_contact_pairs();
+  sort(contact_pairs_);
 }
 
 void ContactGraph::link_parts(double h) {

@@ -46,7 +46,6 @@ class ContactGraph {
 
  private:
   void link(BodyId a, BodyId b, double reach);
-  void sort_contact_pairs();
 
   double near_, reach_;
   std::vector<IslandBody> bodies_;

@@ -58,10 +58,6 @@ void Island::set_velocity(BodyId id, const Velocity& velocity) {
   graph_.emit_again(id);
 }
 
-void Island::set_acceleration(BodyId id, const Vec3& acceleration) {
-  graph_.body(graph_.index(id)).step_body.acceleration = acceleration;
-}
-
 bool Island::allows_impact() {
   if (impacts_.time != since_) impacts_ = {since_, 0};
   return ++impacts_.count <= impacts_of_a_pair * graph_.contact_pairs().size();

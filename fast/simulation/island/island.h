@@ -40,7 +40,6 @@ class Island {
 
   /// Sets the velocity of a body. Its contacts may separate, so events for those that remain are emitted again.
   void set_velocity(BodyId id, const Velocity& velocity);
-  void set_acceleration(BodyId id, const Vec3& acceleration);
   /// Counts an impact at the current time. Returns false if there have been so many at this time that each seems to
   /// cause the next.
   bool allows_impact();

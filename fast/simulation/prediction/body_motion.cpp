@@ -48,7 +48,7 @@ BodyMotion::BodyMotion(const Body& body, double since, const Vec3& gravity)
     if (mass) inverse_moment_ = 1 / mass->I_BBcm_B(0, 0);
   } else if (fixed_ && std::holds_alternative<Box>(body.shape) && body.velocity.w_WB.isZero(0)) {
     kind_ = Kind::block;
-    radius_ = half_extents().norm() * (1 + 4 * u);
+    radius_ = half_extents(*this).norm() * (1 + 4 * u);
     const Aabb box = fast::box(body);
     block_ = std::make_unique<const Block>(
         Block{lin_canny::rotation(body.X_WB.q_WB), box.lo - body.X_WB.p_WB, box.hi - body.X_WB.p_WB});
@@ -58,8 +58,9 @@ BodyMotion::BodyMotion(const Body& body, double since, const Vec3& gravity)
   restart(since, {body.X_WB, body.velocity}, fixed_ ? Vec3(Vec3::Zero()) : gravity);
 }
 
-bool BodyMotion::is_stationary() const {
-  return path_.v.isZero(0) && path_.a.isZero(0) && (kind_ != Kind::other || path_.w.isZero(0));
+bool is_stationary(const BodyMotion& motion) {
+  const Path& path = motion.path();
+  return path.v.isZero(0) && path.a.isZero(0) && (motion.kind() != Kind::other || path.w.isZero(0));
 }
 
 void BodyMotion::restart(double since, const State& state, const Vec3& acceleration, const Vec3& alpha) {
@@ -110,9 +111,9 @@ Aabb BodyMotion::box(double from, double until, double margin) const {
   return box;
 }
 
-Mat3 BodyMotion::inertia() const {
-  if (fixed_) return Mat3::Zero();
-  return kind_ == Kind::ball ? Mat3(1 / inverse_moment_ * Mat3::Identity()) : model().I_BBcm_B;
+Mat3 inertia(const BodyMotion& motion) {
+  if (motion.fixed()) return Mat3::Zero();
+  return motion.kind() == Kind::ball ? Mat3(1 / motion.inverse_moment() * Mat3::Identity()) : motion.model().I_BBcm_B;
 }
 
 BodyMotion::Other& BodyMotion::other() const {

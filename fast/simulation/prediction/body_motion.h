@@ -48,12 +48,10 @@ class BodyMotion {
      ///< encloses the body
   double inverse_mass() const { return inverse_mass_; }
   double inverse_moment() const { return inverse_moment_; }  ///< of a ball
-  Mat3 inertia() const;                                      ///< about the centre of mass, in B's axes
   const Body& body() const { return *body_; }
   const Material& material() const { return material_; }
 
   const Path& path() const { return path_; }
-  bool is_stationary() const;  ///< its pose never changes
 
   /// The state at time t, as it is reported. A trajectory that restarts at t starts from exactly this state.
   State state(double t) const;
@@ -76,9 +74,7 @@ class BodyMotion {
   const motion::BallisticMotion& ballistic() const;
   const motion::RigidBodyModel& model() const;
 
-  /// Of a block only.
-  const Mat3& R_WB() const { return block_->R_WB; }
-  const Vec3& half_extents() const { return std::get<Box>(body_->shape).half_extents; }
+  const Mat3& R_WB() const { return block_->R_WB; }  ///< of a block only
 
  private:
   struct Block {
@@ -106,5 +102,11 @@ class BodyMotion {
   std::unique_ptr<const Block> block_;
   mutable std::unique_ptr<Other> other_;
 };
+
+/// About the centre of mass, in B's axes; 0 for a fixed body.
+Mat3 inertia(const BodyMotion& motion);
+/// Whether its pose never changes.
+bool is_stationary(const BodyMotion& motion);
+inline const Vec3& half_extents(const BodyMotion& block) { return std::get<Box>(block.body().shape).half_extents; }
 
 }  // namespace touchstone::fast::simulation

@@ -56,7 +56,7 @@ void CollisionSchedule::begin_frame() {
 /// bodies at rest that are not fixed.
 bool CollisionSchedule::moves(BodyId id) const {
   const BodyMotion& body = world_->body(id);
-  return !body.is_stationary() || (statistics_->frames == 1 && !body.fixed());
+  return !is_stationary(body) || (statistics_->frames == 1 && !body.fixed());
 }
 
 void CollisionSchedule::predict_frame() {

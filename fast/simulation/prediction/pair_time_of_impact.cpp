@@ -32,7 +32,7 @@ Nearest balls(const BodyMotion& a, const BodyMotion& b, const Vec3& s, const Vec
 /// For a centre inside the block: the nearest face.
 Nearest inside(const BodyMotion& ball, const BodyMotion& block, const Vec3& s_B, const Vec3& p_block) {
   int axis = 0;
-  const Vec3 left = block.half_extents() - s_B.cwiseAbs();
+  const Vec3 left = half_extents(block) - s_B.cwiseAbs();
   left.minCoeff(&axis);
   Vec3 n_B = Vec3::Zero();
   n_B[axis] = s_B[axis] < 0 ? -1 : 1;
@@ -42,7 +42,7 @@ Nearest inside(const BodyMotion& ball, const BodyMotion& block, const Vec3& s_B,
 /// s: from the origin of the block to the centre of the ball.
 Nearest ball_on_block(const BodyMotion& ball, const BodyMotion& block, const Vec3& s, const Vec3& p_block) {
   const Vec3 s_B = block.R_WB().transpose() * s;
-  const Vec3 nearest_B = s_B.cwiseMax(-block.half_extents()).cwiseMin(block.half_extents());
+  const Vec3 nearest_B = s_B.cwiseMax(-half_extents(block)).cwiseMin(half_extents(block));
   const Vec3 away = s_B - nearest_B;
   const double far = length(away);
   if (!(far > 0)) return inside(ball, block, s_B, p_block);

@@ -20,7 +20,7 @@ double leaves_face(const BodyMotion& block, const Vec3& s, const Vec3& v, const 
   for (Eigen::Index i = 0; i < 3; ++i) {
     if (i == face) continue;
     for (const double side : {-1.0, 1.0}) {
-      first = std::min(first, closing_time(block.half_extents()[i] - side * s_B[i], -side * v_B[i], -side * a_B[i]));
+      first = std::min(first, closing_time(half_extents(block)[i] - side * s_B[i], -side * v_B[i], -side * a_B[i]));
     }
   }
   return first;
@@ -32,7 +32,7 @@ std::optional<Eigen::Index> face_along(const BodyMotion& block, const Vec3& n, c
   Eigen::Index axis = 0;
   n_B.cwiseAbs().maxCoeff(&axis);
   for (Eigen::Index i = 0; i < 3; ++i) {
-    if (i != axis && (std::abs(n_B[i]) > negligible || std::abs(s_B[i]) >= block.half_extents()[i])) return {};
+    if (i != axis && (std::abs(n_B[i]) > negligible || std::abs(s_B[i]) >= half_extents(block)[i])) return {};
   }
   return axis;
 }

@@ -88,18 +88,15 @@ TEST_CASE("island: four impacts for each contact pair at one time, and as many a
   CHECK(other.allows_impact());
 }
 
-TEST_CASE("island: a changed velocity lets contact events be emitted again, a changed acceleration acts in steps") {
+TEST_CASE("island: a changed velocity lets contact events be emitted again") {
   const IslandBodies lies({ball(1, {0, 0, 1}, still, {}), table()}, still);
   Island island(lies.graph(near, reach), 0);
   island.graph().contact_pairs()[0].emitted = true;
-  island.set_acceleration(0, {2, 0, 0});
-  CHECK(island.graph().contact_pairs()[0].emitted);
   island.set_velocity(0, {{0, 0, 5}, still});
   CHECK_FALSE(island.graph().contact_pairs()[0].emitted);
   island.begin_step(1, 0.5);
   island.end_step(island.until());
   CHECK(island.graph().state(0).velocity.v_WBcm.z() == Approx(5));
-  CHECK(island.graph().state(0).velocity.v_WBcm.x() == Approx(2 * island.since()));
 }
 
 }  // namespace

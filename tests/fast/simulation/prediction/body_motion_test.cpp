@@ -61,10 +61,10 @@ TEST_CASE("body motion: a body with corners falls as its centre of mass does, an
 
 TEST_CASE("body motion: a fixed body ignores gravity, and one that moves keeps its velocity") {
   Body body = table();
-  CHECK(BodyMotion(body, 0, g).is_stationary());
+  CHECK(is_stationary(BodyMotion(body, 0, g)));
   body.velocity.v_WBcm = {1, 0, 0};
   const BodyMotion motion(body, 0, g);
-  CHECK_FALSE(motion.is_stationary());
+  CHECK_FALSE(is_stationary(motion));
   CHECK(motion.state(3).X_WB.p_WB == Vec3(3, 0, -1));
   CHECK(motion.state(3).velocity.v_WBcm == Vec3(1, 0, 0));
 }
