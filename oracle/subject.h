@@ -24,7 +24,7 @@ struct Card {
   std::string name;     ///< "bullet.double"
   std::string version;  ///< the version that the engine reports
   Precision precision = Precision::binary64;
-  std::vector<std::string> answers;  ///< the queries it claims: "distance", "penetration", ...
+  std::vector<std::string> answers;  ///< the queries it claims, by their names in oracle/query.h
   bool knows_touching = false;       ///< verdicts have three values, not two
   double broad_phase_margin = 0;     ///< m; boxes closer than this may be reported as overlapping
   std::string about;                 ///< one line: which functions of the engine are called, with which settings

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "model/input_error.h"
+#include "oracle/query.h"
 #include "properties/spec_pages.h"
 
 namespace touchstone::properties {
@@ -91,8 +92,10 @@ Clause parse_clause(std::string_view block, const std::string& query) {
 
 std::vector<Clause> read_all() {
   std::vector<Clause> all;
-  for (const SpecPage& page : spec_pages()) {
-    for (Clause& clause : parse_clauses(page.text, std::string(page.query))) all.push_back(std::move(clause));
+  for (const std::string& query : oracle::query_names()) {
+    const auto page = std::ranges::find(spec_pages(), query, &SpecPage::query);
+    if (page == spec_pages().end()) continue;  // its clauses are on the page of another query
+    for (Clause& clause : parse_clauses(page->text, query)) all.push_back(std::move(clause));
   }
   return all;
 }

@@ -4,6 +4,7 @@
 
 #include "model/input_error.h"
 #include "model/near_names.h"
+#include "oracle/query.h"
 #include "properties/queries.h"
 
 namespace touchstone::properties {
@@ -33,6 +34,16 @@ std::string unknown(const std::string& id) {
 const std::vector<Property>& all() {
   static const std::vector<Property> properties = join();
   return properties;
+}
+
+const std::vector<std::string>& tested_queries() {
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> tested = oracle::query_names();
+    std::erase_if(tested,
+                  [](const std::string& name) { return std::ranges::count(all(), name, &Property::query) == 0; });
+    return tested;
+  }();
+  return names;
 }
 
 const Property& find(const std::string& id) {

@@ -24,6 +24,9 @@ struct Property {
 /// All properties, in the order of the queries and, within one, of the five families.
 const std::vector<Property>& all();
 
+/// The names of the queries that have properties, in the order of oracle/query.h.
+const std::vector<std::string>& tested_queries();
+
 /// Throws InputError with a list of similar names if there is no such property.
 const Property& find(const std::string& id);
 

@@ -12,7 +12,7 @@ struct SpecPage {
   std::string_view text;
 };
 
-/// In the order of the queries.
+/// Sorted by name.
 const std::vector<SpecPage>& spec_pages();
 
 }  // namespace touchstone::properties

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
 #include <stdexcept>
 
 #include "app/motion/given_scene.h"
@@ -14,6 +13,7 @@
 #include "model/input_error.h"
 #include "model/json.h"
 #include "oracle/judge/words.h"
+#include "oracle/query.h"
 #include "reference/bounds.h"
 #include "reference/broad_phase.h"
 #include "reference/distance.h"
@@ -261,8 +261,7 @@ void show(const Json& json, const std::string& indent) {
 
 /// If the scene has more than two bodies, says in the answer which two were used.
 Json with_pair(const std::string& query, const Scene& scene, const Json& answer) {
-  static const std::set<std::string> about_two = {"distance", "penetration", "time_of_impact"};
-  if (scene.bodies.size() == 2 || !about_two.contains(query)) return answer;
+  if (scene.bodies.size() == 2 || !oracle::find_query(query)->about_two_bodies) return answer;
   const std::string pair = body_name(scene, 0) + " and " + body_name(scene, 1);
   Json with_names = {{"pair", fmt::format("{}, of {} bodies", pair, scene.bodies.size())}};
   with_names.update(answer);
@@ -277,10 +276,13 @@ Json answered(const std::string& query, const GivenScene& given) try {
 
 }  // namespace
 
-const std::vector<std::string>& queries() {
-  static const std::vector<std::string> all = {"mass",        "bounds",  "broad_phase", "distance",
-                                               "penetration", "impulse", "pixel",       "time_of_impact"};
-  return all;
+const std::vector<std::string>& printed_queries() {
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> printed = oracle::query_names();
+    std::erase_if(printed, [](const std::string& name) { return !shows().contains(name); });
+    return printed;
+  }();
+  return names;
 }
 
 void ask(const std::string& query, const std::string& name_or_file, bool as_json) {

@@ -6,8 +6,8 @@
 
 namespace touchstone::app {
 
-/// "mass", "bounds", "broad_phase", "distance", "penetration", "pixel".
-const std::vector<std::string>& queries();
+/// The names of the queries whose answers `ask` can print.
+const std::vector<std::string>& printed_queries();
 
 /// Reads the scene (app/motion/given_scene.h), queries the reference, prints words or JSON to stdout. Throws
 /// InputError.

@@ -8,7 +8,6 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
-#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -137,8 +136,8 @@ void add_run_options(CLI::App& command, RunOptions& options) {
       ->type_name("SUBJECT");
   command
       .add_option("--queries", options.queries,
-                  "The queries to ask: mass, bounds, broad_phase, distance, penetration, pixel, impulse; and "
-                  "time_of_impact, simulation, constraint, which are asked only if they are named")
+                  fmt::format("The queries to ask: {}; and {}, which are asked only if they are named",
+                              listed(default_queries()), listed(queries_on_demand())))
       ->delimiter(',')
       ->type_name("QUERIES");
   command
@@ -222,7 +221,9 @@ void add_minimise(CLI::App& program, Options& options) {
 
 void add_ask(CLI::App& program, Options& options) {
   auto* command = program.add_subcommand("ask", "Print the exact answer to a query about a scene, with its proof");
-  add_argument(*command, "QUERY", options.ask.query, listed(queries()))->required()->check(one_of(queries()));
+  add_argument(*command, "QUERY", options.ask.query, listed(printed_queries()))
+      ->required()
+      ->check(one_of(printed_queries()));
   add_argument(*command, "SCENE", options.ask.scene, scene_help)->required();
   command->add_flag("--json", options.ask.json, "Print JSON");
   command->footer(help::ask);
@@ -395,11 +396,7 @@ void add_help(CLI::App& program, Options& options) {
 
 ValueWords words_of_values(const CLI::App& program) {
   std::vector<std::string> properties, motions;
-  std::set<std::string> tested_queries;
-  for (const properties::Property& property : properties::all()) {
-    properties.push_back(property.id);
-    tested_queries.insert(property.query);
-  }
+  for (const properties::Property& property : properties::all()) properties.push_back(property.id);
   for (const MotionScene& motion : motion_scenes()) motions.push_back(motion.scene.name);
   return {{"COMMAND", command_names(program)},
           {"COMPARISON", benches()},
@@ -407,8 +404,8 @@ ValueWords words_of_values(const CLI::App& program) {
           {"ENGINE", engine_names()},
           {"LIST", listable()},
           {"PROPERTY", properties},
-          {"QUERIES", {tested_queries.begin(), tested_queries.end()}},
-          {"QUERY", queries()},
+          {"QUERIES", properties::tested_queries()},
+          {"QUERY", printed_queries()},
           {"SCENE", motions},
           {"SHELL", completion_shells()},
           {"SUBJECT", oracle::subjects_beside(subjects_folder())}};

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <optional>
-#include <set>
 #include <thread>
 
 #include "app/report/finding_words.h"
@@ -23,6 +23,7 @@
 #include "model/input_error.h"
 #include "model/json.h"
 #include "model/near_names.h"
+#include "oracle/query.h"
 #include "properties/property.h"
 
 namespace touchstone::app {
@@ -30,22 +31,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::set<std::string> known_queries() {
-  std::set<std::string> queries;
-  for (const properties::Property& property : properties::all()) queries.insert(property.query);
-  return queries;
-}
-
 /// The queries about motion run only if they are named: one trajectory takes engines and the reference up to seconds.
 /// With these queries a quick report of all engines takes 12 minutes of CPU time instead of 7.
-bool of_motion(const std::string& query) {
-  return query == "time_of_impact" || query == "simulation" || query == "constraint";
-}
+bool of_motion(const std::string& query) { return oracle::find_query(query)->needs == oracle::ScenePart::motion; }
 
 std::vector<std::string> chosen_properties(const RunOptions& options) {
-  const std::set<std::string> known = known_queries();
+  const std::vector<std::string>& known = properties::tested_queries();
   for (const std::string& query : options.queries) {
-    if (!known.contains(query)) throw InputError("query " + query, unknown_among(query, {known.begin(), known.end()}));
+    if (std::ranges::count(known, query) == 0) throw InputError("query " + query, unknown_among(query, known));
   }
   for (const std::string& id : options.properties) properties::find(id);
   std::vector<std::string> chosen;
@@ -219,6 +212,18 @@ void print_summary(const Ledger& ledger) {
 }
 
 }  // namespace
+
+std::vector<std::string> default_queries() {
+  std::vector<std::string> queries = properties::tested_queries();
+  std::erase_if(queries, of_motion);
+  return queries;
+}
+
+std::vector<std::string> queries_on_demand() {
+  std::vector<std::string> queries = properties::tested_queries();
+  std::erase_if(queries, std::not_fn(of_motion));
+  return queries;
+}
 
 int report(const RunOptions& options) {
   const TrialPlan plan = plan_of(options);

@@ -9,7 +9,7 @@ namespace touchstone::app {
 
 struct RunOptions {
   std::vector<std::string> subjects;    ///< connectables; if empty, all beside the program
-  std::vector<std::string> queries;     ///< all if empty
+  std::vector<std::string> queries;     ///< if empty, default_queries()
   std::vector<std::string> properties;  ///< if empty, all of the queries
   std::string effort = "quick";
   int cases = 0;  ///< drawn scenes per query; 0: the effort's own number
@@ -22,6 +22,10 @@ struct RunOptions {
   std::string meshes;  ///< folder; if empty, the known ones
   bool first_failure = false;
 };
+
+/// The queries that a run asks if `queries` is empty, and those that it asks only if they are named.
+std::vector<std::string> default_queries();
+std::vector<std::string> queries_on_demand();
 
 /// Writes index.html, report.json, junit.xml and cases/ into `out`. Returns 0 whatever it found, 130 if interrupted.
 int report(const RunOptions& options);

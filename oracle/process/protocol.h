@@ -19,8 +19,7 @@ struct Request {
   enum class Op { start, ask, stop };
   Op op = Op::start;
   Seq seq = 0;
-  std::string query;  ///< if op is ask: "mass", "bounds", "broad_phase", "pair_history", "distance",
-                      ///< "penetration", "impulse", "pixel"
+  std::string query;  ///< if op is ask: the name of a query (oracle/query.h)
   Scene scene;
 };
 

@@ -1,7 +1,5 @@
 #include "oracle/process/received_scene.h"
 
-#include <algorithm>
-#include <initializer_list>
 #include <utility>
 #include <variant>
 
@@ -9,6 +7,7 @@
 #include "model/limits.h"
 #include "oracle/process/given_faces.h"
 #include "oracle/process/hull_faces.h"
+#include "oracle/query.h"
 
 namespace touchstone::oracle {
 namespace {
@@ -45,19 +44,16 @@ void complete(Scene& scene) {
   }
 }
 
-void require_subject_matter(const Scene& scene, const std::string& query) {
-  const auto is_one_of = [&](std::initializer_list<const char*> queries) {
-    return std::ranges::count(queries, query) > 0;
-  };
-  const auto require = [&](bool there, const char* key) {
-    if (!there) throw InputError(key, "missing; the query " + query + " is about it");
-  };
-  if (is_one_of({"distance", "penetration", "time_of_impact"}) && scene.bodies.size() < 2) {
-    throw InputError("bodies", "the query " + query + " is about bodies 0 and 1: two are needed");
+void require_subject_matter(const Scene& scene, const Query& query) {
+  if (query.about_two_bodies && scene.bodies.size() < 2) {
+    throw InputError("bodies", "the query " + query.name + " is about bodies 0 and 1: two are needed");
   }
-  require(scene.contact || query != "impulse", "contact");
-  require(scene.raster || query != "pixel", "raster");
-  require(scene.motion || !is_one_of({"time_of_impact", "simulation", "constraint"}), "motion");
+  const auto require = [&](ScenePart part, bool there, const char* key) {
+    if (query.needs == part && !there) throw InputError(key, "missing; the query " + query.name + " is about it");
+  };
+  require(ScenePart::contact, scene.contact.has_value(), "contact");
+  require(ScenePart::raster, scene.raster.has_value(), "raster");
+  require(ScenePart::motion, scene.motion.has_value(), "motion");
 }
 
 }  // namespace
@@ -65,7 +61,7 @@ void require_subject_matter(const Scene& scene, const std::string& query) {
 Scene received(Scene scene, const std::string& query) try {
   validate(scene);
   complete(scene);
-  require_subject_matter(scene, query);
+  if (const Query* known = find_query(query)) require_subject_matter(scene, *known);
   return scene;
 } catch (const InputError& error) {
   throw InputError("", std::string("scene.") + error.what());

@@ -12,10 +12,12 @@
 #include <string>
 #include <system_error>
 #include <utility>
+#include <variant>
 
 #include "oracle/process/descriptor.h"
 #include "oracle/process/protocol.h"
 #include "oracle/process/received_scene.h"
+#include "oracle/query.h"
 
 namespace touchstone::oracle {
 namespace {
@@ -56,17 +58,7 @@ std::string answer_to(protocol::Request request, Subject& subject) {
   const auto answered = [&](auto query) {
     return line_of(request.seq, in_default_environment([&] { return (subject.*query)(scene); }));
   };
-  if (request.query == "mass") return answered(&Subject::mass);
-  if (request.query == "bounds") return answered(&Subject::bounds);
-  if (request.query == "broad_phase") return answered(&Subject::broad_phase);
-  if (request.query == "pair_history") return answered(&Subject::pair_history);
-  if (request.query == "distance") return answered(&Subject::distance);
-  if (request.query == "penetration") return answered(&Subject::penetration);
-  if (request.query == "impulse") return answered(&Subject::impulse);
-  if (request.query == "pixel") return answered(&Subject::pixel);
-  if (request.query == "time_of_impact") return answered(&Subject::time_of_impact);
-  if (request.query == "simulation") return answered(&Subject::simulation);
-  if (request.query == "constraint") return answered(&Subject::constraint);
+  if (const Query* query = find_query(request.query)) return std::visit(answered, query->ask);
   return protocol::answer(request.seq, Abstains{"no " + request.query + " query"});
 }
 

@@ -8,6 +8,7 @@
 
 #include "model/answers.h"
 #include "oracle/judge/judge.h"
+#include "oracle/query.h"
 #include "oracle/tolerance/precision.h"
 
 namespace touchstone::properties {
@@ -35,13 +36,9 @@ oracle::Finding of_moved(const std::optional<Scene>& moved, const oracle::Subjec
   return of_scene(*moved, subject, [&] { return ask(*moved); });
 }
 
-/// A query as a member of Subject: &Subject::distance.
-template <class T>
-using Query = Answer<T> (oracle::Subject::*)(const Scene&);
-
 /// The query returns, with finite numbers. `sane(const T&)` then says what is wrong with them; "" if nothing.
 template <class T, class Sane>
-oracle::Finding survives(Query<T> query, const Scene& scene, oracle::Subject& subject, Sane&& sane) {
+oracle::Finding survives(oracle::QueryFunction<T> query, const Scene& scene, oracle::Subject& subject, Sane&& sane) {
   return oracle::judge::given((subject.*query)(scene), [&](const T& said) {
     const std::string fault = sane(said);
     return fault.empty() ? oracle::judge::holds()
@@ -51,7 +48,8 @@ oracle::Finding survives(Query<T> query, const Scene& scene, oracle::Subject& su
 
 /// Asks the same question three times, with another one before the last: all three answers must be equal, bit for bit.
 template <class T>
-oracle::Finding repeats(Query<T> query, const Scene& scene, const Scene& another, oracle::Subject& subject) {
+oracle::Finding repeats(oracle::QueryFunction<T> query, const Scene& scene, const Scene& another,
+                        oracle::Subject& subject) {
   return oracle::judge::given((subject.*query)(scene), [&](const T& first) {
     const Answer<T> second = (subject.*query)(scene);
     (subject.*query)(another);

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "oracle/judge/words.h"
+#include "oracle/query.h"
 #include "oracle/tolerance/tolerance.h"
 #include "properties/judging/asking.h"
 #include "properties/transforms/scene.h"
@@ -34,7 +35,7 @@ Finding same_length(const Scene& before, double first, const Scene& after, doubl
 }
 
 template <class T>
-Finding unchanged(Query<T> query, const Scene& before, const std::optional<Scene>& moved, double times,
+Finding unchanged(oracle::QueryFunction<T> query, const Scene& before, const std::optional<Scene>& moved, double times,
                   oracle::Subject& subject, oracle::Defect defect) {
   return of_moved(moved, subject, [&](const Scene& after) {
     return judge::given((subject.*query)(before), [&](const T& answer_before) {

@@ -2,10 +2,13 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include "model/input_error.h"
+#include "model/near_names.h"
 #include "model/sequence.h"
+#include "oracle/query.h"
 #include "oracle/tolerance/constraint.h"
 #include "oracle/tolerance/precision.h"
 #include "oracle/tolerance/tolerance.h"
@@ -426,17 +429,19 @@ const std::vector<Class>& classes(const std::string& query) {
                                           {"elastic", 0.1},
                                           {"friction", 0.2},
                                           {"binary32", 0.5}};
-  if (query == "time_of_impact") return time_of_impact_classes;
-  if (query == "simulation") return runs;
-  if (query == "impulse") return impulse;
-  if (query == "constraint") return constraint;
-  if (query == "mass") return mass;
-  if (query == "bounds") return bounds;
-  if (query == "broad_phase") return broad_phase;
-  if (query == "distance") return distance;
-  if (query == "penetration") return penetration;
-  if (query == "pixel") return pixel;
-  throw InputError("query", "no query is called " + query);
+  static const std::map<std::string, const std::vector<Class>*> all = {{"mass", &mass},
+                                                                       {"bounds", &bounds},
+                                                                       {"broad_phase", &broad_phase},
+                                                                       {"distance", &distance},
+                                                                       {"penetration", &penetration},
+                                                                       {"pixel", &pixel},
+                                                                       {"impulse", &impulse},
+                                                                       {"time_of_impact", &time_of_impact_classes},
+                                                                       {"simulation", &runs},
+                                                                       {"constraint", &constraint}};
+  const auto found = all.find(query);
+  if (found == all.end()) throw InputError("query " + query, unknown_among(query, oracle::query_names()));
+  return *found->second;
 }
 
 }  // namespace touchstone::properties

@@ -10,6 +10,7 @@
 #include "model/input_error.h"
 #include "oracle/process/child_process.h"
 #include "oracle/process/pipe.h"
+#include "oracle/query.h"
 #include "tests/catch.h"
 
 namespace touchstone::oracle {
@@ -58,10 +59,7 @@ std::vector<std::string> conversation(const std::vector<std::string>& command) {
   };
   protocol::Seq seq = 0;
   exchange(protocol::start(++seq));
-  for (const char* query : {"mass", "bounds", "broad_phase", "pair_history", "distance", "penetration", "impulse",
-                            "pixel", "time_of_impact", "simulation", "constraint"}) {
-    exchange(protocol::ask(++seq, query, json_of(scene()).dump()));
-  }
+  for (const std::string& query : query_names()) exchange(protocol::ask(++seq, query, json_of(scene()).dump()));
   lines.push_back(protocol::stop(++seq));
   lines.back().pop_back();
   return lines;
@@ -75,6 +73,11 @@ TEST_CASE("real traffic in both directions fits the published schema") {
   }
   const auto lines = conversation({"python3", TOUCHSTONE_SOURCE "/oracle/subjects/python/sphere_engine.py"});
   CHECK(by_schema(lines) == std::vector<std::string>(lines.size(), "ok"));
+}
+
+TEST_CASE("the document names every query") {
+  const std::string document = read_text(TOUCHSTONE_SOURCE "/docs/protocol.md");
+  for (const std::string& query : query_names()) CHECK_THAT(document, Catch::Contains('`' + query + '`'));
 }
 
 TEST_CASE("the session in the document is what is really said") {

@@ -7,6 +7,7 @@
 #include "oracle/subjects/canaries/canaries.h"
 #include "properties/clause.h"
 #include "properties/property.h"
+#include "properties/spec_pages.h"
 #include "tests/catch.h"
 #include "tests/properties/generated_page.h"
 #include "tests/properties/kills.h"
@@ -38,6 +39,17 @@ TEST_CASE("ids say where they belong") {
                            [](char c) { return c == '_' ? '-' : static_cast<char>(std::toupper(c)); });
     CHECK(clause.id.starts_with("TS-" + query + "-"));
   }
+}
+
+TEST_CASE("every tested query has a page, and every page is of a query, in the order of the queries") {
+  std::vector<std::string> queries_of_clauses, queries_of_properties;
+  for (const Clause& clause : properties::clauses()) queries_of_clauses.push_back(clause.query);
+  for (const Property& property : properties::all()) queries_of_properties.push_back(property.query);
+  for (std::vector<std::string>* names : {&queries_of_clauses, &queries_of_properties}) {
+    names->erase(std::unique(names->begin(), names->end()), names->end());
+    CHECK(*names == properties::tested_queries());
+  }
+  CHECK(properties::spec_pages().size() == properties::tested_queries().size());
 }
 
 TEST_CASE("every clause is checked by properties that cite it, of its query") {

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "oracle/query.h"
+
 namespace touchstone::oracle::subjects {
 namespace {
 
@@ -49,7 +51,7 @@ class Liar : public Subject {
 
  private:
   template <class T>
-  Answer<T> falsified(const Scene& scene, Answer<T> (Subject::*query)(const Scene&), const Lie<T>& lie) {
+  Answer<T> falsified(const Scene& scene, QueryFunction<T> query, const Lie<T>& lie) {
     if (lies_.breaks) return Breaks{Breaks::Kind::threw, "this canary breaks on purpose"};
     Answer<T> answer = (*truthful_.*query)(scene);
     T* said = std::get_if<T>(&answer);
@@ -83,6 +85,7 @@ std::vector<Vec3> corners_of(const Compound& compound) {
 }
 
 std::vector<std::string> queries_of(const Lies& lies) {
+  if (lies.breaks) return query_names();
   const std::pair<const char*, bool> all[] = {
       {"mass", lies.mass != nullptr},
       {"bounds", lies.bounds != nullptr},
@@ -98,7 +101,7 @@ std::vector<std::string> queries_of(const Lies& lies) {
   };
   std::vector<std::string> queries;
   for (const auto& [query, lied] : all) {
-    if (lied || lies.breaks) queries.emplace_back(query);
+    if (lied) queries.emplace_back(query);
   }
   return queries;
 }
