@@ -107,7 +107,7 @@ bool is_case_of_a_report(const fs::path& file) {
 
 /// Names the cases' commands before the page and the JUnit XML print them.
 void name_replay_commands(Ledger& ledger, const TrialPlan& plan, const fs::path& folder) {
-  for (Row& row : ledger.rows) {
+  for (Row& row : ledger.results.all()) {
     if (!row.smallest_case) continue;
     std::optional<double> limit;
     if (row.smallest_case->finding.defect == oracle::Defect::hung) limit = plan.limits.cpu_seconds;
@@ -121,7 +121,7 @@ void write_report(const fs::path& folder, const Ledger& ledger) {
   for (const fs::directory_entry& old : fs::directory_iterator(folder / "cases")) {
     if (is_case_of_a_report(old.path())) fs::remove(old.path());
   }
-  for (const Row& row : ledger.rows) {
+  for (const Row& row : ledger.results.all()) {
     if (row.smallest_case) oracle::write_case(*row.smallest_case, (folder / row.case_file).string());
   }
   write_text((folder / "report.json").string(), text_of(report_json(ledger)));
@@ -134,12 +134,15 @@ void write_extras(const RunOptions& options, const Ledger& ledger) {
   if (!options.junit.empty()) write_text(options.junit, report_junit(ledger));
 }
 
-long failing_rows(const Ledger& ledger) { return std::ranges::count_if(ledger.rows, &Row::failing); }
+long failing_rows(const Ledger& ledger) { return std::ranges::count_if(ledger.results.all(), &Row::failing); }
+
+/// "bullet.double distance.value"
+std::string name_of(const Row& row) { return row.subject->card.name + ' ' + row.property->id; }
 
 void print_failing(const Ledger& ledger) {
-  for (const Row& row : ledger.rows) {
+  for (const Row& row : ledger.results.all()) {
     if (!row.failing()) continue;
-    print("{} {}: {} of {} fail, grade {}\n", row.subject, row.property, row.fails + row.breaks, row.answered(),
+    print("{}: {} of {} fail, grade {}\n", name_of(row), row.fails + row.breaks, row.answered(),
           oracle::name_of(*row.grade()));
     for (const auto& [label, words] : lines_of(shown_finding(row))) print("    {:<9} {}\n", label, words);
     if (!row.replay_command.empty()) print("    {}\n", row.replay_command);
@@ -149,8 +152,7 @@ void print_failing(const Ledger& ledger) {
 /// Ranks rows that compare with the truth first: conservation properties have bounds of their own.
 std::pair<bool, double> closeness(const Row& row) {
   if (!row.closest) return {false, -1};
-  return {compares_with_truth(properties::find(row.property)),
-          row.closest->finding.error / row.closest->finding.allowed};
+  return {compares_with_truth(*row.property), row.closest->finding.error / row.closest->finding.allowed};
 }
 
 /// Prints, for each query, the correct answer with the largest error relative to the allowed error. Writes or prints
@@ -158,22 +160,20 @@ std::pair<bool, double> closeness(const Row& row) {
 void print_closest(const Ledger& ledger, const std::string& out) {
   for (const auto& [query, scenes] : ledger.scenes) {
     const Row* found = nullptr;
-    for (const Row& row : ledger.rows) {
-      if (properties::find(row.property).query != query) continue;
+    for (const Row& row : ledger.results.all()) {
+      if (row.property->query != query) continue;
       if (!found || closeness(*found) < closeness(row)) found = &row;
     }
     if (!found || !found->closest) continue;
     const Row& row = *found;
     const Example& closest = *row.closest;
     const oracle::Finding& finding = closest.finding;
-    print("{}: {} scenes; the largest error beside what is allowed: {} {}, {:.3g} of {:.3g} {}: {} {}\n", query, scenes,
-          row.subject, row.property, finding.error, finding.allowed, finding.unit, closest.family, closest.index);
-    const auto place = static_cast<std::size_t>(std::ranges::find(ledger.subjects, row.subject, &oracle::Card::name) -
-                                                ledger.subjects.begin());
-    const oracle::Case as_case{row.property,   ledger.connectables[place],
-                               closest.family, ledger.seed,
-                               closest.index,  closest.scene,
-                               finding,        ""};
+    print("{}: {} scenes; the largest error beside what is allowed: {}, {:.3g} of {:.3g} {}: {} {}\n", query, scenes,
+          name_of(row), finding.error, finding.allowed, finding.unit, closest.family, closest.index);
+    const oracle::Case as_case{row.property->id, row.subject->connectable,
+                               closest.family,   ledger.seed,
+                               closest.index,    closest.scene,
+                               finding,          ""};
     if (out.empty()) {
       const Json json = oracle::json_of(as_case);
       print("    {}\n", json.dump(-1, ' ', false, Json::error_handler_t::replace));
@@ -186,23 +186,19 @@ void print_closest(const Ledger& ledger, const std::string& out) {
 }
 
 void print_impacts(const Ledger& ledger) {
-  for (const Row& row : ledger.rows) {
+  for (const Row& row : ledger.results.all()) {
     if (row.impacts == 0) continue;
-    print("{} {}: {} impacts in {} scenes, {} fail\n", row.subject, row.property, row.impacts, row.answered(),
-          row.fails);
+    print("{}: {} impacts in {} scenes, {} fail\n", name_of(row), row.impacts, row.answered(), row.fails);
   }
 }
 
 void print_summary(const Ledger& ledger) {
-  for (const oracle::Card& card : ledger.subjects) {
+  for (const TestedSubject& subject : ledger.subjects) {
     long holds = 0;
     long fails = 0;
     long silent = 0;
-    for (const Row& row : ledger.rows) {
-      if (row.subject != card.name) continue;
-      ++(row.failing() ? fails : row.holds > 0 ? holds : silent);
-    }
-    print("{:<16} {:>3} properties hold, {:>3} fail, {:>3} not answered\n", card.name, holds, fails, silent);
+    for (const Row* row : ledger.results.of(subject)) ++(row->failing() ? fails : row->holds > 0 ? holds : silent);
+    print("{:<16} {:>3} properties hold, {:>3} fail, {:>3} not answered\n", subject.card.name, holds, fails, silent);
   }
   if (ledger.interrupted) {
     print("interrupted: only what was asked until then counts\n");

@@ -5,7 +5,6 @@
 
 #include "app/report/page.h"
 #include "app/report/xml.h"
-#include "properties/property.h"
 
 namespace touchstone::app::page {
 namespace {
@@ -38,7 +37,7 @@ std::string heading(std::size_t column) {
 
 std::string row_of(const Row& row, std::size_t first, std::size_t last) {
   const Columns columns = columns_of(row.errors);
-  std::string html = fmt::format("<tr><th scope=\"row\">{}</th>", escaped(row.subject));
+  std::string html = fmt::format("<tr><th scope=\"row\">{}</th>", escaped(row.subject->card.name));
   for (std::size_t c = first; c <= last; ++c) {
     const double share = static_cast<double>(columns[c]) / static_cast<double>(row.errors.total());
     html += columns[c] == 0 ? "<td></td>"
@@ -47,7 +46,7 @@ std::string row_of(const Row& row, std::size_t first, std::size_t last) {
   return html + fmt::format("<td>{:.4g}</td></tr>", row.errors.largest);
 }
 
-std::string distribution(const std::vector<const Row*>& rows) {
+std::string distribution(const properties::Property& property, const std::vector<const Row*>& rows) {
   Columns all{};
   for (const Row* row : rows) {
     const Columns columns = columns_of(row->errors);
@@ -60,8 +59,7 @@ std::string distribution(const std::vector<const Row*>& rows) {
   std::string html = fmt::format(
       "<details><summary>{}, in {}: {}</summary><div class=\"scroll\" tabindex=\"0\" role=\"region\" "
       "aria-label=\"Errors of {}\"><table><thead><tr><th scope=\"col\">subject</th>",
-      escaped(rows.front()->property), escaped(rows.front()->errors.unit),
-      escaped(properties::find(rows.front()->property).says), escaped(rows.front()->property));
+      escaped(property.id), escaped(rows.front()->errors.unit), escaped(property.says), escaped(property.id));
   for (std::size_t c = first; c <= last; ++c) html += fmt::format("<th scope=\"col\">{}</th>", heading(c));
   html += "<th scope=\"col\">largest</th></tr></thead><tbody>";
   for (const Row* row : rows) html += row_of(*row, first, last);
@@ -74,12 +72,12 @@ std::string errors(const Ledger& ledger) {
   std::string html =
       "<p class=\"soft\">How many answers were off by how much, the right ones too. A cell counts the errors up to its "
       "head, above the cell before.</p>";
-  for (std::size_t r = 0; r < ledger.rows.size(); r += ledger.subjects.size()) {
+  for (const properties::Property* property : ledger.results.tested_properties()) {
     std::vector<const Row*> measured;
-    for (std::size_t s = 0; s < ledger.subjects.size(); ++s) {
-      if (ledger.rows[r + s].errors.total() > 0) measured.push_back(&ledger.rows[r + s]);
+    for (const Row& row : ledger.results.of(*property)) {
+      if (row.errors.total() > 0) measured.push_back(&row);
     }
-    if (!measured.empty()) html += distribution(measured);
+    if (!measured.empty()) html += distribution(*property, measured);
   }
   return html;
 }

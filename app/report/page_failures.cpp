@@ -5,7 +5,6 @@
 #include "app/report/picture.h"
 #include "app/report/xml.h"
 #include "properties/clause.h"
-#include "properties/property.h"
 
 namespace touchstone::app::page {
 namespace {
@@ -29,35 +28,34 @@ std::string about_the_case(const Row& row) {
                                           escaped(row.case_file)));
 }
 
-std::string facts(const Row& row, const properties::Property& property) {
+std::string facts(const Row& row) {
   const oracle::Finding& finding = shown_finding(row);
   std::string html;
   for (const auto& [label, words] : lines_of(finding)) html += definition(label, shown(words));
   html += definition("proof", shown(finding.certificate));
-  html += definition("clause", clause_words(property));
+  html += definition("clause", clause_words(*row.property));
   return html + about_the_case(row);
 }
 
 std::string failing_row(const Row& row) {
-  const properties::Property& property = properties::find(row.property);
   const std::string drawing = row.smallest_case ? picture(row.smallest_case->scene) : "";
   return fmt::format(
       "<details class=\"row\" id=\"{}\"><summary>{}<b>{}</b> <span class=\"soft\">{}, {} of {}</span></summary>"
       "<p class=\"soft\">Must hold: {}.</p><div class=\"{}\">{}<dl>{}</dl></div></details>",
-      anchor(row), badge(*row.grade()), escaped(row.property), escaped(oracle::name_of(shown_finding(row).defect)),
-      row.fails + row.breaks, row.answered(), escaped(property.says), drawing.empty() ? "plain" : "drawn", drawing,
-      facts(row, property));
+      anchor(row), badge(*row.grade()), escaped(row.property->id), escaped(oracle::name_of(shown_finding(row).defect)),
+      row.fails + row.breaks, row.answered(), escaped(row.property->says), drawing.empty() ? "plain" : "drawn", drawing,
+      facts(row));
 }
 
-std::string failures_of(const Ledger& ledger, const oracle::Card& card) {
+std::string failures_of(const Ledger& ledger, const TestedSubject& subject) {
   std::string rows;
   int count = 0;
-  for (const Row& row : ledger.rows) {
-    if (row.subject != card.name || !row.failing()) continue;
-    rows += failing_row(row);
+  for (const Row* row : ledger.results.of(subject)) {
+    if (!row->failing()) continue;
+    rows += failing_row(*row);
     ++count;
   }
-  return fmt::format("<section><h3>{}: {}</h3>{}</section>", escaped(card.name),
+  return fmt::format("<section><h3>{}: {}</h3>{}</section>", escaped(subject.card.name),
                      count == 0 ? "nothing fails" : plural(count, "failing row"), rows);
 }
 
@@ -70,7 +68,7 @@ std::string failures(const Ledger& ledger) {
       "that wrote this page. Elsewhere: <code>./touchstone replay</code> with the linked file, and "
       "<code>--subject</code> "
       "for an engine of your own.</span></p>";
-  for (const oracle::Card& card : ledger.subjects) html += failures_of(ledger, card);
+  for (const TestedSubject& subject : ledger.subjects) html += failures_of(ledger, subject);
   return html;
 }
 

@@ -8,25 +8,23 @@
 #include "app/report/picture.h"
 #include "app/report/xml.h"
 #include "app/trial/questions.h"
-#include "properties/property.h"
 
 namespace touchstone::app::page {
 namespace {
 
 /// The row that shows an engine's fault best: the verdict, distance or depth of a pair, badly wrong against the truth,
 /// with few vertices.
-const Row* plainest_failure(const Ledger& ledger, const std::string& subject) {
+const Row* plainest_failure(const Ledger& ledger, const TestedSubject& subject) {
   const auto rank = [](const Row& row) {
-    const properties::Property& property = properties::find(row.property);
+    const properties::Property& property = *row.property;
     const oracle::Size size = oracle::size_of(row.smallest_case->scene);
     return std::tuple(property.query != "distance" && property.query != "penetration", !compares_with_truth(property),
                       -static_cast<int>(*row.grade()), shown_finding(row).observed.empty(),
                       size.vertices_per_body_max + size.significant_bits_max);
   };
   const Row* best = nullptr;
-  for (const Row& row : ledger.rows) {
-    if (row.subject != subject || !row.smallest_case) continue;
-    if (best == nullptr || rank(row) < rank(*best)) best = &row;
+  for (const Row* row : ledger.results.of(subject)) {
+    if (row->smallest_case && (best == nullptr || rank(*row) < rank(*best))) best = row;
   }
   return best;
 }
@@ -40,16 +38,16 @@ std::string glance(const Row& row) {
       "<section class=\"card\"><h3>{}{}</h3><p class=\"soft\">must hold: {}</p>{}<dl>{}</dl><p><a "
       "href=\"#{}\">{}</a></p>"
       "</section>",
-      badge(*row.grade()), escaped(row.subject), escaped(properties::find(row.property).says),
-      picture(row.smallest_case->scene), facts, anchor(row), escaped(row.property));
+      badge(*row.grade()), escaped(row.subject->card.name), escaped(row.property->says),
+      picture(row.smallest_case->scene), facts, anchor(row), escaped(row.property->id));
 }
 
 }  // namespace
 
 std::string gallery(const Ledger& ledger) {
   std::string cards;
-  for (const oracle::Card& card : ledger.subjects) {
-    if (const Row* row = plainest_failure(ledger, card.name)) cards += glance(*row);
+  for (const TestedSubject& subject : ledger.subjects) {
+    if (const Row* row = plainest_failure(ledger, subject)) cards += glance(*row);
   }
   if (cards.empty()) return "<p>Nothing fails.</p>";
   return "<p>One failing scene of each engine, reduced to the smallest that still fails. Body A is drawn solid, body "

@@ -22,16 +22,15 @@ struct Summary {
   std::map<std::string, std::vector<std::string>> silence;  ///< reason -> properties
 };
 
-Summary summary_of(const Ledger& ledger, const std::string& subject) {
+Summary summary_of(const Ledger& ledger, const TestedSubject& subject) {
   Summary summary;
-  for (const Row& row : ledger.rows) {
-    if (row.subject != subject) continue;
-    ++(row.failing() ? summary.fail : row.holds > 0 ? summary.hold : summary.silent);
-    for (std::size_t g = 0; g < row.grades.size(); ++g) summary.grades[g] += row.grades[g];
-    if (row.answered() == 0 && row.abstains > 0) summary.silence[row.why_abstains].push_back(row.property);
-    if (row.unit == "ulps of the scene's scale" &&
-        (summary.most_wrong == nullptr || row.largest_error > summary.most_wrong->largest_error)) {
-      summary.most_wrong = &row;
+  for (const Row* row : ledger.results.of(subject)) {
+    ++(row->failing() ? summary.fail : row->holds > 0 ? summary.hold : summary.silent);
+    for (std::size_t g = 0; g < row->grades.size(); ++g) summary.grades[g] += row->grades[g];
+    if (row->answered() == 0 && row->abstains > 0) summary.silence[row->why_abstains].push_back(row->property->id);
+    if (row->unit == "ulps of the scene's scale" &&
+        (summary.most_wrong == nullptr || row->largest_error > summary.most_wrong->largest_error)) {
+      summary.most_wrong = row;
     }
   }
   return summary;
@@ -69,15 +68,16 @@ std::string deviations(const oracle::Card& card) {
   return html + "</ul>";
 }
 
-std::string subject_card(const Ledger& ledger, const oracle::Card& card) {
-  const Summary summary = summary_of(ledger, card.name);
+std::string subject_card(const Ledger& ledger, const TestedSubject& subject) {
+  const oracle::Card& card = subject.card;
+  const Summary summary = summary_of(ledger, subject);
   std::string html = fmt::format(
       "<section class=\"card\"><h3>{} <small>{}</small></h3><p>{} of its rows hold, {} fail, {} say nothing</p>",
       escaped(card.name), escaped(card.version), summary.hold, summary.fail, summary.silent);
   html += grades(summary);
   if (summary.most_wrong != nullptr) {
     html += fmt::format("<p>Largest error: {:.3g} {} ({})</p>", summary.most_wrong->largest_error,
-                        escaped(summary.most_wrong->unit), escaped(summary.most_wrong->property));
+                        escaped(summary.most_wrong->unit), escaped(summary.most_wrong->property->id));
   }
   return html + fmt::format("<p class=\"soft\">{}</p>", escaped(card.about)) + deviations(card) + silences(summary) +
          "</section>";
@@ -87,7 +87,7 @@ std::string subject_card(const Ledger& ledger, const oracle::Card& card) {
 
 std::string subjects(const Ledger& ledger) {
   std::string html = "<div class=\"cards\">";
-  for (const oracle::Card& card : ledger.subjects) html += subject_card(ledger, card);
+  for (const TestedSubject& subject : ledger.subjects) html += subject_card(ledger, subject);
   return html + "</div>";
 }
 

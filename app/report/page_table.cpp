@@ -2,7 +2,6 @@
 
 #include "app/report/page.h"
 #include "app/report/xml.h"
-#include "properties/property.h"
 
 namespace touchstone::app::page {
 namespace {
@@ -50,15 +49,16 @@ std::string table(const Ledger& ledger) {
   html +=
       "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"Properties and subjects\"><table><thead><tr>"
       "<th scope=\"col\">property</th>";
-  for (const oracle::Card& card : ledger.subjects) html += "<th scope=\"col\">" + escaped(card.name) + "</th>";
+  for (const TestedSubject& subject : ledger.subjects) {
+    html += "<th scope=\"col\">" + escaped(subject.card.name) + "</th>";
+  }
   html += "</tr></thead><tbody>";
   std::string query;
-  for (std::size_t r = 0; r < ledger.rows.size(); r += ledger.subjects.size()) {
-    const properties::Property& property = properties::find(ledger.rows[r].property);
-    if (property.query != query) html += query_row(ledger, query = property.query);
-    html += fmt::format("<tr><th scope=\"row\" title=\"{}\">{}</th>", escaped(property.says),
-                        escaped(without_query(property.id)));
-    for (std::size_t s = 0; s < ledger.subjects.size(); ++s) html += cell(ledger.rows[r + s]);
+  for (const properties::Property* property : ledger.results.tested_properties()) {
+    if (property->query != query) html += query_row(ledger, query = property->query);
+    html += fmt::format("<tr><th scope=\"row\" title=\"{}\">{}</th>", escaped(property->says),
+                        escaped(without_query(property->id)));
+    for (const Row& row : ledger.results.of(*property)) html += cell(row);
     html += "</tr>";
   }
   return html + "</tbody></table></div>";

@@ -23,7 +23,7 @@ std::string badge(oracle::Grade grade) {
   return fmt::format("<span class=\"g {0}\">{0}</span>", oracle::name_of(grade));
 }
 
-std::string anchor(const Row& row) { return escaped(row.property + "." + row.subject); }
+std::string anchor(const Row& row) { return escaped(row.property->id + "." + row.subject->card.name); }
 
 std::string definition(const std::string& term, const std::string& html) {
   return html.empty() ? "" : fmt::format("<dt>{}</dt><dd>{}</dd>", term, html);

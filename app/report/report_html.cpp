@@ -18,7 +18,7 @@ long scenes_asked(const Ledger& ledger) {
 
 long questions_answered(const Ledger& ledger) {
   long sum = 0;
-  for (const Row& row : ledger.rows) sum += row.answered();
+  for (const Row& row : ledger.results.all()) sum += row.answered();
   return sum;
 }
 

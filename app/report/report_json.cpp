@@ -4,7 +4,6 @@
 
 #include "app/system/version.h"
 #include "oracle/process/protocol.h"
-#include "properties/property.h"
 
 namespace touchstone::app {
 namespace {
@@ -40,9 +39,9 @@ Json json_of(const ErrorHistogram& errors) {
 }
 
 Json json_of(const Row& row) {
-  Json json = {{"property", row.property}, {"subject", row.subject},    {"holds", row.holds},
-               {"fails", row.fails},       {"abstains", row.abstains},  {"breaks", row.breaks},
-               {"outside", row.outside},   {"not_asked", row.not_asked}};
+  Json json = {{"property", row.property->id}, {"subject", row.subject->card.name}, {"holds", row.holds},
+               {"fails", row.fails},           {"abstains", row.abstains},          {"breaks", row.breaks},
+               {"outside", row.outside},       {"not_asked", row.not_asked}};
   if (const auto grade = row.grade()) {
     json["grade"] = oracle::name_of(*grade);
     json["grades"] = grades_of(row);
@@ -65,17 +64,15 @@ Json json_of(const Row& row) {
 
 Json cards(const Ledger& ledger) {
   Json all = Json::array();
-  for (const oracle::Card& card : ledger.subjects) all.push_back(oracle::protocol::json_of(card));
+  for (const TestedSubject& subject : ledger.subjects) all.push_back(oracle::protocol::json_of(subject.card));
   return all;
 }
 
 Json properties_of(const Ledger& ledger) {
   Json all = Json::array();
-  for (const Row& row : ledger.rows) {
-    if (!all.empty() && all.back()["id"] == row.property) continue;
-    const properties::Property& property = properties::find(row.property);
+  for (const properties::Property* property : ledger.results.tested_properties()) {
     all.push_back(
-        {{"id", property.id}, {"query", property.query}, {"clauses", property.clauses}, {"says", property.says}});
+        {{"id", property->id}, {"query", property->query}, {"clauses", property->clauses}, {"says", property->says}});
   }
   return all;
 }
@@ -92,7 +89,7 @@ Json report_json(const Ledger& ledger) {
                {"subjects", cards(ledger)},
                {"properties", properties_of(ledger)}};
   json["rows"] = Json::array();
-  for (const Row& row : ledger.rows) json["rows"].push_back(json_of(row));
+  for (const Row& row : ledger.results.all()) json["rows"].push_back(json_of(row));
   json["scenes"] = ledger.scenes;
   json["classes"] = ledger.classes;
   json["empty_classes"] = ledger.empty_classes;

@@ -34,29 +34,28 @@ std::string test_case(const Row& row) {
     inside = fmt::format("<skipped message=\"{}\"/>",
                          escaped(row.why_abstains.empty() ? "no scene in the property's domain" : row.why_abstains));
   }
-  return fmt::format("    <testcase classname=\"{}\" name=\"{}\">{}</testcase>\n", escaped(row.subject),
-                     escaped(row.property), inside);
+  return fmt::format("    <testcase classname=\"{}\" name=\"{}\">{}</testcase>\n", escaped(row.subject->card.name),
+                     escaped(row.property->id), inside);
 }
 
 }  // namespace
 
 std::string report_junit(const Ledger& ledger) {
   std::string suites;
-  for (const oracle::Card& card : ledger.subjects) {
+  for (const TestedSubject& subject : ledger.subjects) {
     std::string cases;
     int tests = 0;
     int failures = 0;
     int skips = 0;
-    for (const Row& row : ledger.rows) {
-      if (row.subject != card.name) continue;
+    for (const Row* row : ledger.results.of(subject)) {
       ++tests;
-      failures += row.failing() ? 1 : 0;
-      skips += skipped(row) ? 1 : 0;
-      cases += test_case(row);
+      failures += row->failing() ? 1 : 0;
+      skips += skipped(*row) ? 1 : 0;
+      cases += test_case(*row);
     }
     suites += fmt::format(
         "  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"0\" skipped=\"{}\">\n{}  </testsuite>\n",
-        escaped(card.name), tests, failures, skips, cases);
+        escaped(subject.card.name), tests, failures, skips, cases);
   }
   return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"touchstone\">\n" + suites + "</testsuites>\n";
 }

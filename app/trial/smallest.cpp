@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/system/file_names.h"
 #include "app/system/interruption.h"
 #include "app/system/progress.h"
 #include "app/trial/parallel.h"
@@ -70,20 +69,19 @@ oracle::Case smallest_case(const Example& example, const properties::Property& p
 }
 
 void cut_down(Ledger& ledger, const std::vector<std::vector<std::unique_ptr<oracle::Subject>>>& workers, int budget) {
-  std::vector<std::pair<Row*, std::size_t>> failing;  // and the subject's index
-  for (std::size_t r = 0; r < ledger.rows.size(); ++r) {
-    if (ledger.rows[r].failing()) failing.emplace_back(&ledger.rows[r], r % workers[0].size());
+  std::vector<Row*> failing;
+  for (Row& row : ledger.results.all()) {
+    if (row.failing()) failing.push_back(&row);
   }
-  const std::vector<std::string> file_names = names_of_files(ledger.subjects);
   Progress progress("reducing", static_cast<int>(failing.size()));
   in_parallel(failing.size(), static_cast<int>(workers.size()), [&](std::size_t f, std::size_t job) {
-    auto& [row, subject] = failing[f];
-    row->size_found = oracle::size_of(row->smallest->scene);
-    row->smallest_case =
-        smallest_case(*row->smallest, properties::find(row->property), *workers[job][subject], ledger.seed, budget);
-    row->smallest_case->subject = ledger.connectables[subject];
-    row->case_file = "cases/" + row->property + "." + file_names[subject] + ".json";
-    progress.step(row->property + " of " + row->subject);
+    Row& row = *failing[f];
+    const TestedSubject& subject = *row.subject;
+    row.size_found = oracle::size_of(row.smallest->scene);
+    row.smallest_case = smallest_case(*row.smallest, *row.property, *workers[job][subject.index], ledger.seed, budget);
+    row.smallest_case->subject = subject.connectable;
+    row.case_file = "cases/" + row.property->id + "." + subject.file_name + ".json";
+    progress.step(row.property->id + " of " + subject.card.name);
   });
 }
 

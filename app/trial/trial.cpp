@@ -8,8 +8,10 @@
 #include <optional>
 #include <set>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
+#include "app/system/file_names.h"
 #include "app/system/interruption.h"
 #include "app/system/progress.h"
 #include "app/trial/parallel.h"
@@ -41,13 +43,15 @@ struct QueryTrial {
   Questions questions;
 };
 
-/// The results of one unit: the rows of its query, property by property.
+/// What one unit found about the properties of its query.
 struct UnitResult {
-  std::vector<Row> rows;
+  ResultMatrix results;
   std::map<std::string, long> classes;
   std::map<std::string, long> mesh_scenes;
   long scenes = 0;
 };
+
+using TestedSubjects = std::vector<TestedSubject>;
 
 Subjects connect_all(const TrialPlan& plan) {
   Subjects subjects;
@@ -98,16 +102,15 @@ void ask(const Question& question, const Property& property, oracle::Subject& su
   row.count(example);
 }
 
-UnitResult nothing_of(const QueryTrial& query, std::size_t subjects) {
-  UnitResult result;
-  result.rows.resize(query.properties.size() * subjects);
-  return result;
+UnitResult nothing_of(const QueryTrial& query, const TestedSubjects& tested) {
+  return {ResultMatrix(query.properties, tested), {}, {}, 0};
 }
 
-bool any_failing(const UnitResult& result) { return std::ranges::any_of(result.rows, &Row::failing); }
+bool any_failing(const UnitResult& result) { return std::ranges::any_of(result.results.all(), &Row::failing); }
 
-UnitResult run_unit(const QueryTrial& query, const Unit& unit, const Subjects& subjects, bool first_failure) {
-  UnitResult result = nothing_of(query, subjects.size());
+UnitResult run_unit(const QueryTrial& query, const Unit& unit, const TestedSubjects& tested, const Subjects& subjects,
+                    bool first_failure) {
+  UnitResult result = nothing_of(query, tested);
   for (const auto& subject : subjects) start_afresh(*subject);
   std::vector<int> hangs(subjects.size());
   for (std::size_t q = unit.begin; q < unit.end && !interrupted(); ++q) {
@@ -120,10 +123,11 @@ UnitResult run_unit(const QueryTrial& query, const Unit& unit, const Subjects& s
     if (question.counts_for_classes) {
       for (const std::string& name : properties::classes_of(scene, query.name)) ++result.classes[name];
     }
-    for (std::size_t s = 0; s < subjects.size(); ++s) {
-      for (std::size_t p = 0; p < query.properties.size(); ++p) {
-        if (!question.asked_under(*query.properties[p])) continue;
-        ask(question, *query.properties[p], *subjects[s], hangs[s], result.rows[p * subjects.size() + s], example);
+    for (const TestedSubject& subject : tested) {
+      for (const Property* property : query.properties) {
+        if (!question.asked_under(*property)) continue;
+        ask(question, *property, *subjects[subject.index], hangs[subject.index], result.results.at(*property, subject),
+            example);
       }
     }
   }
@@ -140,34 +144,38 @@ void refuse_equal_names(const std::vector<oracle::Card>& cards) {
   }
 }
 
+TestedSubjects tested_subjects(const TrialPlan& plan, const Subjects& subjects) {
+  std::vector<oracle::Card> cards;
+  for (const auto& subject : subjects) cards.push_back(subject->card());
+  refuse_equal_names(cards);
+  const std::vector<std::string> file_names = names_of_files(cards);
+  TestedSubjects tested;
+  for (std::size_t s = 0; s < subjects.size(); ++s) {
+    tested.push_back({s, cards[s], plan.subjects[s], file_names[s]});
+  }
+  return tested;
+}
+
+ResultMatrix::Properties properties_of(const std::vector<QueryTrial>& trials) {
+  ResultMatrix::Properties all;
+  for (const QueryTrial& query : trials) all.insert(all.end(), query.properties.begin(), query.properties.end());
+  return all;
+}
+
 Ledger opened(const TrialPlan& plan, const MeshSet& meshes, const Subjects& subjects,
               const std::vector<QueryTrial>& trials) {
-  Ledger ledger;
+  Ledger ledger(properties_of(trials), tested_subjects(plan, subjects));
   ledger.seed = plan.seed;
   ledger.effort = plan.effort.name;
   ledger.cases = plan.effort.cases;
-  ledger.mesh_folder = meshes.folder;
   ledger.meshes_absent = meshes.absent;
   ledger.mesh_count = meshes.meshes.size();
   ledger.meshes_left_out = meshes.left_out.size();
-  ledger.connectables = plan.subjects;
-  for (const auto& subject : subjects) ledger.subjects.push_back(subject->card());
-  refuse_equal_names(ledger.subjects);
-  for (const QueryTrial& query : trials) {
-    for (const Property* property : query.properties) {
-      for (const auto& subject : subjects) {
-        Row row;
-        row.property = property->id;
-        row.subject = subject->card().name;
-        ledger.rows.push_back(std::move(row));
-      }
-    }
-  }
   return ledger;
 }
 
-void enter(Ledger& ledger, const QueryTrial& query, std::size_t first_row, UnitResult result) {
-  for (std::size_t r = 0; r < result.rows.size(); ++r) ledger.rows[first_row + r].merge(std::move(result.rows[r]));
+void enter(Ledger& ledger, const QueryTrial& query, const UnitResult& result) {
+  ledger.results.merge(result.results);
   for (const auto& [name, count] : result.classes) ledger.classes[query.name][name] += count;
   for (const auto& [family, count] : result.mesh_scenes) ledger.mesh_scenes[family] += count;
   ledger.scenes[query.name] += result.scenes;
@@ -177,13 +185,8 @@ void enter(Ledger& ledger, const QueryTrial& query, std::size_t first_row, UnitR
 /// wait as threads are at work. If the run ends with the first failure, units after that of the failure do not count.
 class Entry {
  public:
-  Entry(Ledger& ledger, const std::vector<QueryTrial>& trials, const std::vector<Unit>& units, std::size_t subjects,
-        bool first_failure)
-      : ledger_(ledger), trials_(trials), units_(units), first_row_(trials.size()), first_failure_(first_failure) {
-    for (std::size_t s = 1; s < trials.size(); ++s) {
-      first_row_[s] = first_row_[s - 1] + trials[s - 1].properties.size() * subjects;
-    }
-  }
+  Entry(Ledger& ledger, const std::vector<QueryTrial>& trials, const std::vector<Unit>& units, bool first_failure)
+      : ledger_(ledger), trials_(trials), units_(units), first_failure_(first_failure) {}
 
   void add(std::size_t unit, UnitResult result) {
     const std::lock_guard lock(mutex_);
@@ -191,8 +194,7 @@ class Entry {
     for (auto it = waiting_.begin(); it != waiting_.end() && it->first == next_; it = waiting_.erase(it), ++next_) {
       if (ended_) continue;
       ended_ = first_failure_ && any_failing(it->second);
-      const std::size_t query = units_[next_].query;
-      enter(ledger_, trials_[query], first_row_[query], std::move(it->second));
+      enter(ledger_, trials_[units_[next_].query], it->second);
     }
   }
 
@@ -202,7 +204,6 @@ class Entry {
   Ledger& ledger_;
   const std::vector<QueryTrial>& trials_;
   const std::vector<Unit>& units_;
-  std::vector<std::size_t> first_row_;
   bool first_failure_;
   std::atomic<bool> ended_ = false;
   std::mutex mutex_;
@@ -229,12 +230,13 @@ Ledger run(const TrialPlan& plan, const MeshSet& meshes) {
   Ledger ledger = opened(plan, meshes, workers[0], all_trials);
 
   {
-    Entry entry(ledger, all_trials, all_units, workers[0].size(), plan.first_failure);
+    Entry entry(ledger, all_trials, all_units, plan.first_failure);
     Progress progress("asking", static_cast<int>(all_units.size()));
     in_parallel(all_units.size(), plan.jobs, [&](std::size_t u, std::size_t job) {
       const QueryTrial& query = all_trials[all_units[u].query];
-      entry.add(u, interrupted() || entry.ended() ? nothing_of(query, workers[job].size())
-                                                  : run_unit(query, all_units[u], workers[job], plan.first_failure));
+      entry.add(u, interrupted() || entry.ended()
+                       ? nothing_of(query, ledger.subjects)
+                       : run_unit(query, all_units[u], ledger.subjects, workers[job], plan.first_failure));
       progress.step(query.name);
     });
   }

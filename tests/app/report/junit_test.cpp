@@ -14,21 +14,18 @@ TEST_CASE("Markup and characters that XML does not know") {
 }
 
 TEST_CASE("Abstaining is skipped, failing fails, holding is neither") {
-  Ledger ledger;
-  ledger.subjects.emplace_back();
-  ledger.subjects[0].name = "<engine>";
-  Row holding;
-  holding.property = "mass.mass";
-  holding.subject = "<engine>";
-  Row abstaining = holding;
-  Row failing = holding;
+  TestedSubject engine;
+  engine.card.name = "<engine>";
+  Ledger ledger({&properties::all()[0], &properties::all()[1], &properties::all()[2]}, {engine});
+  Row& holding = ledger.results.all()[0];
+  Row& abstaining = ledger.results.all()[1];
+  Row& failing = ledger.results.all()[2];
   holding.holds = 1;
   abstaining.abstains = 1;
   abstaining.why_abstains = "a & b";
   failing.fails = 1;
   failing.worst.emplace();
   failing.worst->finding = {oracle::Outcome::fails, oracle::Defect::wrong_mass, "<1>", "2", 1, 0.5, "kg", {}, "", ""};
-  ledger.rows = {holding, abstaining, failing};
   const std::string xml = report_junit(ledger);
   CHECK_THAT(xml, Catch::Contains("name=\"&lt;engine&gt;\" tests=\"3\" failures=\"1\" errors=\"0\" skipped=\"1\""));
   CHECK_THAT(xml, Catch::Contains("<skipped message=\"a &amp; b\"/>"));

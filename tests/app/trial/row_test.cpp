@@ -1,5 +1,5 @@
-// The ledger of a run: what is counted, what is kept, and that units are merged in the order of the queries.
-#include "app/trial/ledger.h"
+// A row of the results: what is counted, what is kept, and that counting in parts is counting at once.
+#include "app/trial/row.h"
 
 #include <cmath>
 

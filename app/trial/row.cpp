@@ -1,4 +1,4 @@
-#include "app/trial/ledger.h"
+#include "app/trial/row.h"
 
 #include <fmt/format.h>
 
@@ -80,7 +80,7 @@ void Row::count(const Example& example) {
   keep(smallest, example, handier);
 }
 
-void Row::merge(Row later) {
+void Row::merge(const Row& later) {
   holds += later.holds;
   fails += later.fails;
   abstains += later.abstains;

@@ -1,0 +1,77 @@
+// What a run found for one property and one subject: counts, and the findings that show it best.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "app/report/error_histogram.h"
+#include "model/scene.h"
+#include "oracle/case.h"
+#include "oracle/finding.h"
+#include "oracle/judge/grade.h"
+#include "oracle/minimise/minimise.h"
+#include "oracle/subject.h"
+#include "properties/property.h"
+
+namespace touchstone::app {
+
+/// A subject of a run.
+struct TestedSubject {
+  std::size_t index = 0;    ///< among the run's subjects
+  oracle::Card card;        ///< no two subjects of a run have the same name
+  std::string connectable;  ///< how to connect to it
+  std::string file_name;    ///< stands for it in the names of files
+};
+
+/// One failing or notable answer.
+struct Example {
+  std::string family;
+  std::uint64_t index = 0;
+  Scene scene;
+  oracle::Finding finding;
+};
+
+struct Row {
+  const properties::Property* property = nullptr;
+  const TestedSubject* subject = nullptr;
+  long holds = 0;
+  long fails = 0;
+  long abstains = 0;
+  long breaks = 0;
+  long outside = 0;
+  long not_asked = 0;                         ///< skipped because the subject hung too often
+  std::array<long, 5> grades{};               ///< of the answers: A, B, C, D, F
+  std::map<oracle::Defect, long> defects;     ///< of the answers that fail or break
+  long impacts = 0;                           ///< of simulations: each one compared with the reference by itself
+  std::string why_abstains;                   ///< the first reason
+  double largest_error = 0;                   ///< among the wrong answers whose error has a size
+  std::string unit;                           ///< of largest_error; empty if there is none
+  ErrorHistogram errors;                      ///< of all answers
+  std::optional<Example> closest;             ///< the correct answer with the largest error / allowed error
+  std::optional<Example> worst;               ///< by the worst grade, then the largest error, then the first
+  std::optional<Example> smallest;            ///< by usual units, then the worst grade, then size: start of minimising
+  std::optional<oracle::Case> smallest_case;  ///< after minimising
+  oracle::Size size_found;                    ///< of `smallest`, before minimising
+  std::string case_file;                      ///< relative to the report's folder
+  std::string replay_command;                 ///< for the case as written; empty if it was not written
+
+  /// Counts the finding of one more query.
+  void count(const Example& example);
+
+  /// Adds what later queries of the same property and subject found.
+  void merge(const Row& later);
+  bool failing() const { return fails + breaks > 0; }
+  long answered() const { return holds + fails + breaks; }
+  std::optional<oracle::Grade> grade() const;  ///< the worst; none if there is no answer
+};
+
+/// The finding shown for a failing row: that of the minimised scene, else the worst one.
+const oracle::Finding& shown_finding(const Row& row);
+
+/// "2 bodies, at most 4 vertices a body and 3 significant bits"
+std::string text_of(const oracle::Size& size);
+
+}  // namespace touchstone::app
