@@ -300,7 +300,7 @@ void add_list(CLI::App& program, Options& options) {
 
 void add_soak(CLI::App& program, Options& options) {
   auto* command = program.add_subcommand(
-      "soak", "Compare the reference with itself: distances of many pairs of bodies, by three exact algorithms");
+      "soak", "Compare the reference with itself: distances of many pairs, by three exact algorithms");
   add_whole_number(*command, "--pairs", options.soak.pairs, 1, largest_count, "How many pairs, at least")
       ->default_str(std::to_string(options.soak.pairs));
   add_seed(*command, options.soak.seed);

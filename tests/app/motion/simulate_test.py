@@ -119,7 +119,7 @@ class Simulate(Test):
     def test_an_engine_without_events(self):
         self.drop(sample_times=[2])
         out = self.succeeds("simulate", "drop.json", "--engine", engine("silent"))
-        self.assertIn("tells none", out)
+        self.assertIn("reports none", out)
         self.assertEqual([row[7] for row in rows(out)], [None, None])
         done = self.run_program("simulate", "drop.json", "--engine", engine("silent"), "--out", "events.jsonl")
         self.assertEqual(done.returncode, 2)
