@@ -145,12 +145,22 @@ struct Event {
   bool operator==(const Event&) const = default;
 };
 
+/// What a simulator says of the solver of its contacts.
+struct ContactSolver {
+  int steps = 0;        ///< in which contacts were solved
+  int unconverged = 0;  ///< steps whose residual exceeds the accuracy that the simulator aims at
+  double residual = 0;  ///< m; the greatest over all steps: how far a contact is from its conditions
+
+  bool operator==(const ContactSolver&) const = default;
+};
+
 /// "What happens next?" The trajectory until the last sample time of the scene's motion.
 struct Trajectory {
   std::vector<std::vector<State>> states;    ///< by sample time, then by body
   std::optional<std::vector<Event>> events;  ///< in the order in which they were resolved
   std::optional<double> complete_until;      ///< s; the time at which the subject gave up: states and events end here
   std::string gave_up;                       ///< why, and at which bodies; empty: did not give up, or does not say
+  std::optional<ContactSolver> contact_solver = {};  ///< if contacts were solved in steps, and the subject reports it
 
   bool operator==(const Trajectory&) const = default;
 };

@@ -61,6 +61,11 @@ Event read_event(const Node& node) {
   return event;
 }
 
+ContactSolver read_contact_solver(const Node& node) {
+  node.expect_object({"steps", "unconverged", "residual"});
+  return {node.at("steps").index(), node.at("unconverged").index(), node.at("residual").number()};
+}
+
 }  // namespace
 
 Json json_of(const Event& event) {
@@ -98,6 +103,10 @@ Json json_of(const Trajectory& answer) {
   }
   if (answer.complete_until) json["complete_until"] = *answer.complete_until;
   if (!answer.gave_up.empty()) json["gave_up"] = answer.gave_up;
+  if (const auto& solver = answer.contact_solver) {
+    json["contact_solver"] = {
+        {"steps", solver->steps}, {"unconverged", solver->unconverged}, {"residual", solver->residual}};
+  }
   return json;
 }
 
@@ -119,7 +128,7 @@ TimeOfImpact read<TimeOfImpact>(const Json& json, const std::string& place) {
 template <>
 Trajectory read<Trajectory>(const Json& json, const std::string& place) {
   const Node node(json, place);
-  node.expect_object({"states", "events", "complete_until", "gave_up"});
+  node.expect_object({"states", "events", "complete_until", "gave_up", "contact_solver"});
   Trajectory answer;
   const Node states = node.at("states");
   for (int i = 0; i < states.size(); ++i) {
@@ -133,6 +142,7 @@ Trajectory read<Trajectory>(const Json& json, const std::string& place) {
   }
   if (const auto until = node.find("complete_until")) answer.complete_until = until->number();
   if (const auto why = node.find("gave_up")) answer.gave_up = why->text();
+  if (const auto solver = node.find("contact_solver")) answer.contact_solver = read_contact_solver(*solver);
   return answer;
 }
 

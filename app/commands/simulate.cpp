@@ -167,6 +167,12 @@ void print_events(const Trajectory& trajectory) {
         counts[static_cast<std::size_t>(Event::Kind::contact)], counts[static_cast<std::size_t>(Event::Kind::release)]);
 }
 
+void print_solver(const Trajectory& trajectory) {
+  if (!trajectory.contact_solver) return;
+  const auto& [steps, unconverged, residual] = *trajectory.contact_solver;
+  print("solver     {} contact steps, {} not converged, greatest residual {:.3g} m\n", steps, unconverged, residual);
+}
+
 /// The answer at the sample times of `known`, as far as the run contains all of them.
 Trajectory at_sample_times_of(const Scene& known, const MotionRun& run) {
   Trajectory answer;
@@ -272,6 +278,7 @@ int simulate(const SimulateCommand& command) {
   const MotionRun samples = without_frames(scene, run);
   print_energies(scene, samples);
   print_events(run.trajectory);
+  print_solver(run.trajectory);
   print_truth(scene, samples);
   const std::optional<std::vector<Event>>& events = run.trajectory.events;
   if (!command.replay.empty()) write(command.replay, replay_page(scene, run.times, run.trajectory));

@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <string>
 
+#include "fast/contact/solver.h"
 #include "model/input_error.h"
 #include "model/limits.h"
 
 namespace touchstone::fast::constraint {
 namespace {
+
+using contact::index;
 
 // Share of the velocity that weight adds in a step; smaller slip velocities are the solver's error.
 constexpr double slip_counts = 0x1p-10;
@@ -18,6 +21,14 @@ std::vector<StepperBody> bodies_of(const Scene& scene) {
     bodies.emplace_back(scene.bodies[i], "bodies[" + std::to_string(i) + "]");
   }
   return bodies;
+}
+
+/// Where an impulse acts, in gaps from the middle towards A. If one body is fixed, at the point of the moving body,
+/// which is where contact will be once the gap is closed. If both move, midway, so that equal impulses have opposite
+/// moments.
+double from_middle(const StepperBody& A, const StepperBody& B) {
+  if (A.is_fixed()) return -0.5;
+  return B.is_fixed() ? 0.5 : 0;
 }
 
 }  // namespace
@@ -67,26 +78,27 @@ void Stepper::find_contacts(int a, int b, double h) {
     throw InputError("bodies[" + std::to_string(b) + "]", "overlaps bodies[" + std::to_string(a) + "] at the start");
   }
   if (proximity.distance > reach) return;
-  const Manifold found = manifold(A, B, proximity, pair.nhat_BA_W);
+  const contact::GapManifold found = gap_manifold(A.part(), B.part(), proximity, pair.nhat_BA_W);
   pair.seen = true;
   pair.nhat_BA_W = found.nhat_BA_W;
   const Material &of_A = scene_.bodies[index(a)].material, &of_B = scene_.bodies[index(b)].material;
-  ContactPair contact_pair{&pair, touches_.size(), 0, a, b};
-  for (const ContactPoint& point : found.points) {
+  ContactPair contact_pair{&pair, rows_.size(), 0, a, b};
+  for (contact::GapPoint point : found.points) {
     if (point.gap > reach) continue;
-    Touch touch;
-    touch.a = a;
-    touch.b = b;
-    touch.n = found.nhat_BA_W;
-    touch.arm_A = point.p_WC - A.centre();
-    touch.arm_B = point.p_WC - B.centre();
-    touch.friction = std::min(of_A.friction, of_B.friction);
-    touch.least_u_n = -std::max(point.gap - skin_, 0.0) / h;
-    prepare(touch, mobilities_);
-    touches_.push_back(touch);
+    point.p_WC += from_middle(A, B) * point.gap * found.nhat_BA_W;
+    contact::ContactRow row;
+    row.a = a;
+    row.b = b;
+    row.n = found.nhat_BA_W;
+    row.arm_A = point.p_WC - A.centre();
+    row.arm_B = point.p_WC - B.centre();
+    row.friction = std::min(of_A.friction, of_B.friction);
+    row.least_u_n = -std::max(point.gap - skin_, 0.0) / h;
+    prepare(row, mobilities_);
+    rows_.push_back(row);
     points_.push_back(point);
   }
-  contact_pair.count = touches_.size() - contact_pair.first;
+  contact_pair.count = rows_.size() - contact_pair.first;
   if (contact_pair.count > 0) guess(contact_pair);
   contact_pairs_.push_back(contact_pair);
 }
@@ -100,12 +112,12 @@ void Stepper::guess(const ContactPair& contact_pair) {
     for (std::size_t i = contact_pair.first; i < contact_pair.first + contact_pair.count; ++i) {
       if (apart(i) < apart(nearest)) nearest = i;
     }
-    touches_[nearest].P += before.P;
+    rows_[nearest].P += before.P;
   }
 }
 
 void Stepper::find_contacts(double h) {
-  touches_.clear();
+  rows_.clear();
   points_.clear();
   contact_pairs_.clear();
   mobilities_.clear();
@@ -136,8 +148,8 @@ void Stepper::emit_forces(double time) {
   }
 }
 
-std::vector<Twist> Stepper::free_twists(double time, double h) const {
-  std::vector<Twist> twists;
+std::vector<contact::Twist> Stepper::free_twists(double time, double h) const {
+  std::vector<contact::Twist> twists;
   for (const StepperBody& body : bodies_) {
     twists.push_back(body.twist());
     if (!body.is_fixed()) twists.back().v += h * scene_.gravity;
@@ -152,31 +164,31 @@ std::vector<Twist> Stepper::free_twists(double time, double h) const {
 
 /// Solves without restitution to find which contacts are impacts; if there are any, solves again with restitution. A
 /// resting contact must not bounce: it would do so for ever, with the velocity that weight adds in a step.
-void Stepper::push(std::vector<Twist>& twists, double weight) {
-  const std::vector<Twist> free = twists;
-  solve(touches_, mobilities_, twists, {.sweeps = sweeps_});
+void Stepper::push(std::vector<contact::Twist>& twists, double weight) {
+  const std::vector<contact::Twist> free = twists;
+  solve(rows_, mobilities_, twists, {.sweeps = sweeps_});
   bool bounces = false;
-  for (std::size_t i = 0; i < touches_.size(); ++i) {
-    Touch& touch = touches_[i];
-    const double e = std::min(scene_.bodies[index(touch.a)].material.restitution,
-                              scene_.bodies[index(touch.b)].material.restitution);
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    contact::ContactRow& row = rows_[i];
+    const double e =
+        std::min(scene_.bodies[index(row.a)].material.restitution, scene_.bodies[index(row.b)].material.restitution);
     const double parting = -e * u_n_[i];
-    if (touch.P.isZero(0) || !(parting > 0) || -u_n_[i] <= explained_by_weight * weight) continue;
-    touch.least_u_n = std::max(touch.least_u_n, parting);
+    if (row.P.isZero(0) || !(parting > 0) || -u_n_[i] <= explained_by_weight * weight) continue;
+    row.least_u_n = std::max(row.least_u_n, parting);
     bounces = true;
   }
   if (!bounces) return;
   twists = free;
-  solve(touches_, mobilities_, twists, {.sweeps = sweeps_});
+  solve(rows_, mobilities_, twists, {.sweeps = sweeps_});
 }
 
 /// The step's position correction: moves apart what is nearer than half the skin, without adding velocity.
-std::vector<Twist> Stepper::apart(double h) {
-  std::vector<Twist> shift(bodies_.size());
-  std::vector<Touch> near;
-  for (std::size_t i = 0; i < touches_.size(); ++i) {
+std::vector<contact::Twist> Stepper::apart(double h) {
+  std::vector<contact::Twist> shift(bodies_.size());
+  std::vector<contact::ContactRow> near;
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
     if (points_[i].gap > skin_ / 2) continue;
-    near.push_back(touches_[i]);
+    near.push_back(rows_[i]);
     near.back().friction = 0;
     near.back().P.setZero();
     near.back().least_u_n = (skin_ - points_[i].gap) / h;
@@ -190,10 +202,10 @@ PairStep Stepper::pair_step(const ContactPair& contact_pair, double slow) const 
   step.nhat_BA_W = *contact_pair.pair->nhat_BA_W;
   double weight = 0;
   for (std::size_t i = contact_pair.first; i < contact_pair.first + contact_pair.count; ++i) {
-    const Touch& touch = touches_[i];
-    const double P_n = touch.n.dot(touch.P);
+    const contact::ContactRow& row = rows_[i];
+    const double P_n = row.n.dot(row.P);
     if (!(P_n > 0)) continue;
-    step.P_A_W += touch.P;
+    step.P_A_W += row.P;
     step.p_WC += P_n * points_[i].p_WC;
     weight += P_n;
     step.approach = std::max(step.approach, -u_n_[i]);
@@ -213,7 +225,7 @@ void Stepper::emit(double weight, double until) {
   for (const ContactPair& contact_pair : contact_pairs_) {
     contact_pair.pair->pushed.clear();
     for (std::size_t i = contact_pair.first; i < contact_pair.first + contact_pair.count; ++i) {
-      contact_pair.pair->pushed.push_back({points_[i].p_WC, touches_[i].P});
+      contact_pair.pair->pushed.push_back({points_[i].p_WC, rows_[i].P});
     }
     emit_event(contact_pair.a, contact_pair.b, contact_pair.pair->pair_events,
                pair_step(contact_pair, slip_counts * weight));
@@ -236,20 +248,20 @@ void Stepper::step(double time, double h, double until) {
   const double weight = h * scene_.gravity.norm();
   emit_forces(time);
   find_contacts(h);
-  std::vector<Twist> now, twists = free_twists(time, h);
+  std::vector<contact::Twist> now, twists = free_twists(time, h);
   for (const StepperBody& body : bodies_) now.push_back(body.twist());
   u_n_.clear();
-  for (const Touch& touch : touches_) u_n_.push_back(touch.n.dot(relative_velocity(touch, now)));
+  for (const contact::ContactRow& row : rows_) u_n_.push_back(row.n.dot(relative_velocity(row, now)));
   push(twists, weight);
-  const std::vector<Twist> shift = apart(h);
+  const std::vector<contact::Twist> shift = apart(h);
   slip_.clear();
-  for (const Touch& touch : touches_) {
-    const Vec3 u = relative_velocity(touch, twists);
-    slip_.push_back((u - touch.n.dot(u) * touch.n).norm());
+  for (const contact::ContactRow& row : rows_) {
+    const Vec3 u = relative_velocity(row, twists);
+    slip_.push_back((u - row.n.dot(u) * row.n).norm());
   }
   std::vector<bool> touched(bodies_.size(), false);
-  for (const Touch& touch : touches_) {
-    if (!touch.P.isZero(0)) touched[index(touch.a)] = touched[index(touch.b)] = true;
+  for (const contact::ContactRow& row : rows_) {
+    if (!row.P.isZero(0)) touched[index(row.a)] = touched[index(row.b)] = true;
   }
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     bodies_[i].advance(h, twists[i], touched[i], shift[i]);

@@ -8,9 +8,10 @@
 
 #include "fast/broad_phase/sweep_and_prune.h"
 #include "fast/constraint.h"
-#include "fast/constraint/manifold.h"
 #include "fast/constraint/pair_events.h"
-#include "fast/constraint/solve.h"
+#include "fast/constraint/stepper_body.h"
+#include "fast/contact/gap_manifold.h"
+#include "fast/contact/row.h"
 #include "fast/lin_canny/nearest_parts.h"
 
 namespace touchstone::fast::constraint {
@@ -41,7 +42,7 @@ class Stepper {
   };
   struct ContactPair {
     Pair* pair = nullptr;
-    std::size_t first = 0, count = 0;  ///< its range in touches_
+    std::size_t first = 0, count = 0;  ///< its range in rows_
     int a = 0, b = 0;
   };
 
@@ -52,9 +53,10 @@ class Stepper {
   void guess(const ContactPair& contact_pair);
   Aabb around(const StepperBody& body) const;
   void emit_forces(double time);
-  std::vector<Twist> free_twists(double time, double h) const;
-  void push(std::vector<Twist>& twists, double weight);  ///< weight: the velocity that gravity adds in a step, m/s
-  std::vector<Twist> apart(double h);
+  std::vector<contact::Twist> free_twists(double time, double h) const;
+  void push(std::vector<contact::Twist>& twists,
+            double weight);  ///< weight: the velocity that gravity adds in a step, m/s
+  std::vector<contact::Twist> apart(double h);
   void emit(double weight, double until);
   PairStep pair_step(const ContactPair& contact_pair, double slow) const;
 
@@ -62,18 +64,18 @@ class Stepper {
   int sweeps_;
   double skin_;  ///< m; the distance at which bodies rest
   std::vector<StepperBody> bodies_;
-  std::vector<Mobility> mobilities_;  ///< of bodies_, at the beginning of the step
-  double margin_;                     ///< m; added to the boxes, so that they overlap before the bodies can touch
+  std::vector<contact::Mobility> mobilities_;  ///< of bodies_, at the beginning of the step
+  double margin_;  ///< m; added to the boxes, so that they overlap before the bodies can touch
   SweepAndPrune boxes_;
   bool first_step_ = true;
   std::vector<BodyPair> near_;  ///< sorted
   std::map<std::pair<int, int>, Pair> pairs_;
   std::vector<ContactPair> contact_pairs_;
-  std::vector<Touch> touches_;
-  std::vector<ContactPoint> points_;  ///< of touches_
-  std::vector<double> u_n_;           ///< of touches_, before the step
-  std::vector<double> slip_;          ///< of touches_, after the step
-  std::size_t begun_ = 0;             ///< forces that have begun to act
+  std::vector<contact::ContactRow> rows_;
+  std::vector<contact::GapPoint> points_;  ///< of rows_
+  std::vector<double> u_n_;                ///< of rows_, before the step
+  std::vector<double> slip_;               ///< of rows_, after the step
+  std::size_t begun_ = 0;                  ///< forces that have begun to act
   std::vector<Event> events_;
 };
 

@@ -47,6 +47,10 @@ StepperBody::StepperBody(const Body& body, const std::string& place)
 
 Pose StepperBody::pose() const { return {centre_ - R_WB_ * model_.p_BBcm, q_WB_}; }
 
+contact::Part StepperBody::part() const {
+  return contact::part_of(convex(), lin_canny::CachedPose(pose()), {centre_, R_WB_});
+}
+
 /// Rotates by the quaternion (1, angle/2). Its rotation angle equals |angle| to second order, and no sine is needed.
 void StepperBody::turn(const Vec3& angle) {
   q_WB_ = normalised(product({1, angle.x() / 2, angle.y() / 2, angle.z() / 2}, q_WB_));
@@ -57,7 +61,7 @@ void StepperBody::refresh() {
   if (!is_fixed()) inverse_inertia_W_ = R_WB_ * inverse_inertia_B_ * R_WB_.transpose();
 }
 
-void StepperBody::advance(double h, const Twist& twist, bool touched, const Twist& shift) {
+void StepperBody::advance(double h, const contact::Twist& twist, bool touched, const contact::Twist& shift) {
   centre_ += h * (touched || is_fixed() ? Vec3(twist.v + shift.v) : Vec3((twist_.v + twist.v) / 2));
   const motion::BallisticMotion free(model_, 0, {Vec3::Zero(), q_WB_}, {Vec3::Zero(), twist.w}, Vec3::Zero());
   const motion::Kinematics then = free.kinematics(h);

@@ -1,8 +1,8 @@
 // One body of the time stepper: its state, and how it moves once its new velocities are known.
 #pragma once
 
-#include "fast/constraint/solve.h"
-#include "fast/lin_canny/solid.h"
+#include "fast/contact/part.h"
+#include "fast/contact/row.h"
 #include "fast/motion/rigid_body_model.h"
 #include "model/answers.h"
 #include "model/scene.h"
@@ -18,22 +18,22 @@ class StepperBody {
   bool moves() const { return !twist_.v.isZero(0) || !twist_.w.isZero(0); }
   double inverse_mass() const { return inverse_mass_; }
   double mass() const { return 1 / inverse_mass_; }
-  Mobility mobility() const { return {inverse_mass_, inverse_inertia_W_}; }
+  contact::Mobility mobility() const { return {inverse_mass_, inverse_inertia_W_}; }
   const Vec3& centre() const { return centre_; }
-  const Twist& twist() const { return twist_; }
+  const contact::Twist& twist() const { return twist_; }
   const lin_canny::Solid& solid() const { return model_.solid; }
-  const lin_canny::Convex& convex() const { return model_.solid.parts().front(); }
-  const Mat3& R_WB() const { return R_WB_; }
   Pose pose() const;
+  contact::Part part() const;
   State state() const { return {pose(), {twist_.v, twist_.w}}; }
   double reach() const { return reach_; }  ///< m; no point of the body is farther from the centre of mass
 
   /// Sets the twist and advances by h. A body with contact impulses moves with `twist` plus `shift`; one without moves
   /// with the mean of its old and new velocity, exactly on its parabola. It rotates as a free body does from its new
   /// angular velocity (fast/motion/ballistic_motion.h), so that even a fast-spinning needle keeps its energy.
-  void advance(double h, const Twist& twist, bool touched, const Twist& shift);
+  void advance(double h, const contact::Twist& twist, bool touched, const contact::Twist& shift);
 
  private:
+  const lin_canny::Convex& convex() const { return model_.solid.parts().front(); }
   void turn(const Vec3& angle);
   void refresh();
 
@@ -43,7 +43,7 @@ class StepperBody {
   Mat3 inverse_inertia_B_ = Mat3::Zero();
   Vec3 centre_;
   Quaternion q_WB_;
-  Twist twist_;
+  contact::Twist twist_;
   Mat3 R_WB_;
   Mat3 inverse_inertia_W_ = Mat3::Zero();
 };

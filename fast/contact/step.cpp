@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fast/contact/solver.h"
 #include "fast/lin_canny/rotation.h"
 #include "fast/motion/quaternion.h"
 #include "fast/motion/steady_turn.h"
@@ -11,15 +12,11 @@
 namespace touchstone::fast::contact {
 namespace {
 
-using constraint::Touch;
-using constraint::Twist;
-
 constexpr int most_rounds = 16;
 constexpr int sweeps_of_rest_test = 2000;
 constexpr int sweeps_of_a_round = 400;
 constexpr double of_recovery = 0x1p-12;  // of `recovery`: smaller changes of velocity count as converged
 constexpr int projection_sweeps = 8;
-constexpr double on_the_rim = 1 - 0x1p-20;
 
 bool is_round(const motion::RigidBodyModel& model) {
   return model.I_BBcm_B == Mat3(model.I_BBcm_B(0, 0) * Mat3::Identity());
@@ -79,40 +76,58 @@ struct BodyStep {
   Quaternion turn, q;
 };
 
-/// The contact's row for the solver: normal and arms are the means of those before and after.
-Touch row(const ContactConstraint& constraint, const Nearness& before, const Nearness& after,
-          const std::vector<BodyStep>& bodies) {
-  const BodyStep &A = bodies[constraint.a], &B = bodies[constraint.b];
-  Touch touch;
-  touch.a = static_cast<int>(constraint.a);
-  touch.b = static_cast<int>(constraint.b);
-  touch.n = (before.nhat_BA_W + after.nhat_BA_W).normalized();
-  touch.arm_A = ((before.p_WC - A.before.centre) + (after.p_WC - A.after.centre)) / 2;
-  touch.arm_B = ((before.p_WC - B.before.centre) + (after.p_WC - B.after.centre)) / 2;
-  touch.friction = constraint.friction;
-  return touch;
+Nearness nearness_of(const ContactConstraint& constraint, const RigidTransform& A, const RigidTransform& B,
+                     const Vec3& about) {
+  return nearness(constraint.contact_point.a, A, constraint.contact_point.b, B, about);
 }
 
-bool sticks(const Touch& touch) {
-  const double P_n = touch.n.dot(touch.P);
-  return (touch.P - P_n * touch.n).norm() < touch.friction * P_n * on_the_rim;
+/// The contact's row for the solver: normal and arms are the means of those before and after.
+ContactRow row_of(const ContactConstraint& constraint, const Nearness& before, const Nearness& after,
+                  const std::vector<BodyStep>& bodies) {
+  const BodyStep &A = bodies[constraint.a], &B = bodies[constraint.b];
+  ContactRow row;
+  row.a = static_cast<int>(constraint.a);
+  row.b = static_cast<int>(constraint.b);
+  row.n = (before.nhat_BA_W + after.nhat_BA_W).normalized();
+  row.arm_A = ((before.p_WC - A.before.centre) + (after.p_WC - A.after.centre)) / 2;
+  row.arm_B = ((before.p_WC - B.before.centre) + (after.p_WC - B.after.centre)) / 2;
+  row.friction = constraint.friction;
+  return row;
 }
 
 /// For each contact that pressed, in turn: removes its normal velocity, and its tangential velocity if it stuck. Uses
 /// the largest eigenvalue of K_tt, so the tangential impulse is under-corrected and never adds energy.
-void project_velocities(const std::vector<Touch>& at_end, const std::vector<Touch>& in_step,
-                        const std::vector<constraint::Mobility>& mobilities, std::vector<Twist>& twists) {
+void project_velocities(const std::vector<ContactRow>& at_end, const std::vector<ContactRow>& in_step,
+                        const std::vector<Mobility>& mobilities, std::vector<Twist>& twists) {
   for (int sweep = 0; sweep < projection_sweeps; ++sweep) {
     for (std::size_t i = 0; i < at_end.size(); ++i) {
-      const Touch& touch = at_end[i];
+      const ContactRow& row = at_end[i];
       if (!(in_step[i].n.dot(in_step[i].P) > 0)) continue;
-      const double u_n = touch.n.dot(relative_velocity(touch, twists));
-      push(touch, -u_n / touch.K_nn * touch.n, mobilities, twists);
+      const double u_n = row.n.dot(relative_velocity(row, twists));
+      apply_impulse(row, -u_n / row.K_nn * row.n, mobilities, twists);
       if (!sticks(in_step[i])) continue;
-      const Vec3 u = relative_velocity(touch, twists);
-      push(touch, -(u - touch.n.dot(u) * touch.n) / touch.K_tt, mobilities, twists);
+      const Vec3 u = relative_velocity(row, twists);
+      apply_impulse(row, -(u - row.n.dot(u) * row.n) / row.K_tt, mobilities, twists);
     }
   }
+}
+
+/// See step.h. `rows`: of the last round, in which least_u_n was corrected for the curves of the features.
+double residual_of_step(const std::vector<ContactConstraint>& constraints, const std::vector<BodyStep>& bodies,
+                        const std::vector<Nearness>& before, const std::vector<double>& least_u_n,
+                        std::vector<ContactRow> rows, const std::vector<Twist>& mean, double h) {
+  double greatest = 0;
+  for (std::size_t i = 0; i < constraints.size(); ++i) {
+    const ContactConstraint& constraint = constraints[i];
+    const Nearness after =
+        nearness_of(constraint, bodies[constraint.a].after, bodies[constraint.b].after, before[i].nhat_BA_W);
+    ContactRow& row = rows[i];
+    row.least_u_n = least_u_n[i];
+    const Vec3 u = relative_velocity(row, mean);
+    const double u_n = (after.gap - before[i].gap) / h;
+    greatest = std::max(greatest, h * residual(row, u + (u_n - row.n.dot(u)) * row.n));
+  }
+  return greatest;
 }
 
 Twist twist(const State& state) { return {state.velocity.v_WBcm, state.velocity.w_WB}; }
@@ -120,22 +135,23 @@ Twist twist(const State& state) { return {state.velocity.v_WBcm, state.velocity.
 void set_velocity(State& state, const Twist& twist) { state.velocity = {twist.v, twist.w}; }
 
 /// The rows at the bodies' current states.
-std::vector<Touch> rows_at(const std::vector<StepBody>& step_bodies, const std::vector<ContactConstraint>& constraints,
-                           const std::vector<constraint::Mobility>& mobilities) {
+std::vector<ContactRow> rows_at(const std::vector<StepBody>& step_bodies,
+                                const std::vector<ContactConstraint>& constraints,
+                                const std::vector<Mobility>& mobilities) {
   std::vector<BodyStep> bodies;
   for (const StepBody& step_body : step_bodies) bodies.emplace_back(step_body);
-  std::vector<Touch> touches;
+  std::vector<ContactRow> rows;
   for (const ContactConstraint& constraint : constraints) {
-    const Nearness near = nearness(constraint.contact_point.a, bodies[constraint.a].before, constraint.contact_point.b,
-                                   bodies[constraint.b].before, constraint.about);
-    touches.push_back(row(constraint, near, near, bodies));
-    prepare(touches.back(), mobilities);
+    const Nearness near =
+        nearness_of(constraint, bodies[constraint.a].before, bodies[constraint.b].before, constraint.about);
+    rows.push_back(row_of(constraint, near, near, bodies));
+    prepare(rows.back(), mobilities);
   }
-  return touches;
+  return rows;
 }
 
-std::vector<constraint::Mobility> mobilities_of(const std::vector<StepBody>& step_bodies) {
-  std::vector<constraint::Mobility> all;
+std::vector<Mobility> mobilities_of(const std::vector<StepBody>& step_bodies) {
+  std::vector<Mobility> all;
   for (const StepBody& step_body : step_bodies) all.push_back(step_body.mobility());
   return all;
 }
@@ -147,7 +163,7 @@ RigidTransform StepBody::transform() const {
   return {state.X_WB.p_WB + R * model->p_BBcm, R};
 }
 
-constraint::Mobility StepBody::mobility() const {
+Mobility StepBody::mobility() const {
   if (is_fixed()) return {};
   if (is_round(*model)) return {1 / model->mass, inverse_inertia(*model)};
   const Mat3 R = lin_canny::rotation(state.X_WB.q_WB);
@@ -157,7 +173,7 @@ constraint::Mobility StepBody::mobility() const {
 Stepped step(const std::vector<StepBody>& step_bodies, std::vector<ContactConstraint>& constraints, double h,
              double tolerance, double recovery) {
   std::vector<BodyStep> bodies;
-  std::vector<constraint::Mobility> mobilities = mobilities_of(step_bodies);
+  std::vector<Mobility> mobilities = mobilities_of(step_bodies);
   std::vector<Twist> mean;
   for (const StepBody& step_body : step_bodies) {
     BodyStep& body = bodies.emplace_back(step_body);
@@ -167,31 +183,31 @@ Stepped step(const std::vector<StepBody>& step_bodies, std::vector<ContactConstr
   std::vector<Nearness> before;
   std::vector<double> least_u_n;
   for (const ContactConstraint& constraint : constraints) {
-    before.push_back(nearness(constraint.contact_point.a, bodies[constraint.a].before, constraint.contact_point.b,
-                              bodies[constraint.b].before, constraint.about));
+    before.push_back(
+        nearness_of(constraint, bodies[constraint.a].before, bodies[constraint.b].before, constraint.about));
     least_u_n.push_back(std::min(-before.back().gap / h, recovery));
   }
-  std::vector<Touch> touches(constraints.size());
+  std::vector<ContactRow> rows(constraints.size());
   // The rows' error in the gap (m): features move along curves.
   std::vector<double> missed(constraints.size(), 0.0);
   double change = 0;
   for (int round = 0; round < most_rounds; ++round) {
     for (std::size_t i = 0; i < constraints.size(); ++i) {
       const ContactConstraint& constraint = constraints[i];
-      const Nearness after = nearness(constraint.contact_point.a, bodies[constraint.a].after,
-                                      constraint.contact_point.b, bodies[constraint.b].after, before[i].nhat_BA_W);
+      const Nearness after =
+          nearness_of(constraint, bodies[constraint.a].after, bodies[constraint.b].after, before[i].nhat_BA_W);
       const double over = after.gap - (before[i].gap + h * least_u_n[i]);
-      if (round > 1 && (over < 0 || !touches[i].P.isZero(0))) missed[i] += over;
-      const Vec3 guess = round > 0 ? touches[i].P : constraint.contact_point.P_A_W;
-      touches[i] = row(constraint, before[i], after, bodies);
-      touches[i].P = guess;
-      touches[i].least_u_n = least_u_n[i] - missed[i] / h;
-      prepare(touches[i], mobilities);
+      if (round > 1 && (over < 0 || !rows[i].P.isZero(0))) missed[i] += over;
+      const Vec3 guess = round > 0 ? rows[i].P : constraint.contact_point.P_A_W;
+      rows[i] = row_of(constraint, before[i], after, bodies);
+      rows[i].P = guess;
+      rows[i].least_u_n = least_u_n[i] - missed[i] / h;
+      prepare(rows[i], mobilities);
     }
     std::vector<Twist> free;
     for (const BodyStep& body : bodies) free.push_back(body.free(h));
     mean = free;
-    solve(touches, mobilities, mean,
+    solve(rows, mobilities, mean,
           {.sweeps = sweeps_of_a_round,
            .sweeps_per_active_set = 64,
            .most_active_set_contacts = 16,
@@ -207,10 +223,11 @@ Stepped step(const std::vector<StepBody>& step_bodies, std::vector<ContactConstr
     moved[i].state = bodies[i].state(mean[i]);
     twists.push_back(twist(moved[i].state));
   }
-  for (std::size_t i = 0; i < constraints.size(); ++i) constraints[i].contact_point.P_A_W = touches[i].P;
+  for (std::size_t i = 0; i < constraints.size(); ++i) constraints[i].contact_point.P_A_W = rows[i].P;
   mobilities = mobilities_of(moved);
-  project_velocities(rows_at(moved, constraints, mobilities), touches, mobilities, twists);
+  project_velocities(rows_at(moved, constraints, mobilities), rows, mobilities, twists);
   Stepped stepped;
+  stepped.residual = residual_of_step(constraints, bodies, before, least_u_n, rows, mean, h);
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     if (!moved[i].is_fixed()) set_velocity(moved[i].state, twists[i]);
     stepped.after.push_back(moved[i].state);
@@ -220,8 +237,8 @@ Stepped step(const std::vector<StepBody>& step_bodies, std::vector<ContactConstr
 }
 
 double unbalanced(const std::vector<StepBody>& step_bodies, std::vector<ContactConstraint>& constraints) {
-  const std::vector<constraint::Mobility> mobilities = mobilities_of(step_bodies);
-  std::vector<Touch> touches = rows_at(step_bodies, constraints, mobilities);
+  const std::vector<Mobility> mobilities = mobilities_of(step_bodies);
+  std::vector<ContactRow> rows = rows_at(step_bodies, constraints, mobilities);
   std::vector<Twist> left(step_bodies.size());
   double greatest = 0, most = 0;
   for (std::size_t i = 0; i < step_bodies.size(); ++i) {
@@ -229,21 +246,21 @@ double unbalanced(const std::vector<StepBody>& step_bodies, std::vector<ContactC
     left[i].v = step_bodies[i].acceleration;
     greatest = std::max(greatest, step_bodies[i].acceleration.norm());
   }
-  solve(touches, mobilities, left, {.sweeps = sweeps_of_rest_test});
+  solve(rows, mobilities, left, {.sweeps = sweeps_of_rest_test});
   for (std::size_t i = 0; i < step_bodies.size(); ++i) {
     if (!step_bodies[i].is_fixed())
       most = std::max(most, left[i].v.norm() + step_bodies[i].model->radius * left[i].w.norm());
   }
-  for (std::size_t i = 0; i < constraints.size(); ++i) constraints[i].contact_point.P_A_W = touches[i].P;
+  for (std::size_t i = 0; i < constraints.size(); ++i) constraints[i].contact_point.P_A_W = rows[i].P;
   return most / greatest;
 }
 
 void land(std::vector<StepBody>& step_bodies, const std::vector<ContactConstraint>& constraints) {
-  const std::vector<constraint::Mobility> mobilities = mobilities_of(step_bodies);
-  std::vector<Touch> touches = rows_at(step_bodies, constraints, mobilities);
+  const std::vector<Mobility> mobilities = mobilities_of(step_bodies);
+  std::vector<ContactRow> rows = rows_at(step_bodies, constraints, mobilities);
   std::vector<Twist> twists;
   for (const StepBody& step_body : step_bodies) twists.push_back(twist(step_body.state));
-  solve(touches, mobilities, twists, {});
+  solve(rows, mobilities, twists, {});
   for (std::size_t i = 0; i < step_bodies.size(); ++i) {
     if (!step_bodies[i].is_fixed()) set_velocity(step_bodies[i].state, twists[i]);
   }

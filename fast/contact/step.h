@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "fast/constraint/solve.h"
 #include "fast/contact/manifold.h"
+#include "fast/contact/row.h"
 #include "fast/motion/rigid_body_model.h"
 #include "model/answers.h"
 
@@ -18,7 +18,7 @@ struct StepBody {
 
   bool is_fixed() const { return model->is_fixed; }
   RigidTransform transform() const;
-  constraint::Mobility mobility() const;
+  Mobility mobility() const;
 };
 
 /// A contact point between two bodies of the step, given by their indices.
@@ -31,7 +31,8 @@ struct ContactConstraint {
 
 struct Stepped {
   std::vector<State> after;
-  std::vector<constraint::Twist> mean;  ///< over the step: takes each body from its pose before to its pose after
+  std::vector<Twist> mean;  ///< over the step: takes each body from its pose before to its pose after
+  double residual = 0;      ///< m; how far the contacts are from what the step solves for
 };
 
 /// The states of all bodies after h. With u = the mean relative velocity at a contact over the step, φ its gap and a
@@ -45,6 +46,10 @@ struct Stepped {
 /// relative displacement of the contact's points is exactly h u, and kinetic energy grows by P·u alone (Simo & Wong
 /// 1991), which is not above 0: a step never adds energy, however long it is. Solved by iteration until nothing moves
 /// by more than `tolerance` (m). Bodies that already overlap are moved apart no faster than `recovery` (m/s).
+///
+/// The residual of the step is h times the greatest residual of a contact (solver.h), with the contact's last normal,
+/// arms and impulse, u_n = (φ(after) − φ(before))/h from the true gaps, and min(−φ(before)/h, recovery) as least_u_n:
+/// how far, in m, a point still slips or gaps when it should not. It is not 0, since iterations stop.
 ///
 /// Afterwards the remaining relative velocity at contacts that press (its tangential part only where they stick) is
 /// removed from the velocities by projections. These only take energy, of second order in h.

@@ -46,6 +46,10 @@ Simulated Recorder::take(const std::optional<Stopped>& stopped) {
   done.trajectory = std::move(trajectory_);
   done.statistics = statistics_;
   done.stopped = stopped;
+  if (statistics_.contact_steps > 0) {
+    done.trajectory.contact_solver = {static_cast<int>(statistics_.contact_steps),
+                                      static_cast<int>(statistics_.unconverged), statistics_.residual};
+  }
   if (stopped) {
     done.trajectory.complete_until = world_->now();
     done.trajectory.gave_up = reason(*stopped);

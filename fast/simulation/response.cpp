@@ -7,7 +7,7 @@
 namespace touchstone::fast::simulation {
 namespace {
 
-constexpr double solver_accuracy = 0x1p-40;  // of speeds: contacts are solved to 2^-44 (constraint/solve.h)
+constexpr double solver_accuracy = 0x1p-40;  // of speeds: contacts are solved to 2^-44 (contact/solver.h)
 
 // Rebound speeds: a pair in contact that separates no faster stays in contact until it is apart. Half of releases_above
 // (island_event.cpp), so that no body is released by one rule and kept by the other.

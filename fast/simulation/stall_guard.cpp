@@ -44,6 +44,12 @@ void StallGuard::check_events(const Statistics& statistics, double now, BodyId a
   }
 }
 
+void StallGuard::check_residual(double residual, double bound, double now, BodyId a, BodyId b) {
+  if (residual > bound) {
+    stop(at_pair(now, a, b, "contacts could not be solved: they are off by more than a step of this length explains"));
+  }
+}
+
 void StallGuard::check_steps(const Statistics& statistics, double now, BodyId a, BodyId b) {
   if (statistics.contact_steps > options_.most_contact_steps) {
     stop(at_pair(now, a, b, "contacts that take more steps than allowed"));

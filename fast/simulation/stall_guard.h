@@ -9,8 +9,9 @@
 
 namespace touchstone::fast::simulation {
 
-/// Counts iterations of the main loop within a stall window of time. A run stops if a window has too many of them, or
-/// if it has more events, micro-bounces or contact steps than the options allow.
+/// Counts iterations of the main loop within a stall window of time. A run stops if a window has too many of them, if
+/// it has more events, micro-bounces or contact steps than the options allow, or if the contacts of a step could not be
+/// solved.
 class StallGuard {
  public:
   /// `frame` and `end`: the lengths of a frame and of the motion (s).
@@ -24,6 +25,8 @@ class StallGuard {
   void count_lost_resolution();
   void check_events(const Statistics& statistics, double now, BodyId a, BodyId b);
   void check_steps(const Statistics& statistics, double now, BodyId a, BodyId b);
+  /// Stops the run if the residual of a step (m) exceeds its bound.
+  void check_residual(double residual, double bound, double now, BodyId a, BodyId b);
 
   void stop(const Stopped& stopped) { stopped_ = stopped; }
   const std::optional<Stopped>& stopped() const { return stopped_; }

@@ -17,6 +17,8 @@ struct Statistics {
   std::int64_t frames = 0;
   std::int64_t pairs = 0;          ///< queries for the first contact of a pair
   std::int64_t contact_steps = 0;  ///< steps taken by islands
+  std::int64_t unconverged = 0;    ///< of these, steps whose residual exceeds the accuracy that they aim at
+  double residual = 0;             ///< m; greatest residual of a step (contact/step.h)
   double deepest = 0;              ///< m; greatest depth of two bodies in contact at the end of a step
   double loss = 0;                 ///< J; kinetic energy lost in impacts
   double contact_loss = 0;         ///< J; energy lost in contact steps

@@ -93,7 +93,8 @@ TEST_CASE("answers survive text") {
   Event force;
   force.kind = Event::Kind::force;
   force.after_a = state;
-  const Trajectory trajectory{{{state, State{}}, {State{}, state}}, std::vector{impact, force}, 0.75, "why"};
+  const Trajectory trajectory{
+      {{state, State{}}, {State{}, state}}, std::vector{impact, force}, 0.75, "why", ContactSolver{1000, 2, 0x1p-40}};
   CHECK(through_text(trajectory) == trajectory);
   CHECK(through_text(Trajectory{}) == Trajectory{});
 }

@@ -124,7 +124,9 @@ TEST_CASE("every kind of answer that we write fits the schema") {
       protocol::answer(9, json_of(Impulse{{}, Vec3(1, 2, 3), 1e-16, 1e-12})),
       protocol::answer(10, json_of(Pixels{{{"01"}, {"11"}}, {{"11"}, {"11"}}, {1, std::pair{1, 0}}, {"01"}, {"11"}})),
       protocol::answer(11, json_of(TimeOfImpact{TimeOfImpact::Status::hit, 0.5, Interval{0.25, 0.5}, 1e-9})),
-      protocol::answer(12, json_of(Trajectory{{{State{}}}, std::vector{Event{}, two_bodies()}, 0.5, "why"})),
+      protocol::answer(
+          12,
+          json_of(Trajectory{{{State{}}}, std::vector{Event{}, two_bodies()}, 0.5, "why", ContactSolver{3, 1, 0.25}})),
       protocol::answer(7, json_of(Penetration{Verdict::overlapping, 1.0, Vec3(0, 0, 1)}))};
   for (std::string& line : lines) line.pop_back();
   CHECK(by_schema(lines) == std::vector<std::string>(lines.size(), "ok"));

@@ -45,7 +45,7 @@ void expect(const Scene& scene, const Vec3& p_WB, const Velocity& velocity, cons
     const Answer<Trajectory> answer = subject->simulation(scene);
     if (std::holds_alternative<Abstains>(answer)) continue;
     REQUIRE(std::holds_alternative<Trajectory>(answer));
-    const auto& [states, events, complete_until, gave_up] = std::get<Trajectory>(answer);
+    const auto& [states, events, complete_until, gave_up, solver] = std::get<Trajectory>(answer);
     if (complete_until) continue;  // the reference stops at rest, and reports that
     REQUIRE(states.size() == scene.motion->sample_times.size());
     REQUIRE(states.back().size() == scene.bodies.size());

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "fast/contact/parting.h"
 #include "fast/lin_canny/proximity.h"
 
 namespace touchstone::fast::simulation {

@@ -33,11 +33,11 @@ void Island::sleep() {
   waits_ = false;
 }
 
-void Island::end_step(double time) {
+std::optional<double> Island::end_step(double time) {
   waits_ = true;
   const double h = time - since_;
   since_ = time;
-  if (sleeps() || !(h > 0)) return;
+  if (sleeps() || !(h > 0)) return {};
   const StepPlan taken = plan_ && plan_->h == h ? *plan_ : solve_step(graph_, h, step_length_);
   for (std::size_t i = 0; i < graph_.bodies().size(); ++i) graph_.body(i).step_body.state = taken.stepped.after[i];
   auto constraint = taken.constraints.begin();
@@ -45,6 +45,7 @@ void Island::end_step(double time) {
     for (contact::ContactPoint& contact_point : contact_pair.contact_points)
       contact_point = (constraint++)->contact_point;
   }
+  return taken.stepped.residual;
 }
 
 bool Island::shorten(double least_share) {

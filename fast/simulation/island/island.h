@@ -30,8 +30,9 @@ class Island {
   /// `most` (s), or shorter (`shorten`, island_step.h).
   void begin_step(double steps, double most);
   void sleep();
-  /// Ends the current step at `time`: its planned end or an earlier one.
-  void end_step(double time);
+  /// Ends the current step at `time`: its planned end or an earlier one. Returns the residual of the step that was
+  /// taken (m, contact/step.h); none if time did not advance, or if the island sleeps.
+  std::optional<double> end_step(double time);
   /// Lets steps that were shortened become longer again.
   void lengthen() { longest_ *= 2; }
   /// Makes the next steps shorter for a while, but not shorter than `least_share` of the longest step. Returns false if

@@ -84,6 +84,16 @@ void take_step(Run& run, Island& island) {
   statistics.deepest = std::max(statistics.deepest, deepest(island.graph(), island.plan()));
 }
 
+/// Counts the residual of a step that was taken. Stops the run if the solver, and not the step, determines the error.
+void count_residual(Run& run, const ContactGraph& graph, double residual) {
+  Statistics& statistics = run.recorder.statistics();
+  statistics.residual = std::max(statistics.residual, residual);
+  if (residual > accuracy(graph)) ++statistics.unconverged;
+  const ContactPair& first = graph.contact_pairs().front();
+  run.guard.check_residual(residual, residual_bound(graph, run.options.contact_steps), run.world.now(), first.a,
+                           first.b);
+}
+
 /// Sets the trajectories that represent the island's step, and predicts the contacts of its bodies.
 void set_trajectories(Run& run, const Island& island) {
   const double now = run.world.now();
@@ -179,8 +189,9 @@ void cut_step(Run& run, BodyId id) {
   Island* island = run.islands.of(id);
   if (!island) return;
   const double before = energy(island->graph());
-  island->end_step(run.world.now());
+  const std::optional<double> residual = island->end_step(run.world.now());
   run.recorder.statistics().contact_loss += before - energy(island->graph());
+  if (residual) count_residual(run, island->graph(), *residual);
 }
 
 void finish_step(Run& run, BodyId id) {

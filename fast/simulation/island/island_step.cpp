@@ -12,6 +12,9 @@ namespace {
 constexpr int most_halvings = 60;                // of a step, in the search for its end at a corner that comes down
 constexpr double least_share_of_step = 0x1p-20;  // of a step: a step that short is taken even if corners overlap
 constexpr double step_tolerance = 0x1p-10;       // accuracy of a step, relative to the distance that counts as touching
+// Of distances from the origin. A gap is n·(p − q) of two points R x + c: less than 16 roundings of each, twice for the
+// change of the gap.
+constexpr double position_rounding = 0x1p-46;
 
 /// The separations of all vertices of all contact pairs (m), each along the normal of its pair.
 std::vector<double> clearances(const ContactGraph& graph, const std::vector<State>& states) {
@@ -73,10 +76,20 @@ double step_length(const ContactGraph& graph, double steps, double most) {
   return std::min(most, 1 / (steps * rate));
 }
 
+double accuracy(const ContactGraph& graph) { return step_tolerance * graph.near(); }
+
+double residual_bound(const ContactGraph& graph, double steps) {
+  double least = never, farthest = 0;
+  for (const IslandBody& island_body : graph.bodies()) {
+    farthest = std::max(farthest, length(island_body.step_body.transform().centre) + island_body.body->radius());
+    if (!island_body.fixed()) least = std::min(least, touchstone::size(island_body.body->body().shape));
+  }
+  return std::max(graph.near(), least / (steps * steps * steps)) + position_rounding * farthest;
+}
+
 StepPlan solve_step(const ContactGraph& graph, double h, double longest) {
   StepPlan plan{h, {}, constraints(graph)};
-  plan.stepped =
-      step(step_bodies(graph), plan.constraints, h, step_tolerance * graph.near(), graph.near() / std::max(h, longest));
+  plan.stepped = step(step_bodies(graph), plan.constraints, h, accuracy(graph), graph.near() / std::max(h, longest));
   return plan;
 }
 

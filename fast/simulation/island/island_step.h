@@ -24,6 +24,14 @@ StepPlan solve_step(const ContactGraph& graph, double h, double longest);
 /// A step of h, or a shorter one that ends where the first corner not yet in contact comes down.
 StepPlan plan_step(const ContactGraph& graph, double h, double longest);
 
+/// m; what the residual of a step should not exceed.
+double accuracy(const ContactGraph& graph);
+
+/// The greatest residual with which the step, and not the solver, determines the error (m). A step of second order in
+/// which bodies move by 1/`steps` of their size has a local error of the order of size/steps³. The bound is not less
+/// than the distance at which bodies touch; and rounding of positions adds to a gap.
+double residual_bound(const ContactGraph& graph, double steps);
+
 /// m; the greatest depth of two parts at the end of the step.
 double deepest(const ContactGraph& graph, const StepPlan& plan);
 

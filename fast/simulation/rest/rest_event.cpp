@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "fast/simulation/patch.h"
+#include "fast/contact/patch.h"
 #include "fast/simulation/trajectory.h"
 
 namespace touchstone::fast::simulation {
@@ -76,7 +76,9 @@ std::optional<RestingContact> closed_form_rest(const World& world, const RestCan
     return ball_on_face(body, on, candidate.state, now, candidate.nhat_W, acceleration, friction, load);
   }
   const double rest_speed = 4 * micro_bounce_speed(-candidate.nhat_W.dot(acceleration), world.envelope());
-  const std::vector<Vec3> corners = patch(body, on, now, candidate.nhat_W, body.path().place(now), world.envelope());
+  const lin_canny::CachedPose at_body(body.ballistic().pose(now)), at_on(on.ballistic().pose(now));
+  const std::vector<Vec3> corners = contact::patch(body.model().solid, at_body, on.model().solid, at_on,
+                                                   candidate.nhat_W, body.path().place(now), world.envelope());
   return body_on_face(body, on, candidate.state, now, candidate.nhat_W, corners, acceleration, friction, rest_speed);
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fast/contact/patch.h"
 #include "fast/simulation/prediction/length.h"
 
 namespace touchstone::fast::simulation {
@@ -130,7 +131,7 @@ std::optional<RestingContact> body_on_face(const BodyMotion& body, const BodyMot
              s = force_point - block.path().place(t);
   rest.lever = force_point - state.X_WB.p_WB;
   const std::optional<Eigen::Index> face = face_along(block, n, s);
-  if (!face || !supports(corners, n, force_point)) return {};
+  if (!face || !contact::supports(corners, n, force_point)) return {};
   const double edge = t + leaves_face(block, s, state.velocity.v_WBcm - V, rest.acceleration, *face);
   if (edge <= rest.until) {
     rest.until = edge;

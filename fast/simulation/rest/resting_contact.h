@@ -4,7 +4,6 @@
 #include <optional>
 
 #include "fast/simulation/impact.h"
-#include "fast/simulation/patch.h"
 
 namespace touchstone::fast::simulation {
 
@@ -52,9 +51,9 @@ std::optional<RestingContact> ball_on_face(const BodyMotion& ball, const BodyMot
                                            double t, const Vec3& nhat_W, const Vec3& gravity, double friction,
                                            double load = 1);
 
-/// The resting contact of a body that touches the face in a region with the given corners (patch.h). None unless the
-/// normal speed and the turning speed of every corner are at most `rest_speed` (m/s), the contact force goes through
-/// the region, and the slip is along the slope, if there is one.
+/// The resting contact of a body that touches the face in a region with the given corners (contact/patch.h). None
+/// unless the normal speed and the turning speed of every corner are at most `rest_speed` (m/s), the contact force goes
+/// through the region, and the slip is along the slope, if there is one.
 ///
 ///   lies:   a = 0, at slips below `rest_speed`, while |g_t| ≤ μ g_n
 ///   slides: a = g_t − μ g_n σ, until |v| + (g_t·σ − μ g_n) τ = 0, or the force point leaves the face

@@ -1,8 +1,9 @@
-// Gap, normal and contact point of two features, by hand.
+// Gap, normal and contact point of two features at poses for which they are known.
 #include "fast/contact/feature.h"
 
 #include <cmath>
 
+#include "fast/lin_canny/rotation.h"
 #include "tests/catch.h"
 
 namespace touchstone::fast::contact {
@@ -10,59 +11,59 @@ namespace {
 
 using Kind = Feature::Kind;
 
-const Vec3 none = Vec3::Zero(), x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
 const RigidTransform origin;
+const Vec3 x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
 
-Feature point(const Vec3& at, double radius = 0) { return {Kind::point, at, none, radius}; }
-Feature line(const Vec3& at, const Vec3& along) { return {Kind::line, at, along, 0}; }
-Feature plane(const Vec3& at, const Vec3& outward) { return {Kind::plane, at, outward, 0}; }
+RigidTransform at(const Vec3& centre) { return {centre, Mat3::Identity()}; }
+Feature point(double radius) { return {Kind::point, Vec3::Zero(), Vec3::Zero(), radius}; }
+Feature plane(const Vec3& on, const Vec3& normal) { return {Kind::plane, on, normal, 0}; }
+Feature line(const Vec3& along) { return {Kind::line, Vec3::Zero(), along, 0}; }
 
-TEST_CASE("feature: a body's points in the world, and back") {
-  Mat3 quarter;  // x to y, y to −x
-  quarter << 0, -1, 0, 1, 0, 0, 0, 0, 1;
-  const RigidTransform turned{{5, 0, 1}, quarter};
-  CHECK(turned.out({2, 0, 0}) == Vec3(5, 2, 1));
-  CHECK(turned.in({5, 2, 1}) == Vec3(2, 0, 0));
+void check(const Nearness& near, double gap, const Vec3& n, const Vec3& p_WC) {
+  CHECK(near.gap == Approx(gap).margin(1e-15));
+  CHECK((near.nhat_BA_W - n).norm() < 1e-15);
+  CHECK((near.p_WC - p_WC).norm() < 1e-15);
 }
 
-TEST_CASE("feature: a ball over a plane, from either side") {
-  const Nearness over = nearness(point({3, 4, 2}, 0.5), origin, plane(none, z), origin, z);
-  CHECK(over.gap == 1.5);
-  CHECK(over.nhat_BA_W == z);
-  CHECK(over.p_WC == Vec3(3, 4, 1.5));
-  const Nearness under = nearness(plane(none, z), origin, point({3, 4, 2}, 0.5), origin, z);
-  CHECK(under.gap == 1.5);
-  CHECK(under.nhat_BA_W == -z);
-  CHECK(under.p_WC == Vec3(3, 4, 0));  // on A, which is the plane
-  CHECK(nearness(point({0, 0, -1}), origin, plane(none, z), origin, z).gap == -1);
+TEST_CASE("feature: a ball of radius 1/2 with its centre 2 above a plane has a gap of 3/2") {
+  check(nearness(point(0.5), at({1, 2, 3}), plane(z, z), origin, z), 1.5, z, {1, 2, 2.5});
 }
 
-TEST_CASE("feature: two edges that cross, with the sign that is asked for") {
-  for (const double side : {1.0, -1.0}) {
-    const Nearness near = nearness(line({-7, 2, 3}, x), origin, line({1, 9, 1}, y), origin, side * z);
-    CHECK(near.gap == 2 * side);  // below zero: seen from the other side they overlap
-    CHECK(near.nhat_BA_W == side * z);
-    CHECK((near.p_WC - Vec3(1, 2, 3)).norm() < 1e-14);
-  }
+TEST_CASE("feature: the plane may be A's; then the normal is the opposite, and the contact point is on the plane") {
+  check(nearness(plane(z, z), origin, point(0.5), at({1, 2, 3}), z), 1.5, -z, {1, 2, 1});
 }
 
-TEST_CASE("feature: two balls, and a ball beside an edge") {
-  const Nearness balls = nearness(point({4, 0, 0}, 1), origin, point({0, 3, 0}, 0.5), origin, z);
-  CHECK(balls.gap == Approx(3.5));
-  CHECK((balls.nhat_BA_W - Vec3(0.8, -0.6, 0)).norm() < 1e-15);
-  CHECK((balls.p_WC - Vec3(3.2, 0.6, 0)).norm() < 1e-15);
-  const Nearness beside = nearness(line({5, 0, 0}, x), origin, point({1, 3, 4}, 1), origin, z);
-  CHECK(beside.gap == Approx(4));
-  CHECK((beside.p_WC - Vec3(1, 0, 0)).norm() < 1e-14);
-  const Nearness same = nearness(point(none, 1), origin, point(none, 2), origin, y);
-  CHECK(same.nhat_BA_W == y);  // no direction of its own
-  CHECK(same.gap == -3);
+TEST_CASE("feature: the pose turns a plane and moves its point") {
+  const RigidTransform turned{Vec3(0, 0, 5), lin_canny::rotation({1, 1, 0, 0})};  // y becomes z
+  check(nearness(point(0), at({7, 7, 7}), plane(y, y), turned, z), 1, z, {7, 7, 7});
 }
 
-TEST_CASE("feature: features move with their bodies") {
-  const RigidTransform lifted{{0, 0, 4}, Mat3::Identity()};
-  CHECK(nearness(point({0, 0, 1}), lifted, plane(none, z), origin, z).gap == 5);
-  CHECK(nearness(point({0, 0, 1}), origin, plane(none, z), lifted, z).gap == -3);
+TEST_CASE("feature: two lines that cross at a height of 2; `about` decides on the sign") {
+  check(nearness(line(x), at(2 * z), line(y), origin, z), 2, z, 2 * z);
+  check(nearness(line(x), at(2 * z), line(y), origin, -z), -2, -z, 2 * z);
+}
+
+TEST_CASE("feature: skew lines at 60 degrees, through other points than the nearest ones") {
+  const Vec3 e(0.5, std::sqrt(0.75), 0);
+  // The nearest points are those above each other, at the origin; A's line is given by a point 3 along it.
+  check(nearness(line(x), at({3, 0, 1}), line(e), at(2 * e), z), 1, z, z);
+}
+
+TEST_CASE("feature: a ball beside a line 5 away touches along the shortest connection, in either order") {
+  const Vec3 n(0, 0.6, 0.8);
+  check(nearness(point(1), at({9, 3, 4}), line(x), origin, z), 4, n, Vec3(9, 3, 4) - n);
+  check(nearness(line(x), origin, point(1), at({9, 3, 4}), z), 4, -n, {9, 0, 0});
+}
+
+TEST_CASE("feature: two balls that overlap by 1; without a connection the normal is `about`") {
+  check(nearness(point(2), at(4 * x), point(3), origin, z), -1, x, 2 * x);
+  check(nearness(point(2), origin, point(3), origin, y), -5, y, -2 * y);
+}
+
+TEST_CASE("feature: a rigid transform and its inverse") {
+  const RigidTransform X{Vec3(1, 2, 3), lin_canny::rotation({1, 0, 0, 1})};  // x becomes y
+  CHECK((X.out(x) - Vec3(1, 3, 3)).norm() < 1e-15);
+  CHECK((X.in(X.out({4, 5, 6})) - Vec3(4, 5, 6)).norm() < 1e-15);
 }
 
 }  // namespace

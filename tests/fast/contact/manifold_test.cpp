@@ -1,94 +1,93 @@
-// Contact points of boxes and balls that lie on each other.
+// Contact points of cubes, edges and balls on a plate, whose corners are known.
 #include "fast/contact/manifold.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "fast/motion/rigid_body_model.h"
 #include "tests/catch.h"
-#include "tests/fast/simulation/scenes.h"
+#include "tests/fast/contact/posed.h"
 
 namespace touchstone::fast::contact {
 namespace {
 
-const Vec3 up(0, 0, 1);
-constexpr double within = 0x1p-10;
+using Kind = Feature::Kind;
 
-/// One convex body at its pose.
-struct Solo {
-  explicit Solo(Body given) : body(std::move(given)), model(body) {}
-  Part part() const {
-    const lin_canny::CachedPose pose(body.X_WB);
-    return part_of(model.solid.parts()[0], pose, {body.X_WB.p_WB, lin_canny::rotation(body.X_WB.q_WB)});
+constexpr double within = 0x1p-20;
+const Vec3 x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
+
+/// Checks where the contact points are, on A, in W; their order is free.
+void check_places(const Posed& A, const Posed& B, const std::vector<Vec3>& expected) {
+  const std::vector<ContactPoint> points = contact_points(A.part(), B.part(), z, within);
+  CHECK(points.size() == expected.size());
+  for (const Vec3& place : expected) {
+    INFO(place.transpose());
+    CHECK(std::ranges::any_of(points, [&](const ContactPoint& point) {
+      const Vec3 found = nearness(point.a, A.part().body, point.b, B.part().body, z).p_WC;
+      return (found - place).norm() < within / 8;  // a point may be as far beside a face as within/16
+    }));
   }
+}
 
-  Body body;
-  motion::RigidBodyModel model;
-};
-
-/// Where A touches B, sorted; each point must have no gap.
-std::vector<Vec3> points(const Body& a, const Body& b) {
-  const Solo A(a), B(b);
-  const Part part_a = A.part(), part_b = B.part();
-  std::vector<Vec3> points;
-  for (const ContactPoint& point : contact_points(part_a, part_b, up, within)) {
-    const Nearness near = nearness(point.a, part_a.body, point.b, part_b.body, up);
-    CHECK(std::abs(near.gap) < 1e-14);
-    points.push_back(near.p_WC);
+TEST_CASE("manifold: a cube on a plate stands on its four corners, points over the plate's plane") {
+  const Posed A(cube(), 2 * z), B(plate(), Vec3::Zero());
+  check_places(A, B, {{-1, -1, 1}, {-1, 1, 1}, {1, -1, 1}, {1, 1, 1}});
+  for (const ContactPoint& point : contact_points(A.part(), B.part(), z, within)) {
+    CHECK(point.a.kind == Kind::point);
+    CHECK(point.a.at.z() == Approx(-1));
+    CHECK(point.b.kind == Kind::plane);
+    CHECK((point.b.along - z).norm() < 1e-15);
+    CHECK(point.P_A_W == Vec3(0, 0, 0));
   }
-  std::ranges::sort(points, [](const Vec3& p, const Vec3& q) {
-    return std::abs(p.x() - q.x()) > 1e-9 ? p.x() < q.x() : p.y() < q.y();
-  });
-  return points;
 }
 
-void check_points(const std::vector<Vec3>& found, const std::vector<Vec3>& expected, double tolerance = 1e-12) {
-  REQUIRE(found.size() == expected.size());
-  for (std::size_t i = 0; i < found.size(); ++i) CHECK((found[i] - expected[i]).norm() < tolerance);
+TEST_CASE("manifold: a cube over the plate's side stands on the common rectangle, beside it on nothing") {
+  const Posed B(plate(), Vec3::Zero());
+  check_places(Posed(cube(), Vec3(4, 0, 2)), B, {{3, -1, 1}, {3, 1, 1}, {4, -1, 1}, {4, 1, 1}});
+  check_places(Posed(cube(), Vec3(4, 4, 2)), B, {{3, 3, 1}, {3, 4, 1}, {4, 3, 1}, {4, 4, 1}});
+  check_places(Posed(cube(), Vec3(6, 0, 2)), B, {});
 }
 
-TEST_CASE("manifold: a box on a face touches at its four corners") {
-  check_points(points(brick({1, 2, 1}, {0, 0, 1}, {}), table()), {{-1, -2, 0}, {-1, 2, 0}, {1, -2, 0}, {1, 2, 0}});
-  // The larger one above: the corners are those of the smaller face, or at most a sixteenth of `within` beside them.
-  check_points(points(brick({5, 5, 1}, {0, 0, 1}, {}), brick({1, 2, 1}, {0, 0, -1}, {})),
-               {{-1, -2, 0}, {-1, 2, 0}, {1, -2, 0}, {1, 2, 0}}, 2 * within / 16);
+TEST_CASE("manifold: the plane is A's if B has no face there") {
+  const Posed A(plate(), (1 + std::sqrt(2.0)) * z),
+      B(cube(), Vec3::Zero(), eighth_turn(x));  // B's upper edge is along x
+  const std::vector<ContactPoint> points = contact_points(A.part(), B.part(), z, within);
+  REQUIRE(points.size() == 2);
+  CHECK(points[0].a.kind == Kind::plane);
+  CHECK(points[0].b.kind == Kind::point);
 }
 
-TEST_CASE("manifold: two faces that overlap in part touch at the corners of what they share") {
-  const double beside = within / 16;  // a point may be that far outside of a face
-  const std::vector<Vec3> found = points(brick({1, 1, 1}, {1.5, 0.5, 1}, {}), brick({1, 1, 1}, {0, 0, -1}, {}));
-  REQUIRE(found.size() == 4);
-  for (const Vec3& p : found) {
-    CHECK(std::min(std::abs(p.x() - 0.5), std::abs(p.x() - 1)) <= 2 * beside);
-    CHECK(std::min(std::abs(p.y() + 0.5), std::abs(p.y() - 1)) <= 2 * beside);
-  }
-  CHECK(points(brick({1, 1, 1}, {2.5, 0, 1}, {}), brick({1, 1, 1}, {0, 0, -1}, {})).empty());
+TEST_CASE("manifold: an edge on a plate stands on its two ends, or on the end and where it leaves the plate") {
+  const double height = 1 + std::sqrt(2.0);
+  const Posed B(plate(), Vec3::Zero());
+  check_places(Posed(cube(), height * z, eighth_turn(x)), B, {{-1, 0, 1}, {1, 0, 1}});
+  check_places(Posed(cube(), Vec3(4, 0, height), eighth_turn(x)), B, {{3, 0, 1}, {4, 0, 1}});
 }
 
-TEST_CASE("manifold: an edge on a face has two points, a corner and a ball have one") {
-  const double diagonal = std::sqrt(2.0);
-  Body on_edge = brick({1, 2, 1}, {0, 0, diagonal}, {});
-  on_edge.X_WB.q_WB = {std::cos(std::atan(1) / 2), 0, std::sin(std::atan(1) / 2), 0};  // 45° about y
-  check_points(points(on_edge, table()), {{0, -2, 0}, {0, 2, 0}});
-  check_points(points(ball(1, {3, 0, 1}, Vec3::Zero(), {}), table()), {{3, 0, 0}});
+TEST_CASE("manifold: two edges that cross touch in one point, two that are parallel along their common part") {
+  const double height = 2 * std::sqrt(2.0);
+  const Posed across(cube(), Vec3::Zero(), eighth_turn(y)), along(cube(), Vec3::Zero(), eighth_turn(x));
+  const Posed A(cube(), Vec3(1, 0, height), eighth_turn(x));
+  check_places(A, across, {{0, 0, std::sqrt(2.0)}});
+  CHECK(contact_points(A.part(), across.part(), z, within).front().a.kind == Kind::line);
+  check_places(A, along, {{0, 0, std::sqrt(2.0)}, {1, 0, std::sqrt(2.0)}});
 }
 
-TEST_CASE("manifold: two edges that cross touch at the crossing") {
-  const double half = std::sqrt(2.0), c = std::cos(std::atan(1) / 2), s = std::sin(std::atan(1) / 2);
-  Body above = brick({1, 2, 1}, {0.25, 0, half}, {}), below = brick({2, 1, 1}, {0, 0.5, -half}, {});
-  above.X_WB.q_WB = {c, 0, s, 0};  // its lowest edge is along y, at x = 0.25
-  below.X_WB.q_WB = {c, s, 0, 0};  // its highest edge is along x, at y = 0.5
-  check_points(points(above, below), {{0.25, 0.5, 0}});
+TEST_CASE("manifold: a ball touches with its centre as a point with a radius") {
+  const Posed ball(Sphere{0.5}, Vec3(1, 2, 1.5)), B(plate(), Vec3::Zero());
+  check_places(ball, B, {{1, 2, 1}});
+  CHECK(contact_points(ball.part(), B.part(), z, within).front().a.radius == 0.5);
+  const Posed edge(cube(), Vec3::Zero(), eighth_turn(x));
+  const Posed above(Sphere{0.5}, Vec3(0.25, 0, std::sqrt(2.0) + 0.5));
+  check_places(above, edge, {{0.25, 0, std::sqrt(2.0)}});
+  CHECK(contact_points(above.part(), edge.part(), z, within).front().b.kind == Kind::line);
 }
 
-TEST_CASE("manifold: a point between two given ones keeps their connection as its normal") {
-  const Solo A(brick({1, 1, 1}, {0, 0, 1}, {})), B(table());
-  const Part a = A.part(), b = B.part();
-  const ContactPoint point = contact_point_between(a, {0.5, 0, 0.25}, b, {0.5, 0, 0}, up);
-  const Nearness near = nearness(point.a, a.body, point.b, b.body, up);
-  CHECK(near.gap == Approx(0.25));
-  CHECK(near.nhat_BA_W == up);
-  CHECK(near.p_WC == Vec3(0.5, 0, 0.25));
+TEST_CASE("manifold: a contact point between two given points is A's point over B's plane") {
+  const Posed A(cube(), 3 * z), B(cube(), Vec3::Zero());
+  const ContactPoint point = contact_point_between(A.part(), {0.5, 0, 2}, B.part(), {0.25, 0, 1}, z);
+  const Nearness near = nearness(point.a, A.part().body, point.b, B.part().body, z);
+  CHECK(near.gap == 1);
+  CHECK(near.p_WC == Vec3(0.5, 0, 2));
 }
 
 }  // namespace

@@ -70,5 +70,15 @@ TEST_CASE("stall guard: events, micro-bounces and steps up to their limits are a
   CHECK(guard.stopped()->time == 2);
 }
 
+TEST_CASE("stall guard: a residual up to its bound is allowed") {
+  StallGuard guard({}, 1, 8, 2);
+  guard.check_residual(0.25, 0.25, 3, 0, 1);
+  CHECK_FALSE(guard.stopped().has_value());
+  guard.check_residual(0.375, 0.25, 3, 0, 1);
+  REQUIRE(guard.stopped().has_value());
+  CHECK_THAT(guard.stopped()->why, Catch::Contains("could not be solved"));
+  CHECK(guard.stopped()->time == 3);
+}
+
 }  // namespace
 }  // namespace touchstone::fast::simulation

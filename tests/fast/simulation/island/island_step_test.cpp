@@ -45,6 +45,17 @@ TEST_CASE("island step: a ball that lies on a table stays there, and its contact
   CHECK(deepest(graph, plan) <= near / 1024);
 }
 
+TEST_CASE("island step: a residual may be size/steps^3, or what counts as touching, and what rounding adds") {
+  const IslandBodies bodies({ball(1, {0, 0, 1}, still, {}), ball(0.5, {0, 3, 0.5}, still, {}), table()}, g);
+  const ContactGraph graph = bodies.graph(0x1p-30, reach);
+  CHECK(accuracy(graph) == 0x1p-40);
+  CHECK(residual_bound(graph, 32) ==
+        Approx(0.5 / 32768).epsilon(1e-6));  // the smaller ball's; the table does not count
+  CHECK(residual_bound(graph, 1e6) == Approx(0x1p-30).epsilon(0.01));
+  const IslandBodies far({ball(1, {0x1p30, 0, 1}, still, {})}, g);
+  CHECK(residual_bound(far.graph(0x1p-30, reach), 1e6) == Approx(0x1p-16).epsilon(1e-3));
+}
+
 TEST_CASE("island step: a step ends where a ball that did not touch comes down") {
   const IslandBodies bodies({ball(1, {0, 0, 1.0625}, {0, 0, -1}, {}), table()}, still);
   const ContactGraph graph = bodies.graph(near, reach);

@@ -1,13 +1,11 @@
-#include "fast/constraint/active_set.h"
+#include "fast/contact/active_set.h"
 
 #include <Eigen/QR>
 
-#include "fast/constraint/cross_matrix.h"
+#include "fast/contact/cross_matrix.h"
 
-namespace touchstone::fast::constraint {
+namespace touchstone::fast::contact {
 namespace {
-
-constexpr double on_the_rim = 1 - 0x1p-20;
 
 /// Velocity of the body at `at` per unit impulse at `by`.
 Mat3 response(const Mobility& body, const Vec3& at, const Vec3& by) {
@@ -15,7 +13,7 @@ Mat3 response(const Mobility& body, const Vec3& at, const Vec3& by) {
 }
 
 /// Velocity u at one contact per unit impulse at another.
-Mat3 coupling(const Touch& at, const Touch& by, const std::vector<Mobility>& bodies) {
+Mat3 coupling(const ContactRow& at, const ContactRow& by, const std::vector<Mobility>& bodies) {
   Mat3 K = Mat3::Zero();
   if (at.a == by.a) K += response(bodies[static_cast<std::size_t>(at.a)], at.arm_A, by.arm_A);
   if (at.b == by.b) K += response(bodies[static_cast<std::size_t>(at.b)], at.arm_B, by.arm_B);
@@ -26,40 +24,40 @@ Mat3 coupling(const Touch& at, const Touch& by, const std::vector<Mobility>& bod
 
 }  // namespace
 
-void solve_active_set(std::vector<Touch>& touches, const std::vector<Mobility>& bodies, std::vector<Twist>& twists) {
+void solve_active_set(std::vector<ContactRow>& rows, const std::vector<Mobility>& bodies, std::vector<Twist>& twists) {
   std::vector<std::size_t> closed;
-  for (std::size_t i = 0; i < touches.size(); ++i) {
-    if (!touches[i].P.isZero(0)) closed.push_back(i);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (!rows[i].P.isZero(0)) closed.push_back(i);
   }
   const auto size = static_cast<Eigen::Index>(3 * closed.size());
   Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(size, size);
   Eigen::VectorXd rest = Eigen::VectorXd::Zero(size);
   for (std::size_t i = 0; i < closed.size(); ++i) {
-    const Touch& touch = touches[closed[i]];
-    const auto row = static_cast<Eigen::Index>(3 * i);
-    const Vec3 u = relative_velocity(touch, twists);
-    const double P_n = touch.n.dot(touch.P);
-    const Vec3 P_t = touch.P - P_n * touch.n;
-    const Mat3 normal = touch.n * touch.n.transpose(), across = Mat3::Identity() - normal;
-    const bool slips = P_t.norm() >= touch.friction * P_n * on_the_rim;
-    // All rows are velocities: the slip condition, an equation between impulses, is multiplied by K_tt.
+    const ContactRow& row = rows[closed[i]];
+    const auto at = static_cast<Eigen::Index>(3 * i);
+    const Vec3 u = relative_velocity(row, twists);
+    const double P_n = row.n.dot(row.P);
+    const Vec3 P_t = row.P - P_n * row.n;
+    const Mat3 normal = row.n * row.n.transpose(), across = Mat3::Identity() - normal;
+    const bool slips = !sticks(row);
+    // All equations are between velocities: the slip condition, an equation between impulses, is multiplied by K_tt.
     const Mat3 of_velocity = slips ? normal : Mat3::Identity();
     for (std::size_t j = 0; j < closed.size(); ++j) {
       const auto column = static_cast<Eigen::Index>(3 * j);
-      matrix.block<3, 3>(row, column) = of_velocity * coupling(touch, touches[closed[j]], bodies);
+      matrix.block<3, 3>(at, column) = of_velocity * coupling(row, rows[closed[j]], bodies);
     }
-    rest.segment<3>(row) = touch.least_u_n * touch.n - of_velocity * u;
+    rest.segment<3>(at) = row.least_u_n * row.n - of_velocity * u;
     if (!slips) continue;
     // P_t stays the same multiple of P_n: dP_t = (P_t/P_n) dP_n.
     const Vec3 d = P_n > 0 ? Vec3(P_t / P_n) : Vec3::Zero();
-    matrix.block<3, 3>(row, row) += touch.K_tt * (across - d * touch.n.transpose());
+    matrix.block<3, 3>(at, at) += row.K_tt * (across - d * row.n.transpose());
   }
   if (closed.empty()) return;
   const Eigen::VectorXd dP = matrix.completeOrthogonalDecomposition().solve(rest);
   for (std::size_t i = 0; i < closed.size(); ++i) {
-    push(touches[closed[i]], dP.segment<3>(static_cast<Eigen::Index>(3 * i)), bodies, twists);
-    touches[closed[i]].P += dP.segment<3>(static_cast<Eigen::Index>(3 * i));
+    apply_impulse(rows[closed[i]], dP.segment<3>(static_cast<Eigen::Index>(3 * i)), bodies, twists);
+    rows[closed[i]].P += dP.segment<3>(static_cast<Eigen::Index>(3 * i));
   }
 }
 
-}  // namespace touchstone::fast::constraint
+}  // namespace touchstone::fast::contact

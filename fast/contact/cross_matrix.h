@@ -3,7 +3,7 @@
 
 #include "model/frame.h"
 
-namespace touchstone::fast::constraint {
+namespace touchstone::fast::contact {
 
 inline Mat3 cross_matrix(const Vec3& r) {
   Mat3 M;
@@ -11,4 +11,4 @@ inline Mat3 cross_matrix(const Vec3& r) {
   return M;
 }
 
-}  // namespace touchstone::fast::constraint
+}  // namespace touchstone::fast::contact

@@ -1,0 +1,34 @@
+#include "fast/contact/support.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace touchstone::fast::contact {
+
+double lowest(const lin_canny::PosedHull& hull, const Vec3& n) {
+  double low = std::numeric_limits<double>::infinity();
+  for (int v = 0; v < hull.hull->vertex_count(); ++v) low = std::min(low, n.dot(hull.vertex(v)));
+  return low;
+}
+
+SupportingFace supporting_face(const lin_canny::PosedHull& hull, const Vec3& out) {
+  const Vec3 d = hull.turned_in(out);
+  SupportingFace best;
+  for (int f = 0; f < hull.hull->face_count(); ++f) {
+    const double cosine = hull.hull->face(f).normal.dot(d);
+    if (f == 0 || cosine > best.cosine) best = {f, cosine};
+  }
+  return best;
+}
+
+Vec3 face_normal(const lin_canny::PosedHull& hull, int face) { return hull.turned_out(hull.hull->face(face).normal); }
+
+std::vector<Vec3> face_corners(const lin_canny::PosedHull& hull, int face) {
+  const lin_canny::Hull::Face& polygon = hull.hull->face(face);
+  std::vector<Vec3> corners;
+  for (int i = 0; i < polygon.corner_count; ++i)
+    corners.push_back(hull.vertex(hull.hull->corner(polygon.first_corner + i)));
+  return corners;
+}
+
+}  // namespace touchstone::fast::contact
