@@ -98,6 +98,7 @@ FirstContact first_contact(const motion::BallisticMotion& a, const motion::Balli
   }
   FirstContact met{Status::miss, until, until, 0, Vec3::Zero(), Vec3::Zero()};
   int queries = 0;
+  bool is_cut_off = false;
   auto place = memory.begin();
   for (std::size_t i = 0; i < a.model().solid.parts().size(); ++i) {
     for (std::size_t j = 0; j < b.model().solid.parts().size(); ++j, ++place) {
@@ -105,10 +106,12 @@ FirstContact first_contact(const motion::BallisticMotion& a, const motion::Balli
       const double end = met.status == Status::hit ? met.hi : until;
       const FirstContact found = time_of_impact::advance(pair, from, end, envelope, *place);
       queries += found.queries;
+      is_cut_off = is_cut_off || found.is_cut_off;
       if (found.status != Status::miss) met = met.status == Status::miss ? found : either(met, found);
     }
   }
   met.queries = queries;
+  met.is_cut_off = is_cut_off && met.status == Status::undecided;
   return met;
 }
 

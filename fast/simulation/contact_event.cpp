@@ -22,10 +22,15 @@ std::optional<Touch> contact_of(Run& run, const PairEvent& pair) {
   return has_closed_form(a, b) ? nearest : fastest_approach(run, pair.a, pair.b).value_or(nearest);
 }
 
-/// A body that touches another one in a closed form, if there is one, now.
-std::optional<RestCandidate> resting(const World& world, const PairEvent& pair, const Touch& touch) {
-  std::optional<RestCandidate> candidate = rest_candidate(world, pair.a, pair.b, touch);
-  return candidate && closed_form_rest(world, *candidate, 1) ? candidate : std::nullopt;
+/// A body that may start to rest now, and its closed form, if there is one.
+struct Resting {
+  std::optional<RestCandidate> candidate;
+  std::optional<RestingContact> contact;
+};
+
+Resting resting(const World& world, const PairEvent& pair, const Touch& touch) {
+  const std::optional<RestCandidate> candidate = rest_candidate(world, pair.a, pair.b, touch);
+  return {candidate, candidate ? closed_form_rest(world, *candidate, 1) : std::nullopt};
 }
 
 /// Micro-bounces after an impact that would all stay within the envelope are completed at once. The first has the speed
@@ -48,14 +53,13 @@ void respond(Run& run, const PairEvent& pair, const Touch& touch) {
                           world.had_impact_now(pair.b);
   const ContactSpeeds speeds =
       contact_speeds(world, run.islands, pair.a, pair.b, touch, normal_velocity(a, at_a, b, at_b, touch), in_contact);
-  const std::optional<RestCandidate> rest =
-      speeds.is_slow() && !in_contact ? resting(world, pair, touch) : std::nullopt;
-  switch (classify(speeds, rest.has_value(), run.options.micro_collisions)) {
+  const Resting rest = speeds.is_slow() && !in_contact ? resting(world, pair, touch) : Resting{};
+  switch (classify(speeds, rest.contact.has_value(), run.options.micro_collisions)) {
     case Response::later:
       return schedule_later(run, pair.a, pair.b);
     case Response::rest:
-      try_rest(run, *rest, world.body(rest->id).path().velocity(world.now()), {}, world.now());
-      return;
+      return start_rest(run, *rest.candidate, *rest.contact,
+                        world.body(rest.candidate->id).path().velocity(world.now()));
     case Response::join_island:
       return merge_islands(run, pair.a, pair.b) ? void() : schedule_later(run, pair.a, pair.b);
     case Response::micro_collision:
@@ -93,10 +97,12 @@ void resolve_contact(Run& run, const PairEvent& pair) {
   if (!run.guard.makes_progress(world.now(), pair.a, pair.b)) return;
   if (run.rests.rests_on(pair.a, pair.b)) return end_rest_phase(run, pair.a);
   if (run.rests.rests_on(pair.b, pair.a)) return end_rest_phase(run, pair.b);
+  if (run.schedule.was_cut_off(pair.a, pair.b))
+    return run.guard.stop(world.now(), pair.a, pair.b, "a first contact takes more separation queries than allowed");
   if (run.islands.of(pair.a) || run.islands.of(pair.b)) return resolve_island_contact(run, pair);
   if (!positions_resolved(world.body(pair.a), world.body(pair.b), world.now()))
-    return run.guard.stop({world.now(), static_cast<int>(pair.a), static_cast<int>(pair.b),
-                           "rounding moves the two by more than a thousandth of the smaller one"});
+    return run.guard.stop(world.now(), pair.a, pair.b,
+                          "rounding moves the two by more than a thousandth of the smaller one");
   const std::optional<Touch> touch = contact_of(run, pair);
   if (!touch) return recheck(run, pair.a, pair.b);
   respond(run, pair, *touch);

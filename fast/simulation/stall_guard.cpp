@@ -12,10 +12,6 @@ constexpr std::int64_t iterations_per_body = 16;
 constexpr int queries_per_iteration = 64;  // so many separation queries cost about one iteration, and count as one
 constexpr std::int64_t iterations_without_progress = 512;
 
-Stopped at_pair(double now, BodyId a, BodyId b, const char* why) {
-  return {now, static_cast<int>(a), static_cast<int>(b), why};
-}
-
 }  // namespace
 
 StallGuard::StallGuard(const SimulationOptions& options, double frame, double end, std::size_t bodies)
@@ -29,8 +25,12 @@ bool StallGuard::makes_progress(double now, BodyId a, BodyId b) {
     iterations_ = 0;
   }
   if (++iterations_ <= most_iterations_) return true;
-  stop(at_pair(now, a, b, "time hardly goes on"));
+  stop(now, a, b, "time hardly goes on");
   return false;
+}
+
+void StallGuard::stop(double now, BodyId a, std::optional<BodyId> b, const char* why) {
+  stopped_ = Stopped{now, static_cast<int>(a), b ? static_cast<int>(*b) : -1, why};
 }
 
 void StallGuard::count_queries(int queries) { iterations_ += queries / queries_per_iteration; }
@@ -38,21 +38,21 @@ void StallGuard::count_queries(int queries) { iterations_ += queries / queries_p
 void StallGuard::count_lost_resolution() { iterations_ += iterations_without_progress; }
 
 void StallGuard::check_events(const Statistics& statistics, double now, BodyId a, BodyId b) {
-  if (statistics.events() > options_.most_events) stop(at_pair(now, a, b, "more events than allowed"));
+  if (statistics.events() > options_.most_events) stop(now, a, b, "more events than allowed");
   if (statistics.of(Event::Kind::micro_collision) > options_.most_micro_bounces) {
-    stop(at_pair(now, a, b, "a resting contact takes more micro-bounces than allowed"));
+    stop(now, a, b, "a resting contact takes more micro-bounces than allowed");
   }
 }
 
 void StallGuard::check_residual(double residual, double bound, double now, BodyId a, BodyId b) {
   if (residual > bound) {
-    stop(at_pair(now, a, b, "contacts could not be solved: they are off by more than a step of this length explains"));
+    stop(now, a, b, "contacts could not be solved: they are off by more than a step of this length explains");
   }
 }
 
 void StallGuard::check_steps(const Statistics& statistics, double now, BodyId a, BodyId b) {
   if (statistics.contact_steps > options_.most_contact_steps) {
-    stop(at_pair(now, a, b, "contacts that take more steps than allowed"));
+    stop(now, a, b, "contacts that take more steps than allowed");
   }
 }
 

@@ -28,7 +28,8 @@ class StallGuard {
   /// Stops the run if the residual of a step (m) exceeds its bound.
   void check_residual(double residual, double bound, double now, BodyId a, BodyId b);
 
-  void stop(const Stopped& stopped) { stopped_ = stopped; }
+  /// Stops the run at the pair, or at a alone.
+  void stop(double now, BodyId a, std::optional<BodyId> b, const char* why);
   const std::optional<Stopped>& stopped() const { return stopped_; }
 
  private:

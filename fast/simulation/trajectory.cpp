@@ -11,7 +11,7 @@ namespace {
 /// For a tumbling body a frame may be too long even if it restarts; then the run stops.
 void keep_orientation(Run& run, BodyId id) {
   if (run.world.keep_orientation(id, run.schedule.frame_end())) return;
-  run.guard.stop({run.world.now(), static_cast<int>(id), -1, "tumbles too fast to be followed for a frame"});
+  run.guard.stop(run.world.now(), id, {}, "tumbles too fast to be followed for a frame");
 }
 
 }  // namespace

@@ -66,7 +66,9 @@ class Advance {
       if (const std::optional<FirstContact> met = touch(query)) return *met;
       if (t_ >= until_) return apart();
     }
-    return doubtful(t_, until_, SeparationQuery(pair_, t_, memory_, known_).at_most());
+    FirstContact met = doubtful(t_, until_, SeparationQuery(pair_, t_, memory_, known_).at_most());
+    met.is_cut_off = true;
+    return met;
   }
 
   int queries() const { return queries_; }
@@ -88,6 +90,7 @@ class Advance {
     for (double h = first_wait(query);; h *= 2) {
       const double t = std::min(t_ + h, until_);
       lin_canny::FeaturePair memory = memory_;
+      ++queries_;
       const SeparationQuery next(pair_, t, memory, known_);
       if (next.overlap(query)) return hit(query, t);
       if (next.plane().is_clear()) {

@@ -25,6 +25,7 @@ struct FirstContact {
   Vec3 p_WC = Vec3::Zero();       ///< hit only: midway between the witness points at `lo`
   Vec3 nhat_BA_W = Vec3::Zero();  ///< from b to a
   int queries = 0;                ///< cost: the number of separation queries
+  bool is_cut_off = false;        ///< undecided only: the search needed more separation queries than it may take
 };
 
 /// Requires until ≥ from ≥ both motions' since(), and that the two bodies do not overlap at `from`.

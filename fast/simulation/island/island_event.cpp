@@ -70,9 +70,11 @@ bool try_closed_form(Run& run, const ContactGraph& graph) {
   const Vec3 v_before = body.state().velocity.v_WBcm;
   World& world = run.world;
   world.body(candidate.id).restart(world.now(), candidate.state, world.acceleration(candidate.id));
-  if (!closed_form_rest(world, candidate, 1)) return false;
+  const std::optional<RestingContact> rest = closed_form_rest(world, candidate, 1);
+  if (!rest) return false;
   run.islands.take(candidate.id);
-  return try_rest(run, candidate, v_before, {}, world.now());
+  start_rest(run, candidate, *rest, v_before);
+  return true;
 }
 
 void take_step(Run& run, Island& island) {

@@ -39,6 +39,8 @@ class CollisionSchedule {
 
   /// The nearest points of a pair at time t, which must not be before the start of both trajectories. Requires a < b.
   Touch nearest_points(BodyId a, BodyId b, double t);
+  /// Whether the last search of the pair ended by its limit of queries, before it found a contact. Requires a < b.
+  bool was_cut_off(BodyId a, BodyId b) { return search_memory(a, b).is_cut_off; }
   /// What is remembered of a pair, for the search and for the response. Requires a < b.
   PairMemory& memory(BodyId a, BodyId b);
 

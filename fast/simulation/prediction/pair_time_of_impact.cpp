@@ -116,6 +116,8 @@ double by_advancement(const BodyMotion& a, const BodyMotion& b, double from, dou
     const FirstContact found =
         fast::first_contact(a.ballistic(), b.ballistic(), from, until, envelope, memory.features, inflation);
     memory.queries += found.queries;
+    memory.is_cut_off = found.is_cut_off;
+    if (found.is_cut_off) return found.lo;
     if (found.status == TimeOfImpact::Status::hit) {
       if (envelope == 0) return found.hi;
       memory.time = found.lo;

@@ -20,8 +20,9 @@ struct Touch {
 /// What is kept of a pair between queries.
 struct PairMemory {
   std::vector<lin_canny::FeaturePair> features;  ///< for each pair of parts, where its closest-feature walk ended
-  int queries = 0;   ///< separation queries of the last call of first_contact (fast/time_of_impact.h)
-  double time = -1;  ///< s; time of the contact found last
+  int queries = 0;          ///< separation queries of the last call of first_contact (fast/time_of_impact.h)
+  bool is_cut_off = false;  ///< that call needed more queries than it may take; it searched up to its result
+  double time = -1;         ///< s; time of the contact found last
   Touch touch;
   double separating_at = -1;   ///< s; when the touching pair was last found to separate
   std::uint64_t impacts = 0;   ///< of the two bodies, with any body, by then

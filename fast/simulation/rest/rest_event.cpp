@@ -34,25 +34,30 @@ void record_contact(Run& run, Event::Kind kind, BodyId id, const Vec3& v_before,
   run.recorder.record(rest_event(run, kind, id, state, id < run.rests.of(id)->on ? P : -P));
 }
 
-/// Sets the body's trajectory in the resting contact. Returns false if there is no closed form.
-bool start_rest(Run& run, const RestCandidate& candidate, const MicroBounces& bounces, double bounces_end) {
-  std::optional<RestingContact> rest = closed_form_rest(run.world, candidate, bounces.load);
-  if (!rest) return false;
+/// Sets the body's trajectory in the resting contact.
+void set_rest(Run& run, const RestCandidate& candidate, RestingContact rest, const MicroBounces& bounces,
+              double bounces_end) {
   const double now = run.world.now();
-  if (bounces_end > now && bounces_end <= rest->until) {
-    rest->until = bounces_end;
-    rest->ends_by = RestingContact::End::bounces_end;
+  if (bounces_end > now && bounces_end <= rest.until) {
+    rest.until = bounces_end;
+    rest.ends_by = RestingContact::End::bounces_end;
   }
-  rest->on = candidate.on;
-  rest->bounces = bounces;
-  rest->bounces_end = bounces_end;
+  rest.on = candidate.on;
+  rest.bounces = bounces;
+  rest.bounces_end = bounces_end;
   const RestingContact* before = run.rests.of(candidate.id);
   if (before && before->on != candidate.on) release_rest(run, candidate.id, candidate.state);
-  run.world.body(candidate.id).restart(now, rest->start, rest->acceleration, rest->alpha);
+  run.world.body(candidate.id).restart(now, rest.start, rest.acceleration, rest.alpha);
   run.schedule.trajectory_changed(candidate.id);
-  run.rests.set(candidate.id, *rest);
+  run.rests.set(candidate.id, rest);
   run.schedule.predict_all(candidate.id);
-  return true;
+}
+
+/// The same, if there is a closed form. Returns false if there is none.
+bool try_set_rest(Run& run, const RestCandidate& candidate, const MicroBounces& bounces, double bounces_end) {
+  const std::optional<RestingContact> rest = closed_form_rest(run.world, candidate, bounces.load);
+  if (rest) set_rest(run, candidate, *rest, bounces, bounces_end);
+  return rest.has_value();
 }
 
 }  // namespace
@@ -82,10 +87,16 @@ std::optional<RestingContact> closed_form_rest(const World& world, const RestCan
   return body_on_face(body, on, candidate.state, now, candidate.nhat_W, corners, acceleration, friction, rest_speed);
 }
 
+void start_rest(Run& run, const RestCandidate& candidate, const RestingContact& rest, const Vec3& v_before) {
+  const double now = run.world.now();
+  set_rest(run, candidate, rest, {}, now);
+  record_contact(run, Event::Kind::contact, candidate.id, v_before, now);
+}
+
 bool try_rest(Run& run, const RestCandidate& candidate, const Vec3& v_before, const MicroBounces& bounces,
               double until) {
   const double now = run.world.now();
-  if (!start_rest(run, candidate, until > now ? bounces : MicroBounces{}, until)) return false;
+  if (!try_set_rest(run, candidate, until > now ? bounces : MicroBounces{}, until)) return false;
   if (until <= now) record_contact(run, Event::Kind::contact, candidate.id, v_before, now);
   return true;
 }
@@ -99,8 +110,8 @@ void end_rest_phase(Run& run, BodyId id) {
   if (was.ends_by == RestingContact::End::slip_ends) state = without_slip(body, on, state, was.nhat_W);
   const bool bounces_on = was.bounces_end > now;
   if (was.ends_by != RestingContact::End::leaves &&
-      start_rest(run, {id, was.on, was.nhat_W, state}, bounces_on ? MicroBounces{0, was.bounces.load} : MicroBounces{},
-                 was.bounces_end)) {
+      try_set_rest(run, {id, was.on, was.nhat_W, state},
+                   bounces_on ? MicroBounces{0, was.bounces.load} : MicroBounces{}, was.bounces_end)) {
     return record_contact(
         run, was.ends_by == RestingContact::End::bounces_end ? Event::Kind::completed : Event::Kind::contact, id,
         v_before, since);

@@ -18,8 +18,11 @@ std::optional<RestCandidate> rest_candidate(const World& world, BodyId a, BodyId
 /// Its resting contact, if that has a closed form. `load`: the mean contact force relative to the weight.
 std::optional<RestingContact> closed_form_rest(const World& world, const RestCandidate& candidate, double load);
 
-/// Starts the resting contact of the candidate, if it has a closed form, and records it as a contact event unless
-/// micro-bounces remain, which end at `until` (s). `v_before`: the body's velocity before.
+/// Starts the resting contact of the candidate, `rest`, and records it as a contact event. `v_before`: the body's
+/// velocity before.
+void start_rest(Run& run, const RestCandidate& candidate, const RestingContact& rest, const Vec3& v_before);
+
+/// The same, if the candidate has a closed form, but records nothing if micro-bounces remain, which end at `until` (s).
 bool try_rest(Run& run, const RestCandidate& candidate, const Vec3& v_before, const MicroBounces& bounces,
               double until);
 

@@ -85,6 +85,19 @@ TEST_CASE("contact event: bodies too far away for doubles stop the run") {
   CHECK_THAT(run.guard.stopped()->why, Catch::Contains("rounding"));
 }
 
+TEST_CASE("contact event: a search that was cut off stops the run where it ended") {
+  const Scene scene = moving_scene(
+      {brick({1, 1, 1}, {0, 0, 4}, {}), ball(1, {0, 0, 0}, still, {}), brick({1, 1, 1}, {0, 0, 9}, {})}, still, {4});
+  Run run(scene, {.frame = 2});
+  begin_frame(run);
+  run.schedule.memory(0, 2).is_cut_off = true;
+  run.advance_to(1);
+  resolve_contact(run, {1, 0, 2});
+  REQUIRE(run.stopped());
+  CHECK_THAT(run.guard.stopped()->why, Catch::Contains("separation queries"));
+  CHECK(run.guard.stopped()->time == 1);
+}
+
 TEST_CASE("contact event: a run with more events than allowed stops") {
   const Scene scene = moving_scene({ball(1, {0, 0, 6}, still, {1, 0}), table()}, g, {4});
   Run run(scene, {.frame = 2, .most_events = 0});

@@ -36,7 +36,7 @@ TEST_CASE("run: one that stops stays where it is") {
   Run run(scene, {.frame = 0.5});
   run.schedule.begin_frame();
   run.advance_to(0.25);
-  run.guard.stop({0.25, 0, -1, "because"});
+  run.guard.stop(0.25, 0, {}, "because");
   run.end_frame();
   CHECK(run.is_over());
   CHECK(run.world.now() == 0.25);

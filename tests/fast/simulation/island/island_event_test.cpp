@@ -30,6 +30,21 @@ struct Stack {
   Run run;
 };
 
+/// A table (0), a ball (2) that rests on it, and a ball (1) on that.
+struct OnResting {
+  OnResting()
+      : scene(moving_scene({table(), ball(1, {0, 0, 3}, still, {}), ball(1, {0, 0, 1}, still, {})}, g, {4})),
+        run(scene, {.frame = 2}) {
+    run.schedule.begin_frame();
+    RestingContact rest;
+    rest.on = 0;
+    run.rests.set(2, rest);
+  }
+
+  Scene scene;
+  Run run;
+};
+
 TEST_CASE("island event: the contact point of a pair, if it touches") {
   Stack stack;
   const std::optional<Touch> touch = fastest_approach(stack.run, 1, 2);
@@ -53,12 +68,8 @@ TEST_CASE("island event: a pair joins with all that it is in contact with, or no
 }
 
 TEST_CASE("island event: a body that rests takes its support into the island") {
-  const Scene scene = moving_scene({table(), ball(1, {0, 0, 3}, still, {}), ball(1, {0, 0, 1}, still, {})}, g, {4});
-  Run run(scene, {.frame = 2});
-  run.schedule.begin_frame();
-  RestingContact rest;
-  rest.on = 0;
-  run.rests.set(2, rest);
+  OnResting stack;
+  Run& run = stack.run;
   REQUIRE(merge_islands(run, 1, 2));
   CHECK(run.islands.of(2)->graph().connects(0, 2));
   CHECK(run.rests.of(2) == nullptr);
@@ -82,12 +93,8 @@ TEST_CASE("island event: a step begins with contact events, and moves its bodies
 }
 
 TEST_CASE("island event: an island at rest sleeps, and is not cut by time") {
-  const Scene scene = moving_scene({table(), ball(1, {0, 0, 3}, still, {}), ball(1, {0, 0, 1}, still, {})}, g, {4});
-  Run run(scene, {.frame = 2});
-  run.schedule.begin_frame();
-  RestingContact rest;
-  rest.on = 0;
-  run.rests.set(2, rest);
+  OnResting stack;
+  Run& run = stack.run;
   REQUIRE(merge_islands(run, 1, 2));
   begin_step(run, 1);
   REQUIRE(run.islands.of(1) != nullptr);

@@ -72,6 +72,15 @@ TEST_CASE("pair time of impact: other bodies are found within the envelope, befo
   CHECK(boxes.memory.queries > 0);
 }
 
+TEST_CASE("pair time of impact: a search that takes more queries than allowed tells so, and where it ended") {
+  Two boxes(brick({1, 0.5, 0.75}, {0, 0, 0}, {}), brick({1, 1, 1}, {3, 0, 0}, {}));
+  boxes.a.restart(0, {boxes.body_a.X_WB, {{0.5, 0, 0}, {0, 0x1p63, 0.25}}}, g);
+  const double t = boxes.first_contact(2);
+  CHECK(boxes.memory.is_cut_off);
+  CHECK(t >= 0);
+  CHECK(t <= 2);  // they touch by then, however the box turns
+}
+
 TEST_CASE("pair time of impact: inflation makes contacts earlier by its margin") {
   Two two(ball(1, {-3, 0, 0}, {1, 0, 0}, {}), ball(1, {3, 0, 0}, {-1, 0, 0}, {}));
   const Inflation half{0, 0.5, 0};
