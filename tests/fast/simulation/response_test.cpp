@@ -78,7 +78,7 @@ TEST_CASE("response: without accelerations the rebound speed is what the contact
 TEST_CASE("response: rotation presses a body with corners as the centripetal acceleration of its corners") {
   Body spinning = brick({1, 2, 2}, {0, 0, 9}, {});  // its corners are 3 m from its centre
   spinning.velocity.w_WB = {0, 2, 0};
-  const Scene scene = with_envelope({spinning, ball(1, Vec3::Zero(), {}, {})}, Vec3::Zero());
+  const Scene scene = with_envelope({spinning, ball(1, Vec3::Zero(), Vec3::Zero(), {})}, Vec3::Zero());
   const World world(scene);
   const Islands islands(world);
   CHECK(centripetal_bound(world, islands, 0, 1) == Approx(12));
