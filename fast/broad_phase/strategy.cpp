@@ -55,6 +55,7 @@ void BroadPhase::insert(BodyId id, const Aabb& box) {
 
 void BroadPhase::move(BodyId id, const Aabb& box) {
   if (!present(id)) throw InputError(place(id), "is not there, so it cannot move");
+  if (box.lo == box_[id].lo && box.hi == box_[id].hi) return;
   check(id, box);
   put(id, box);
 }

@@ -40,6 +40,8 @@ inline void append(std::vector<BodyPair>& pairs, BodyPair pair) {
 ///
 /// Errors: insert, move and remove throw InputError and change nothing if a number is NaN, infinite or beyond 2^1000,
 /// if lo > hi, or if an id is too large, inserted twice, or not present.
+///
+/// Cost: a body whose box is announced again unchanged counts as one that did not move.
 class BroadPhase {
  public:
   virtual ~BroadPhase() = default;

@@ -116,6 +116,8 @@ class Merger {
     const Loop& other = loops_[at(back.face)];
     int fold = 0;
     for (const int v : other) {
+      // In the plane by definition. Doubles could not tell, so it would be computed exactly, at great cost.
+      if (std::ranges::find(corner, v) != corner.end()) continue;
       const int s = side(point(corner[0]), point(corner[1]), point(corner[2]), point(v));
       if (s > 0) refuse("not convex at edge " + std::to_string(edge.from) + "-" + std::to_string(edge.to));
       fold = std::min(fold, s);

@@ -185,5 +185,36 @@ TEST_CASE("wrapped grid: at most 200 bytes a body and 16 a pair") {
   }
 }
 
+/// Counts the frames in which something moved.
+class CountedFrames : public BroadPhase {
+ public:
+  int frames = 0;
+
+ private:
+  void refresh() override { ++frames; }
+};
+
+TEST_CASE("broad phase: a body whose box is announced again unchanged did not move") {
+  CountedFrames broad_phase;
+  const Aabb box{Vec3(0, -1, 2), Vec3(1, 0, 3)};
+  broad_phase.insert(3, box);
+  broad_phase.update();
+  REQUIRE(broad_phase.frames == 1);
+  broad_phase.move(3, box);
+  broad_phase.update();
+  CHECK(broad_phase.frames == 1);
+  for (int axis = 0; axis < 3; ++axis) {
+    Aabb lower = box, higher = box;
+    lower.lo[axis] -= 1;
+    higher.hi[axis] += 1;
+    for (const Aabb& moved : {lower, box, higher, box}) {
+      const int before = broad_phase.frames;
+      broad_phase.move(3, moved);
+      broad_phase.update();
+      CHECK(broad_phase.frames == before + 1);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace touchstone::fast
