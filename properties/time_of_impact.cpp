@@ -116,6 +116,7 @@ Finding start(const Scene& scene, Subject& subject) {
       return said.status == Status::miss ? no_miss(asked, said) : judge::silent("whether the bodies touch");
     }
     if (asked.truth.at_start) return judge::outside("neither separating nor approaching at the start");
+    if (asked.truth.time.lo == asked.start) return judge::outside("the poses at the start are not known exactly");
     for (double after = asked.moment; asked.start + after < asked.end; after *= 2) {
       const double apart = asked.gap(asked.start + after);
       if (apart <= asked.slack) continue;

@@ -26,11 +26,20 @@ double arithmetic_geometric_mean(double x, double y) {
   return x;
 }
 
+/// Its c has the other sign than the other two. Of a flat body (I₃ = I₁ + I₂) it is not the greatest: |c₁| = |c₂| = 1.
+Eigen::Index middle_axis(const Vec3& c) {
+  Eigen::Index middle = 0;
+  c.cwiseAbs().maxCoeff(&middle);
+  for (Eigen::Index i = 0; i < 3; ++i) {
+    if (c[(i + 1) % 3] * c[(i + 2) % 3] > 0) middle = i;
+  }
+  return middle;
+}
+
 }  // namespace
 
 Period period(const Vec3& c, double c_error, const Vec3& w, double w_error) {
-  Eigen::Index middle = 0;
-  c.cwiseAbs().maxCoeff(&middle);
+  const Eigen::Index middle = middle_axis(c);
   const Eigen::Index third = (middle + 1) % 3, first = (middle + 2) % 3;
   const double a = std::abs(c[first]), b = std::abs(c[middle]), d = std::abs(c[third]);
   const double up = a * w[third] * w[third], down = d * w[first] * w[first];

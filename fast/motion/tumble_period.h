@@ -11,7 +11,7 @@ struct Period {
 };
 
 /// The period of ω under ω₁' = c₁ ω₂ ω₃ and cyclically (fast/motion/inertia.h). Let axis 2 be the middle one (c₂ has
-/// the opposite sign, and the greatest magnitude: |c₂| = (|c₁| + |c₃|)/(1 + |c₁c₃|)). Then A = |c₂|ω₁² + |c₁|ω₂² and D
+/// the opposite sign, and no lesser magnitude: |c₂| = (|c₁| + |c₃|)/(1 + |c₁c₃|)). Then A = |c₂|ω₁² + |c₁|ω₂² and D
 /// = |c₃|ω₂² + |c₂|ω₃² are constant, ω₂'² = (A − |c₁|ω₂²)(D − |c₃|ω₂²), and ω₂ oscillates with the period
 ///
 ///   T = 4K(k)/λ = 2π/agm(x, y),   x² = λ² = max(|c₁|D, |c₃|A),   y² = λ²(1 − k²) = |c₂| | |c₁|ω₃² − |c₃|ω₁² |,

@@ -16,6 +16,7 @@ struct Facts {
   bool fixed = false;
   bool round = true;         ///< turns at a constant rate: all moments equal, or fixed
   bool tumbles = false;      ///< no two moments are equal
+  Real growth = 0;           ///< 1/rad, if it tumbles: of an error of ω, over Ω
   Real tau = 0;              ///< s
   Real v = 0, w = 0, a = 0;  ///< m/s; rad/s, the greatest of the motion; m/s²
   Real centre = 0;           ///< m: |p_BBcm|
@@ -44,6 +45,30 @@ Real greatest_rate(const ImpactBody& body) {
   return std::sqrt(std::max<Real>(0, body.spin_energy_twice(body.w_WB) * (1 / I1 + 1 / I3) - L * L / (I1 * I3)));
 }
 
+// Growth of an error of a torque-free angular velocity. Euler: ω₁' = c₁ω₂ω₃ and so on, c₁ = (I₂ − I₃)/I₁, |c| ≤ 1 by
+// the triangle inequality of moments. An error δω grows no faster than the symmetric part of the linearised equations
+// allows. Its entries off the diagonal are m_k = (c_i + c_j)ω_k/2 = −c_k(1 + c_i c_j)ω_k/2, and it has no trace, so its
+// greatest eigenvalue is at most √(4/3 Σ m_k²). That is 1.16Ω at most; for a body that rotates almost about its first
+// or last axis it is far less.
+constexpr Real greatest_growth = 1.16L;
+
+// The greatest √(4/3 Σ m_k²) of a motion over its Ω. ω₁² and ω₃² are linear in ω₂² (2T and L² are constant), so Σ m_k²
+// is greatest where ω₂ = 0 or where ω₂² is greatest: there ω₁ = 0, or ω₃ = 0 if L² < 2T I₂.
+Real growth(const ImpactBody& body, Real rate) {
+  const Real I1 = body.moments[0], I2 = body.moments[1], I3 = body.moments[2];
+  const Real twice_T = body.spin_energy_twice(body.w_WB), L = body.angular_momentum(body.w_WB).norm(), L2 = L * L;
+  const Real c1 = (I2 - I3) / I1, c2 = (I3 - I1) / I2, c3 = (I1 - I2) / I3;
+  const auto sum = [&](Real square1, Real square2, Real square3) {
+    const auto term = [](Real c, Real square) { return c * c / 4 * std::max<Real>(square, 0); };
+    return term(c2 + c3, square1) + term(c3 + c1, square2) + term(c1 + c2, square3);
+  };
+  const Real above1 = L2 - twice_T * I1, above2 = L2 - twice_T * I2, below3 = twice_T * I3 - L2;
+  const Real at_0 = sum(below3 / (I1 * (I3 - I1)), 0, above1 / (I3 * (I3 - I1)));
+  const Real at_most = above2 > 0 ? sum(0, below3 / (I2 * (I3 - I2)), above2 / (I3 * (I3 - I2)))
+                                  : sum(-above2 / (I1 * (I2 - I1)), above1 / (I2 * (I2 - I1)), 0);
+  return rate > 0 ? std::min(greatest_growth, std::sqrt(std::max(at_0, at_most) * 4 / 3) / rate) : 0;
+}
+
 Facts facts(const Scene& scene, std::size_t index, double time, Precision precision) {
   const Body& body = scene.bodies[index];
   const Motion& motion = *scene.motion;
@@ -60,6 +85,7 @@ Facts facts(const Scene& scene, std::size_t index, double time, Precision precis
   it.round = I[2] - I[0] <= equal * I[2];
   it.tumbles = !it.round && I[1] - I[0] > equal * I[2] && I[2] - I[1] > equal * I[2];
   if (!it.round) it.w = greatest_rate(still);
+  if (it.tumbles) it.growth = growth(still, it.w);
   const MassBound of_density = mass(body, precision);
   it.mass_error = static_cast<Real>(of_density.mass) / still.mass;
   it.centre_error = of_density.centre;
@@ -67,11 +93,14 @@ Facts facts(const Scene& scene, std::size_t index, double time, Precision precis
   return it;
 }
 
-// Growth of an error of a torque-free angular velocity. Euler: ω₁' = c₁ω₂ω₃ and so on, c₁ = (I₂ − I₃)/I₁, |c| ≤ 1 by
-// the triangle inequality of moments. An error δω grows no faster than the symmetric part of the linearised equations
-// allows. Its entries off the diagonal are (c_i + c_j)ω_k/2 = −c_k(1 + c_i c_j)ω_k/2, at most ω_k each, so its greatest
-// eigenvalue is at most √(4/3)·|ω| < 1.16Ω. Errors of the moments, κ relative to the least, add at most 3κΩ².
-Real grown(const Facts& it, Real theta) { return it.tumbles ? std::expm1(1.16L * theta) : 2 * theta; }
+// An error source of 1 for each radian makes δω/Ω at most (exp(gθ) − 1)/g, which is less than θ exp(gθ); the rotation's
+// error is the integral of that over θ, at most θ times as much. Where g is 1.16, exp(gθ) − 1 bounds both. Errors of
+// the moments, κ relative to the least, are a source of at most 3κΩ².
+Real grown(const Facts& it, Real theta) {
+  if (!it.tumbles) return 2 * theta;
+  const Real slowly = theta * std::max<Real>(theta, 1) * std::exp(it.growth * theta);
+  return std::min(slowly, std::expm1(greatest_growth * theta));
+}
 
 /// The errors of the moments, as the rate of error that they cause.
 Real uneven(const Facts& it, Real u) { return it.round ? 0 : 3 * it.moment_error + 8 * u; }
@@ -113,7 +142,8 @@ BallisticBound ballistic(const Scene& scene, std::size_t body, double time, Prec
 }
 
 double turn(const Scene& scene, std::size_t body, double rate, double seconds, Precision precision) {
-  const Facts it = facts(scene, body, seconds, precision);
+  Facts it = facts(scene, body, seconds, precision);
+  it.growth = greatest_growth;  // `rate` is that of any of its motions, of which the scene's is only the first
   return static_cast<double>(turned(it, static_cast<Real>(rate) * seconds, unit_roundoff(precision)));
 }
 

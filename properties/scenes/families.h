@@ -22,6 +22,9 @@ std::vector<Family> mass_families();
 std::vector<Family> pixel_families();
 std::vector<Family> contact_families();
 std::vector<Family> motion_families();
+std::vector<Family> tangent_motion_families();
+std::vector<Family> long_motion_families();
+std::vector<Family> compound_motion_families();
 std::vector<Family> run_families();
 std::vector<Family> table_families();
 

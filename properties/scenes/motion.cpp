@@ -13,15 +13,6 @@
 namespace touchstone::properties {
 namespace {
 
-Scene thrown(Random& random, Body A, Body B, Motion motion, const Vec3& gravity = Vec3::Zero()) {
-  Scene scene;
-  scene.bodies = {std::move(A), std::move(B)};
-  scene.gravity = gravity;
-  scene.motion = std::move(motion);
-  scene = turned_somehow(random, std::move(scene));
-  return random.one_in(2) ? swapped(std::move(scene)) : scene;
-}
-
 Vec3 some_gravity(Random& random) { return random.one_in(2) ? Vec3(0, 0, 0) : Vec3(0, 0, -8); }
 
 Body maybe_spun(Random& random, Body body) { return random.one_in(2) ? body : spun(random, std::move(body)); }

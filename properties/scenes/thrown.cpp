@@ -88,4 +88,13 @@ Scene turned_somehow(Random& random, Scene scene) {
   return random.one_in(2) ? half_turned(std::move(scene)) : scene;
 }
 
+Scene thrown(Random& random, Body A, Body B, Motion motion, const Vec3& gravity) {
+  Scene scene;
+  scene.bodies = {std::move(A), std::move(B)};
+  scene.gravity = gravity;
+  scene.motion = std::move(motion);
+  scene = turned_somehow(random, std::move(scene));
+  return random.one_in(2) ? swapped(std::move(scene)) : scene;
+}
+
 }  // namespace touchstone::properties

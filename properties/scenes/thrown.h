@@ -38,4 +38,7 @@ Material some_material(Random& random);
 /// The scene under a random rotation that maps axes to axes.
 Scene turned_somehow(Random& random, Scene scene);
 
+/// Two bodies in motion, in random order and under such a rotation.
+Scene thrown(Random& random, Body A, Body B, Motion motion, const Vec3& gravity = Vec3::Zero());
+
 }  // namespace touchstone::properties

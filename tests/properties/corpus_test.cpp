@@ -74,6 +74,8 @@ TEST_CASE("Meetings of the corpus by hand") {
   CHECK(back.lo <= 0.5);
   CHECK(back.hi >= 0.5);
   CHECK(back.hi - back.lo < 1e-14);
+  // By Runge-Kutta steps of Euler's equations, and the separating axes of the two boxes.
+  CHECK(met("flat_body_tumbles_for_many_periods").time.lo == Approx(8.65629195124).epsilon(1e-11));
 }
 
 TEST_CASE("Pairs, boxes and masses of the corpus by hand") {

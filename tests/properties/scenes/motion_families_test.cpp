@@ -1,0 +1,137 @@
+// The families of motions reach what they are for: counted from the reference's answers and from the drawn numbers.
+#include <Eigen/Dense>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "model/limits.h"
+#include "oracle/truth/truth.h"
+#include "properties/scenes/domain.h"
+#include "tests/catch.h"
+
+using namespace touchstone;
+
+namespace {
+
+using Status = TimeOfImpact::Status;
+
+constexpr int draws = 60;
+
+std::vector<Scene> drawn(const char* family) {
+  std::vector<Scene> scenes;
+  for (std::uint64_t i = 0; i < draws; ++i) scenes.push_back(properties::draw(properties::find_family(family), 5, i));
+  return scenes;
+}
+
+template <class Is>
+int count(const std::vector<Scene>& scenes, Is&& is) {
+  return static_cast<int>(std::ranges::count_if(scenes, is));
+}
+
+const reference::TimeOfImpactTruth& truth(const Scene& scene) { return oracle::truth::time_of_impact(scene); }
+
+bool comes_within(const Scene& scene, double apart) {
+  return oracle::truth::time_of_distance(scene, apart).status != Status::miss;
+}
+
+/// Motions of these families end at twice the time at which they are tangent to a contact.
+double tangent_at(const Scene& scene) { return scene.motion->sample_times.back() / 2; }
+
+/// Of a torque-free ω with three different moments (s): 4 K(k)/p, with K by the arithmetic-geometric mean.
+double period(const Body& body) {
+  const Vec3& w = body.velocity.w_WB;
+  const auto& given = std::get<MassProperties>(body.mass);
+  const Eigen::Quaterniond q(body.X_WB.q_WB.w, body.X_WB.q_WB.x, body.X_WB.q_WB.y, body.X_WB.q_WB.z);
+  const Vec3 w_B = q.normalized().conjugate() * w, I = given.I_BBcm_B.diagonal();
+  const double twice_T = w_B.dot(I.cwiseProduct(w_B)), L2 = I.cwiseProduct(w_B).squaredNorm();
+  std::array<double, 3> m = {I.x(), I.y(), I.z()};
+  std::ranges::sort(m);
+  const double about_3 = (m[2] - m[1]) * (L2 - twice_T * m[0]), about_1 = (m[1] - m[0]) * (twice_T * m[2] - L2);
+  const auto [low, high] = std::minmax(about_1, about_3);
+  double a = 1, b = std::sqrt(1 - low / high);
+  for (int i = 0; i < 8; ++i) {
+    const double mean = (a + b) / 2;
+    b = std::sqrt(a * b);
+    a = mean;
+  }
+  return 4 * (std::numbers::pi / (2 * a)) / std::sqrt(high / (m[0] * m[1] * m[2]));
+}
+
+bool is_tumbling(const Body& body) {
+  const auto* given = std::get_if<MassProperties>(&body.mass);
+  return given != nullptr && given->I_BBcm_B(0, 0) != given->I_BBcm_B(1, 1);
+}
+
+}  // namespace
+
+TEST_CASE("drawn motions: flights.tangent touches exactly, by next to nothing, or just does not") {
+  const std::vector<Scene> scenes = drawn("flights.tangent");
+  for (const Scene& scene : scenes) {
+    REQUIRE(comes_within(scene, 0x1p-27));
+    if (truth(scene).status == Status::miss) continue;
+    CHECK(std::abs(truth(scene).time.lo - tangent_at(scene)) < 0x1p-10);
+  }
+  CHECK(count(scenes, [](const Scene& s) { return truth(s).status == Status::undecided; }) >= 12);  // exactly
+  CHECK(count(scenes, [](const Scene& s) { return truth(s).status == Status::hit; }) >= 12);
+  CHECK(count(scenes, [](const Scene& s) { return truth(s).status == Status::miss; }) >= 12);
+}
+
+TEST_CASE("drawn motions: flights.turning_points are in contact at the turn, just before it and just after") {
+  const std::vector<Scene> scenes = drawn("flights.turning_points");
+  constexpr double at_once = 0x1p-45;  // s
+  // The first contact, or where the reference leaves it undecided: most of these touch exactly.
+  const auto after_turn = [&](const Scene& s) { return truth(s).time.lo - tangent_at(s); };
+  const auto touches = [](const Scene& s) { return truth(s).status != Status::miss; };
+  for (const Scene& scene : scenes) CHECK((!touches(scene) || std::abs(after_turn(scene)) <= 0.25));
+  CHECK(count(scenes, [&](const Scene& s) { return touches(s) && std::abs(after_turn(s)) <= at_once; }) >= 6);
+  CHECK(count(scenes, [&](const Scene& s) { return touches(s) && after_turn(s) < -at_once; }) >= 10);
+  CHECK(count(scenes, [&](const Scene& s) { return touches(s) && after_turn(s) > at_once; }) >= 6);
+  CHECK(count(scenes, [](const Scene& s) { return truth(s).status == Status::hit; }) >= 10);
+  CHECK(count(scenes, [](const Scene& s) { return truth(s).status == Status::miss; }) >= 6);
+}
+
+TEST_CASE("drawn motions: flights.late_starts are next to each other when the later one starts, and differ in start") {
+  const std::vector<Scene> scenes = drawn("flights.late_starts");
+  const auto start = [](const Scene& s) { return std::max(s.motion->start_times[0], s.motion->start_times[1]); };
+  for (const Scene& scene : scenes) {
+    REQUIRE(scene.motion->start_times[0] != scene.motion->start_times[1]);
+    CHECK(oracle::truth::time_of_distance(scene, 0.125).time.lo == start(scene));
+  }
+  CHECK(count(scenes, [&](const Scene& s) { return truth(s).status == Status::undecided; }) >= 4);  // touching there
+  CHECK(count(scenes, [&](const Scene& s) { return truth(s).status == Status::hit; }) >= 12);
+  CHECK(count(scenes, [&](const Scene& s) { return truth(s).status == Status::miss; }) >= 12);
+}
+
+TEST_CASE("drawn motions: flights.compounds come into contact") {
+  const std::vector<Scene> scenes = drawn("flights.compounds");
+  const auto parts = [](const Body& body) {
+    const auto* compound = std::get_if<Compound>(&body.shape);
+    return compound == nullptr ? 0 : static_cast<int>(compound->parts.size());
+  };
+  for (const Scene& scene : scenes) CHECK(std::max(parts(scene.bodies[0]), parts(scene.bodies[1])) >= 2);
+  CHECK(count(scenes, [&](const Scene& s) { return parts(s.bodies[0]) > 0 && parts(s.bodies[1]) > 0; }) >= 10);
+  CHECK(count(scenes, [](const Scene& s) { return truth(s).status == Status::hit; }) >= 30);
+}
+
+TEST_CASE("drawn motions: flights.many_periods tumble for more than 8 periods before the contact") {
+  const std::vector<Scene> scenes = drawn("flights.many_periods");
+  for (const Scene& scene : scenes) {
+    const double until = truth(scene).time.lo;
+    CHECK(std::ranges::any_of(scene.bodies, is_tumbling));
+    for (const Body& body : scene.bodies) CHECK((!is_tumbling(body) || until > 8 * period(body)));
+  }
+  CHECK(count(scenes, [](const Scene& s) { return truth(s).status == Status::hit; }) >= 50);
+}
+
+TEST_CASE("drawn motions: flights.from_afar are up to 2^60 sizes apart, and many touch") {
+  const std::vector<Scene> scenes = drawn("flights.from_afar");
+  const auto ratio = [](const Scene& s) {
+    return (s.bodies[0].X_WB.p_WB - s.bodies[1].X_WB.p_WB).norm() /
+           std::max(size(s.bodies[0].shape), size(s.bodies[1].shape));
+  };
+  CHECK(count(scenes, [&](const Scene& s) { return ratio(s) > 0x1p40; }) >= 12);
+  CHECK(count(scenes, [&](const Scene& s) { return ratio(s) > 0x1p56; }) >= 1);
+  CHECK(count(scenes, [&](const Scene& s) { return ratio(s) < 0x1p40 && truth(s).status == Status::hit; }) >= 12);
+}
