@@ -113,6 +113,15 @@ bool holds_all(const Feature& claimed, const Feature& exact) {
          });
 }
 
+/// m: by how much the body's part is thicker than its core.
+double core_radius(const Body& body, int part) {
+  const auto* compound = std::get_if<Compound>(&body.shape);
+  const auto* ball = compound == nullptr ? std::get_if<Sphere>(&body.shape)
+                                         : std::get_if<Sphere>(&compound->parts[static_cast<std::size_t>(part)].shape);
+  return ball == nullptr ? 0 : ball->radius;
+}
+
+// Parts of different radii may be equally near: the gap of their cores is larger by the difference of the radii.
 Finding features(const Scene& scene, Subject& subject) {
   return of_answer(scene, subject, [&](const Distance& said) {
     const reference::DistanceTruth& exact = truth::distance(scene);
@@ -126,10 +135,14 @@ Finding features(const Scene& scene, Subject& subject) {
     };
     const auto gap = oracle::feature_gap(scene.bodies[0], *said.feature_A, scene.bodies[1], *said.feature_B);
     if (!gap) return judge::wrong(Defect::wrong_feature, observed() + ", which do not exist", expected());
+    const auto radii = [&](const Feature& a, const Feature& b) {
+      return core_radius(scene.bodies[0], a.part) + core_radius(scene.bodies[1], b.part);
+    };
+    const double thicker = radii(*said.feature_A, *said.feature_B) - radii(exact.feature_A, exact.feature_B);
     const double allowed = tolerance::distance(scene, subject.card().precision);
     return judge::explained(
-        judge::at_most(*gap - exact.core_squared.sqrt_enclosure().lo, judge::in_ulps(scene, subject.card(), allowed),
-                       Defect::wrong_feature, observed, expected),
+        judge::at_most(*gap - exact.core_squared.sqrt_enclosure().lo - thicker,
+                       judge::in_ulps(scene, subject.card(), allowed), Defect::wrong_feature, observed, expected),
         scene);
   });
 }

@@ -66,6 +66,27 @@ TEST_CASE("distance.verdict: a wrong verdict is a phantom or a miss, with the ma
   CHECK(missed.margin == Interval{0.5, 0.5});
 }
 
+// A's box and its ball are both 1/2 above B; the gap of the ball's core is larger by its radius.
+TEST_CASE("distance.features: of parts that are equally near either may be named, whatever their radii") {
+  Scene scene;
+  scene.bodies.resize(2);
+  scene.bodies[0].shape = Compound{{{{{0, 0, 1}, {}}, Box{Vec3::Ones()}}, {{{5, 0, 2}, {}}, Sphere{2}}}};
+  scene.bodies[1].shape = Box{Vec3(8, 8, 1)};
+  scene.bodies[1].X_WB.p_WB = {0, 0, -1.5};
+  tests::FixedSubject subject;
+  const auto outcome = [&](const Feature& of_A) {
+    Distance said = value(0.5);
+    said.feature_A = of_A;
+    said.feature_B = Feature{0, {4, 5, 6, 7}};
+    subject.said_distance = said;
+    return properties::find("distance.features").check(scene, subject).outcome;
+  };
+  CHECK(outcome({0, {0, 1, 2, 3}}) == Outcome::holds);
+  CHECK(outcome({1, {0}}) == Outcome::holds);
+  std::get<Compound>(scene.bodies[0].shape).parts[1].X_BP.p_WB.z() += 0x1p-20;
+  CHECK(outcome({1, {0}}) == Outcome::fails);
+}
+
 TEST_CASE("distance.verdict: a two-valued subject may say either where bodies touch; one that knows touching may not") {
   for (const Verdict said : {Verdict::separated, Verdict::overlapping}) {
     CHECK(judged("distance.verdict", touching, verdict(said)).outcome == Outcome::holds);

@@ -1,0 +1,81 @@
+// Compounds of unlike parts on both sides of a plane, of which one part of each touches it at the same point, or
+// nearly.
+#include <cmath>
+#include <utility>
+
+#include "properties/scenes/families.h"
+#include "properties/scenes/pair.h"
+
+namespace touchstone::properties {
+namespace {
+
+/// Above z = 0, and touching it at (0, 0, 0).
+Part touching_part(Random& random, bool balls) {
+  const int kind = balls ? 0 : random.below(3);
+  const double size = kind == 0 ? dyadic(random, 1, 3, -20, 2) : random.whole(1, 4);
+  if (kind == 0) return {{{0, 0, size}, {}}, Sphere{size}};
+  if (kind == 1) return {{{0, 0, size}, {}}, Box{Vec3{1, random.whole(1, 4), size}}};
+  return {{}, depression(random, some_kind(random))};
+}
+
+/// Such a compound, `gap` higher.
+Compound above_the_plane(Random& random, double gap, bool balls) {
+  Compound compound;
+  const int count = random.between(2, 4), touches = random.below(count);
+  for (int i = 0; i < count; ++i) {
+    Part part = touching_part(random, balls);
+    part.X_BP.p_WB.z() += gap;
+    if (i != touches) {
+      const Vec3 away{random.whole(-4, 4), random.whole(-4, 4), random.whole(0, 3)};
+      part.X_BP.p_WB += away;
+    }
+    compound.parts.push_back(std::move(part));
+  }
+  return compound;
+}
+
+/// Half a turn about x: from above the plane to below it.
+constexpr Quaternion upside_down{0, 1, 0, 0};
+
+Scene on_a_plane(Random& random, const Pose& X, double gap, bool balls) {
+  const Compound below = above_the_plane(random, 0, balls);
+  return pair(random, at_rest(below, {X.p_WB, times(X.q_WB, upside_down)}),
+              at_rest(above_the_plane(random, gap, balls), X));
+}
+
+Scene unlike(Random& random, bool balls) {
+  const double gap = dyadic_gap(random, 1, 16);
+  return on_a_plane(random, {Vec3::Zero(), small_quaternion(random)}, gap, balls);
+}
+
+/// 2^40 and more from the origin; or from each other; or with a part that far away.
+Scene far(Random& random) {
+  const double gap = dyadic_gap(random, 1, 16);
+  const int where = random.below(3);
+  Vec3 p = std::ldexp(1.0, random.between(40, 44)) * small_vector(random, 3);
+  if (p.isZero(0)) p.x() = 0x1p40;
+  const bool balls = random.one_in(3);
+  Scene scene = on_a_plane(random, {where == 0 ? p : Vec3::Zero(), small_quaternion(random)}, gap, balls);
+  Body& body = scene.bodies[0];
+  if (where == 1) body.X_WB.p_WB = p;
+  if (where == 2) std::get<Compound>(body.shape).parts.push_back({{p, {}}, Box{Vec3(1, 2, 3)}});
+  return scene;
+}
+
+}  // namespace
+
+std::vector<Family> compound_pair_families() {
+  return {
+      {"compounds.unlike", "two to four balls, boxes and polytopes each, that touch at one point or nearly",
+       pair_queries, true, [](Random& random) { return unlike(random, false); }},
+      {"compounds.balls", "balls of unlike sizes, 2^-20 to 12, that touch at one point or nearly", pair_queries, true,
+       [](Random& random) { return unlike(random, true); }},
+      {"compounds.far",
+       "such compounds 2^40 to 2^45 from the origin or from each other, or with a part that far away",
+       {"bounds", "broad_phase", "distance"},
+       true,
+       far},
+  };
+}
+
+}  // namespace touchstone::properties

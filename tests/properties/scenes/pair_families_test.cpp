@@ -1,0 +1,123 @@
+// The families of pairs reach what they are for: counted from the reference's answers and from the drawn numbers.
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <vector>
+
+#include "oracle/truth/truth.h"
+#include "properties/scenes/domain.h"
+#include "tests/catch.h"
+
+using namespace touchstone;
+
+namespace {
+
+constexpr int draws = 60;
+
+std::vector<Scene> drawn(const char* family) {
+  std::vector<Scene> scenes;
+  for (std::uint64_t i = 0; i < draws; ++i) scenes.push_back(properties::draw(properties::find_family(family), 5, i));
+  return scenes;
+}
+
+template <class Is>
+int count(const std::vector<Scene>& scenes, Is&& is) {
+  return static_cast<int>(std::ranges::count_if(scenes, is));
+}
+
+int count(const std::vector<Scene>& scenes, Verdict verdict) {
+  return count(scenes, [&](const Scene& s) { return oracle::truth::distance(s).verdict == verdict; });
+}
+
+/// The vertices that are no corners of the hull.
+std::size_t redundant(const Polytope& solid) {
+  return solid.vertices.size() - oracle::truth::convex_hull(solid.vertices).vertices.size();
+}
+
+/// The vertices that no face names.
+std::size_t unnamed(const Polytope& solid) {
+  std::set<int> named;
+  for (const std::vector<int>& face : solid.faces) named.insert(face.begin(), face.end());
+  return solid.vertices.size() - named.size();
+}
+
+bool sum_rounds(double a, double b) {
+  const double sum = a + b, from_b = sum - a;
+  return (a - (sum - from_b)) + (b - from_b) != 0;
+}
+
+double radius(const Body& body) { return std::get<Sphere>(body.shape).radius; }
+
+const std::vector<Part>& parts(const Body& body) { return std::get<Compound>(body.shape).parts; }
+
+}  // namespace
+
+TEST_CASE("drawn pairs: hulls.redundant has vertices that are no corners, named by faces and not, in any order") {
+  const std::vector<Scene> scenes = drawn("hulls.redundant");
+  const auto sum = [](const Scene& s, auto&& of) {
+    return of(std::get<Polytope>(s.bodies[0].shape)) + of(std::get<Polytope>(s.bodies[1].shape));
+  };
+  for (const Scene& scene : scenes) CHECK(sum(scene, redundant) >= 1);
+  CHECK(count(scenes, [&](const Scene& s) { return sum(s, redundant) > sum(s, unnamed); }) >= 30);
+  CHECK(count(scenes, [&](const Scene& s) { return sum(s, unnamed) >= 2; }) >= 30);
+  CHECK(count(scenes, Verdict::touching) >= 6);
+}
+
+TEST_CASE("drawn pairs: spheres.odd_sums touches exactly where the sum of the radii is not a double") {
+  const std::vector<Scene> scenes = drawn("spheres.odd_sums");
+  CHECK(count(scenes, Verdict::touching) >= 15);
+  for (const Scene& scene : scenes) {
+    const bool touches = oracle::truth::distance(scene).verdict == Verdict::touching;
+    CHECK((!touches || sum_rounds(radius(scene.bodies[0]), radius(scene.bodies[1]))));
+  }
+  CHECK(count(scenes, Verdict::separated) >= 8);
+  CHECK(count(scenes, Verdict::overlapping) >= 8);
+}
+
+TEST_CASE("drawn pairs: compounds.unlike has parts of several kinds that touch") {
+  const std::vector<Scene> scenes = drawn("compounds.unlike");
+  const auto kinds = [](const Body& body) {
+    std::set<std::size_t> found;
+    for (const Part& part : parts(body)) found.insert(part.shape.index());
+    return found.size();
+  };
+  CHECK(count(scenes, [&](const Scene& s) { return kinds(s.bodies[0]) >= 2 && kinds(s.bodies[1]) >= 2; }) >= 20);
+  CHECK(count(scenes, Verdict::touching) >= 8);
+}
+
+TEST_CASE("drawn pairs: compounds.balls differ in size by 2^10 and more, and touch") {
+  const std::vector<Scene> scenes = drawn("compounds.balls");
+  const auto is_unlike = [](const Scene& scene) {
+    double least = 1e300, most = 0;
+    for (const Body& body : scene.bodies) {
+      for (const Part& part : parts(body)) {
+        least = std::min(least, std::get<Sphere>(part.shape).radius);
+        most = std::max(most, std::get<Sphere>(part.shape).radius);
+      }
+    }
+    return most >= 0x1p10 * least;
+  };
+  CHECK(count(scenes, is_unlike) >= 30);
+  CHECK(count(scenes, Verdict::touching) >= 8);
+}
+
+TEST_CASE("drawn pairs: compounds.far are 2^40 from the origin, from each other, or have a part that far away") {
+  const std::vector<Scene> scenes = drawn("compounds.far");
+  const auto is_far = [](const Body& body) { return body.X_WB.p_WB.norm() >= 0x1p40; };
+  const auto has_far_part = [](const Body& body) {
+    return std::ranges::any_of(parts(body), [](const Part& part) { return part.X_BP.p_WB.norm() >= 0x1p40; });
+  };
+  int from_origin = 0, from_each_other = 0, with_far_part = 0;
+  for (const Scene& scene : scenes) {
+    const int far = is_far(scene.bodies[0]) + is_far(scene.bodies[1]);
+    const bool far_part = has_far_part(scene.bodies[0]) || has_far_part(scene.bodies[1]);
+    CHECK((far > 0 || far_part));
+    from_origin += far == 2;
+    from_each_other += far == 1;
+    with_far_part += far_part;
+  }
+  CHECK(from_origin >= 10);
+  CHECK(from_each_other >= 10);
+  CHECK(with_far_part >= 10);
+  CHECK(count(scenes, Verdict::touching) >= 5);
+}
