@@ -52,7 +52,8 @@ Scene meeting(Random& random, Arm A, Arm B, const Vec3& u, const Contact& contac
   const auto place = [&](Arm& arm) {
     const auto* given = std::get_if<MassProperties>(&arm.body.mass);
     arm.body.X_WB.p_WB = contact.p_WC - arm.r;
-    if (given != nullptr) arm.body.X_WB.p_WB -= given->p_BBcm;  // off-centre bodies are never rotated
+    // Bodies whose centre of mass is off their origin are turned by axes_quaternion alone.
+    if (given != nullptr) arm.body.X_WB.p_WB -= turned_by_axes(arm.body.X_WB.q_WB, given->p_BBcm);
   };
   place(A);
   place(B);
@@ -149,8 +150,20 @@ Arm rod_end(Random& random) {
   return {body, {w * w - y * y, 0, -2 * w * y}};
 }
 
+/// C at the end of a needle that stands on the normal, or leans by 2^-4 to 2^-16, or beside its end by as much.
+Arm needle_end(Random& random) {
+  const double half = random.whole(1, 8), tiny = std::ldexp(1.0, -random.between(4, 16));
+  const double across = half * half * std::ldexp(1.0, -random.between(8, 40));
+  Body body = stated(random, 1, {half * half, half * half, across});
+  Vec3 r{0, 0, -half};
+  const int how = random.below(3);
+  if (how == 1) body.X_WB.q_WB = {1, tiny, 0, 0};
+  if (how == 2) r.x() = tiny;
+  return {body, r};
+}
+
 Scene rods(Random& random) {
-  const Arm A = rod_end(random);
+  const Arm A = random.one_in(3) ? needle_end(random) : rod_end(random);
   Contact contact = some_contact(random);
   contact.friction = dyadic(random, 1, 12, -2, -2);
   const Vec3 u = some_approach(random);
@@ -241,8 +254,48 @@ Scene levers(Random& random) {
   return meeting(random, A, fixed_ground(), u, some_contact(random));
 }
 
+/// The greatest rise of u_n while slip turns and until it stops, by small steps of Coulomb's law at C of a body of mass
+/// 1 and inertia I that is hit at (x, 0, z) from its centre. An estimate: it only makes a scene likely to be what it is
+/// for.
+double greatest_rise(double x, double z, double I, double friction, double u_x, double u_y) {
+  const double K_xx = 1 + z * z / I, K_yy = 1 + (x * x + z * z) / I, K_nn = 1 + x * x / I, k = -x * z / I;
+  const double least = std::ldexp(std::abs(u_x) + std::abs(u_y), -10);
+  double rise = 0, greatest = 0;
+  for (double slip = 2 * least; slip > least;) {
+    slip = std::sqrt(u_x * u_x + u_y * u_y);
+    const double step = slip / (64 * friction * K_yy), t_x = friction * u_x / slip, t_y = friction * u_y / slip;
+    u_x += step * (k - K_xx * t_x);
+    u_y -= step * K_yy * t_y;
+    rise += step * (K_nn - k * t_x);
+    greatest = std::max(greatest, rise);
+  }
+  return greatest;
+}
+
+/// Slip across the plane of the arm first lets u_n rise. It turns towards the direction in which u_n falls, and keeps
+/// falling until slip stops. The approach is slightly less than the rise: restitution begins shortly before u_n falls,
+/// so Poisson's restitution ends with the bodies approaching again. (In one plane that cannot be: while slip keeps its
+/// direction so does the rate of u_n, and after slip has stopped u_n rises.)
+Scene compressed_again(Random& random) {
+  const double x = random.whole(1, 4), z = -random.whole(2, 8), I = dyadic(random, 1, 3, -2, 1);
+  const double K_nn = 1 + x * x / I, k = -x * z / I;
+  Contact contact = some_contact(random);
+  contact.law = Law::poisson;
+  contact.restitution = random.pick({0.25, 0.5, 0.5, 0.75, 0.75});
+  contact.friction = std::ceil(8 * K_nn / k) / 8 * random.pick({1.25, 1.5, 2.0, 3.0});
+  const double side = random.sign();
+  Vec3 u{-random.whole(0, 1), side * random.whole(2, 8), 0};
+  const double less = std::ldexp(1.0, -random.between(4, 6));
+  const double rise = greatest_rise(x, z, I, contact.friction, u.x(), u.y());
+  u.z() = -std::ceil(std::ldexp((1 - less) * rise, 12)) * 0x1p-12;
+  Body body = stated(random, 1, Vec3::Constant(I));
+  body.velocity.w_WB.setZero();
+  return meeting(random, {body, {x, 0, z}}, fixed_ground(), u, contact);
+}
+
 /// mu |K_tn| > K_nn: slip can press the bodies together faster than the normal impulse separates them.
 Scene jamming(Random& random) {
+  if (random.one_in(2)) return compressed_again(random);
   const Arm A = rod_end(random);
   const double I = std::get<MassProperties>(A.body.mass).I_BBcm_B(1, 1);
   const double K_nn = 1 + A.r.x() * A.r.x() / I, k = std::abs(A.r.x() * A.r.z()) / I;
@@ -252,21 +305,30 @@ Scene jamming(Random& random) {
   return meeting(random, A, fixed_ground(), u, contact);
 }
 
+/// One or both with the centre of mass off the origin, turned such that the axes are mapped to axes.
 Scene off_centre(Random& random) {
-  Arm A = some_stated(random, -1);
-  A.body.X_WB.q_WB = {};
-  std::get<MassProperties>(A.body.mass).p_BBcm = small_vector(random, 4);
+  Arm A = some_stated(random, -1), B = some_other(random);
+  const auto shift = [&random](Arm& arm) {
+    auto* given = std::get_if<MassProperties>(&arm.body.mass);
+    if (given == nullptr) return;
+    arm.body.X_WB.q_WB = axes_quaternion(random);
+    given->p_BBcm = small_vector(random, 4);
+  };
+  shift(A);
+  if (random.one_in(2)) shift(B);
   const Vec3 u = some_approach(random);
-  return meeting(random, A, fixed_ground(), u, some_contact(random));
+  return meeting(random, A, B, u, some_contact(random));
 }
 
+/// Velocities times up to 2^±300, or lengths times up to 2^±40 and velocities times up to 2^±120.
 Scene times_powers(Random& random) {
   Scene scene = random.one_in(2) ? planar(random) : boxes(random);
-  const int faster = random.between(-120, 120);
+  const bool much = random.one_in(2);
+  const int faster = much ? random.between(-300, 300) : random.between(-120, 120);
   for (Body& body : scene.bodies) {
     for (Vec3* v : {&body.velocity.v_WBcm, &body.velocity.w_WB}) *v *= std::ldexp(1.0, faster);
   }
-  const int larger = random.between(-40, 40);
+  const int larger = much ? 0 : random.between(-40, 40);
   return scaled(scene, larger).value_or(scene);
 }
 
@@ -325,7 +387,7 @@ std::vector<Family> contact_families() {
   return {
       {"contact.spheres", "balls, one against another or the ground", queries, true, spheres},
       {"contact.boxes", "uniform boxes, C in both, against another or the ground", queries, true, boxes},
-      {"contact.rods", "the end of a leaning rod, friction to 3", queries, true, rods},
+      {"contact.rods", "the end of a leaning rod, or of a needle on the normal, friction to 3", queries, true, rods},
       {"contact.planar", "all velocities and arms in one plane", queries, true, planar},
       {"contact.zero_slip", "no slip before", queries, true, zero_slip},
       {"contact.tiny_slip", "slip 2^-8 to 2^-40 of the approach", queries, false, tiny_slip},
@@ -334,8 +396,8 @@ std::vector<Family> contact_families() {
       {"contact.separating", "parting, or at rest along the normal", queries, false, separating},
       {"contact.mass_ratios", "masses that differ by 2^10 to 2^40", queries, true, mass_ratios},
       {"contact.levers", "arms up to 2^20 times the radius of gyration: K near singular", queries, false, levers},
-      {"contact.jamming", "friction that can press the bodies together", queries, true, jamming},
-      {"contact.off_centre", "centres of mass off the bodies' origins", queries, true, off_centre},
+      {"contact.jamming", "friction that can press the bodies together, often twice", queries, true, jamming},
+      {"contact.off_centre", "centres of mass off the bodies' origins, turned", queries, true, off_centre},
       {"contact.times_powers", "velocities and lengths times powers of two", queries, false, times_powers},
       {"contact.generic", "boxes, velocities and normals at random", queries, false, generic},
       {"contact.known", "impacts that are known on paper", queries, true, known},
