@@ -27,6 +27,10 @@ std::string kind(const Json& json) {
   return json.dump();
 }
 
+bool is_not_finite(const std::string& word) {
+  return word == "NaN" || word == "nan" || word == "Infinity" || word == "-Infinity" || word == "inf" || word == "-inf";
+}
+
 /// Keys of older files, and what they are called now.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 5> renamed_keys = {{{"flight", "motion"},
                                                                                         {"times", "sample_times"},
@@ -82,6 +86,8 @@ void Node::expect_size(int expected) const {
 }
 
 double Node::number() const {
+  if (json_.is_string() && is_not_finite(json_.get<std::string>()))
+    refuse("expected a finite number, found " + json_.dump());
   if (!json_.is_number()) refuse("expected a number, found " + kind(json_));
   const double nearest = json_.get<double>();
   if (!std::isfinite(nearest)) refuse("expected a finite number");

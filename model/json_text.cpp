@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "model/answer_text.h"
 #include "model/json.h"
 #include "model/source_text.h"
 
@@ -45,17 +46,21 @@ struct Flaw {
   std::optional<std::size_t> offset;
 };
 
+/// What an integer means that no double equals. A scene means exactly its numbers, so there it is refused.
+enum class Integers { exact, nearest_double };
+
 /// Builds the value from the parser's events. Refuses what JSON's grammar allows and our formats do not.
 class Builder final : public nlohmann::json_sax<Json> {
  public:
-  explicit Builder(std::size_t most_values) : most_values_(most_values) {}
+  Builder(std::string_view text, std::size_t most_values, Integers integers)
+      : text_(text), most_values_(most_values), integers_(integers) {}
 
   Json take() { return std::move(root_); }
 
   bool null() override { return add(nullptr); }
   bool boolean(bool value) override { return add(value); }
-  bool number_integer(Json::number_integer_t value) override { return add(value); }
-  bool number_unsigned(Json::number_unsigned_t value) override { return add(value); }
+  bool number_integer(Json::number_integer_t value) override { return add_integer(value); }
+  bool number_unsigned(Json::number_unsigned_t value) override { return add_integer(value); }
   bool string(std::string& value) override { return add(std::move(value)); }
   bool binary(Json::binary_t&) override { return false; }  // JSON text has no binary values
 
@@ -65,7 +70,8 @@ class Builder final : public nlohmann::json_sax<Json> {
     }
     // An integer that does not fit in 64 bits.
     constexpr double room = 0x1p63;
-    if (std::abs(value) >= room && digits.find_first_of(".eE") == std::string::npos && digits != exactly(value)) {
+    if (integers_ == Integers::exact && std::abs(value) >= room && digits.find_first_of(".eE") == std::string::npos &&
+        digits != exactly(value)) {
       refuse_next("the integer " + shortened(digits) +
                   " is not a double; write it with a decimal point to have it rounded");
     }
@@ -93,10 +99,21 @@ class Builder final : public nlohmann::json_sax<Json> {
   bool parse_error(std::size_t position, const std::string& last, const Json::exception& error) override {
     constexpr int out_of_range = 406;
     if (error.id == out_of_range) refuse_next("too great for a double, found " + shortened(last));
+    const std::size_t begin = std::min(text_.size(), position - std::min(position, last.size()));
+    for (const std::string_view word : {"NaN", "nan", "-nan", "Infinity", "-Infinity", "inf", "-inf"}) {
+      if (text_.substr(begin).starts_with(word)) refuse_next("expected a finite number, found " + std::string(word));
+    }
     throw Flaw{InputError(place(false), readable(error.what())), position > 0 ? position - 1 : 0};
   }
 
  private:
+  /// Only up to 2^53 is every integer a double.
+  template <class Integer>
+  bool add_integer(Integer value) {
+    const auto nearest = static_cast<double>(value);
+    return integers_ == Integers::nearest_double && std::abs(nearest) >= 0x1p53 ? add(nearest) : add(value);
+  }
+
   template <class Value>
   bool add(Value&& value) {
     if (++values_ > most_values_) {
@@ -158,8 +175,10 @@ class Builder final : public nlohmann::json_sax<Json> {
   Json root_;
   Json* last_ = nullptr;
   std::vector<Json*> open_;
+  std::string_view text_;
   std::size_t values_ = 0;
   std::size_t most_values_;
+  Integers integers_;
 };
 
 /// Finds a string or a number that is too long, since the parser makes several copies of each. Returns its offset.
@@ -181,12 +200,12 @@ std::optional<std::size_t> long_word(std::string_view text) {
   return std::nullopt;
 }
 
-Json parsed(std::string_view text, const std::string& file, std::size_t most_values) try {
+Json parsed(std::string_view text, const std::string& file, std::size_t most_values, Integers integers) try {
   if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) throw InputError(file, "empty; expected JSON");
   // The parser takes a NUL byte for the end of the text.
   const auto nul = text.find('\0');
   if (nul != std::string_view::npos) throw Flaw{InputError("", "a NUL byte; expected text"), nul};
-  Builder builder(most_values);
+  Builder builder(text, most_values, integers);
   Json::sax_parse(text, &builder);
   return builder.take();
 } catch (const Flaw& flaw) {
@@ -217,7 +236,11 @@ void append(std::string& text, const Json& json, std::size_t indent) {
 }  // namespace
 
 Json parse(std::string_view text, const std::string& place) {
-  return parsed(text, place, std::numeric_limits<std::size_t>::max());
+  return parsed(text, place, std::numeric_limits<std::size_t>::max(), Integers::exact);
+}
+
+Json parse_answer(std::string_view line, const std::string& place) {
+  return parsed(line, place, std::numeric_limits<std::size_t>::max(), Integers::nearest_double);
 }
 
 Json parse_document(std::string_view text, const std::string& file) {
@@ -225,7 +248,7 @@ Json parse_document(std::string_view text, const std::string& file) {
   if (const auto at = long_word(text)) {
     throw InputError(file + ':' + line_and_column(text, *at), "a string or a number of more than 1 MB");
   }
-  return parsed(text, file, most_values);
+  return parsed(text, file, most_values, Integers::exact);
 }
 
 std::string text_of(const Json& json) {

@@ -9,14 +9,22 @@ namespace touchstone::app::page {
 namespace {
 
 constexpr std::size_t longest_text = 600;
+constexpr std::size_t longest_end = 250;  ///< of a text that is longer
+
+/// The begin of the character at an offset.
+std::size_t between_characters(const std::string& text, std::size_t at) {
+  while (at < text.size() && at > 0 && (static_cast<unsigned char>(text[at]) & 0xC0) == 0x80) --at;
+  return at;
+}
 
 }  // namespace
 
-/// Cuts between characters, not inside one.
+/// Leaves out the middle: a stack trace has its reason in the first line or in the last one.
 std::string shown(const std::string& text) {
-  std::size_t end = std::min(text.size(), longest_text);
-  while (end < text.size() && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;
-  return escaped(end == text.size() ? text : text.substr(0, end) + " …");
+  if (text.size() <= longest_text) return escaped(text);
+  const std::size_t first = between_characters(text, longest_text - longest_end);
+  const std::size_t last = between_characters(text, text.size() - longest_end);
+  return escaped(text.substr(0, first) + " … " + text.substr(last));
 }
 
 std::string badge(oracle::Grade grade) {

@@ -27,10 +27,11 @@ namespace {
 
 using Clock = ChildProcess::Clock;
 
-// All choices. What is kept of stderr has room for the last lines of a sanitizer's report; the times are long for a
-// process that is alive and short for a person who waits.
+// All choices. What is kept of stderr has room for a sanitizer's report. What is quoted has room for a stack trace of
+// some twenty calls with its reason, which JavaScript prints above the calls and Python below them. The times are long
+// for a process that is alive and short for a person who waits.
 constexpr std::size_t kept_of_stderr = 4096;
-constexpr std::size_t quoted_of_stderr = 400;
+constexpr std::size_t quoted_of_stderr = 2000;
 constexpr int tick_ms = 20;                   // between two checks of the clocks
 constexpr double grace_when_dying = 1;        // s, for a child whose output has ended and that should exit soon
 constexpr double grace_when_dismissed = 0.5;  // s, for a child that should exit at the end of its stdin

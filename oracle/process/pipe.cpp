@@ -31,6 +31,23 @@ const std::string& text_of(const Scene& scene) {
   return written.text;
 }
 
+std::string joined(const std::vector<std::string>& command) {
+  std::string line;
+  for (const std::string& word : command) line += (line.empty() ? "" : " ") + word;
+  return line;
+}
+
+std::string shortened(const std::string& line) {
+  constexpr std::size_t longest = 4000;
+  return line.size() <= longest ? line : line.substr(0, longest) + " ...";
+}
+
+/// JSON has no NaN: most libraries write null in its place.
+std::string with_hint(const std::string& complaint) {
+  const bool is_null = complaint.ends_with("expected a number, found null");
+  return is_null ? complaint + ", which is how many JSON libraries write NaN and infinity" : complaint;
+}
+
 }  // namespace
 
 PipeSubject::PipeSubject(std::vector<std::string> command, PipeLimits limits)
@@ -72,10 +89,15 @@ Card PipeSubject::start() try {
   if (const Breaks* breaks = std::get_if<Breaks>(&said)) {
     throw InputError("", "did not introduce itself: " + breaks->how);
   }
-  return protocol::read_introduction(std::get<std::string>(said), seq_);
+  const std::string& line = std::get<std::string>(said);
+  try {
+    return protocol::read_introduction(line, seq_);
+  } catch (const InputError& error) {
+    throw InputError("", error.what() + ("; expected its card, found the line: " + shortened(line)));
+  }
 } catch (const InputError& error) {
   child_.reset();
-  throw InputError("subject \"" + command_[0] + '"', error.what());
+  throw InputError("subject \"" + joined(command_) + '"', error.what());
 }
 
 template <class T>
@@ -104,7 +126,7 @@ Answer<T> PipeSubject::ask(const std::string& query, const Scene& scene) {
     return protocol::read_answer<T>(std::get<std::string>(said), seq_);
   } catch (const InputError& error) {
     child_.reset();
-    return Breaks{Breaks::Kind::garbage, error.what()};
+    return Breaks{Breaks::Kind::garbage, with_hint(error.what())};
   }
 }
 

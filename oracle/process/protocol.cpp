@@ -3,6 +3,7 @@
 #include <array>
 #include <utility>
 
+#include "model/answer_text.h"
 #include "model/json_node.h"
 
 namespace touchstone::oracle::protocol {
@@ -149,7 +150,7 @@ Seq seq_of(std::string_view line) try {
 }
 
 Card read_introduction(std::string_view line, Seq seq) {
-  const Json json = parse(line, introduction_place);
+  const Json json = parse_answer(line, introduction_place);
   const Node node(json, introduction_place);
   if (const auto breaks = node.find("breaks")) node.refuse("it breaks: " + read_breaks(*breaks).how);
   node.expect_object({"seq", "protocol", "card"});
@@ -160,7 +161,7 @@ Card read_introduction(std::string_view line, Seq seq) {
 
 template <class T>
 Answer<T> read_answer(std::string_view line, Seq seq) {
-  const Json json = parse(line, answer_place);
+  const Json json = parse_answer(line, answer_place);
   const Node node(json, answer_place);
   node.expect_object({"seq", "result", "abstains", "breaks"});
   expect_seq(node, seq);

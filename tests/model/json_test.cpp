@@ -101,7 +101,12 @@ TEST_CASE("answers survive text") {
 
 TEST_CASE("what is not an answer is refused by place") {
   CHECK(complaint<Distance>(R"({"distance": null})") == "result.distance: expected a number, found null");
-  CHECK(complaint<Distance>(R"({"distance": "nan"})") == "result.distance: expected a number, found a string");
+  CHECK(complaint<Distance>(R"({"distance": "nan"})") == "result.distance: expected a finite number, found \"nan\"");
+  CHECK(complaint<Distance>(R"({"distance": "far"})") == "result.distance: expected a number, found a string");
+  for (const std::string word : {"NaN", "nan", "-nan", "Infinity", "-Infinity", "inf", "-inf"}) {
+    CHECK(complaint<Distance>("{\"distance\": " + word + "}") ==
+          "reply:1:14: distance: expected a finite number, found " + word);
+  }
   CHECK(complaint<Distance>(R"({"distance": true})") == "result.distance: expected a number, found true");
   CHECK(complaint<Distance>(R"({"depth": 1})").starts_with("result: unknown key \"depth\"; known are \"verdict\", "));
   CHECK(complaint<Distance>(R"({"verdict": "apart"})") ==
@@ -163,8 +168,8 @@ TEST_CASE("what is not JSON is refused by line and column") {
   CHECK(of("[1,\n2").starts_with("f.json:2:2: "));
   CHECK(of("{\"a\": ").starts_with("f.json:1:7: "));
   CHECK(of("{}\n{}").starts_with("f.json:2:1: "));
-  CHECK(of("[NaN]").starts_with("f.json:1:2: "));
-  CHECK(of("[-Infinity]").starts_with("f.json:1:3: "));
+  CHECK(of("[NaN]") == "f.json:1:2: [0]: expected a finite number, found NaN");
+  CHECK(of("[-Infinity]") == "f.json:1:2: [0]: expected a finite number, found -Infinity");
   CHECK(of("[1e400]") == "f.json:1:2: [0]: too great for a double, found 1e400");
   CHECK(of("{\"a\": [1,\n-1e-400]}") ==
         "f.json:2:1: a[1]: too small for a double, found -1e-400: it would be read as 0");

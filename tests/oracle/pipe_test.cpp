@@ -66,31 +66,31 @@ TEST_CASE("each misdeed has its verdict, and the next question is answered") {
     const char* how;
     PipeLimits within = patient;
   };
-  const Deed deed =
-      GENERATE(values<Deed>({{"abort", Kind::crashed, "signal 6 (Aborted): Assertion `it holds' failed."},
-                             {"exit", Kind::crashed, "exit status 3"},
-                             {"orphan", Kind::crashed, "exit status 3"},
-                             {"close", Kind::crashed, "it closed its output and went on"},
-                             {"spin", Kind::hung, "no answer within 0.2 s of its own CPU time", short_cpu},
-                             {"sleep", Kind::hung, "no answer within 1 s", short_wall},
-                             {"throw", Kind::threw, "caught \xef\xbf\xbd"},
-                             {"throw_int", Kind::threw, "not a std::exception"},
-                             {"nan", Kind::garbage, "result.distance: expected a number, found null"},
-                             {"inf", Kind::garbage, "result.distance: expected a number, found null"},
-                             {"wire_words", Kind::garbage, "answer:1:1: syntax error"},
-                             {"wire_empty", Kind::garbage, "answer: empty"},
-                             {"wire_array", Kind::garbage, "answer: expected an object"},
-                             {"wire_bytes", Kind::garbage, "answer:1:"},
-                             {"wire_wrong_seq", Kind::garbage, "answer.seq: not that of the question"},
-                             {"wire_no_seq", Kind::garbage, "answer: the key \"seq\" is missing"},
-                             {"wire_two_words", Kind::garbage, "answer: expected \"seq\" and one of"},
-                             {"wire_nothing", Kind::garbage, "answer: expected \"seq\" and one of"},
-                             {"wire_null", Kind::garbage, "result.distance: expected a number, found null"},
-                             {"wire_text", Kind::garbage, "result.distance: expected a number, found a string"},
-                             {"wire_huge", Kind::garbage, "answer:1:"},
-                             {"wire_unknown_key", Kind::garbage, "result: unknown key \"distanz\""},
-                             {"wire_truncated", Kind::crashed, "exit status 0, in the middle of an answer"},
-                             {"wire_endless", Kind::garbage, "an answer longer than 1048576 bytes", short_line}}));
+  const Deed deed = GENERATE(values<Deed>(
+      {{"abort", Kind::crashed, "signal 6 (Aborted): Assertion `it holds' failed."},
+       {"exit", Kind::crashed, "exit status 3"},
+       {"orphan", Kind::crashed, "exit status 3"},
+       {"close", Kind::crashed, "it closed its output and went on"},
+       {"spin", Kind::hung, "no answer within 0.2 s of its own CPU time", short_cpu},
+       {"sleep", Kind::hung, "no answer within 1 s", short_wall},
+       {"throw", Kind::threw, "caught \xef\xbf\xbd"},
+       {"throw_int", Kind::threw, "not a std::exception"},
+       {"nan", Kind::garbage, "result.distance: expected a number, found null"},
+       {"inf", Kind::garbage, "result.distance: expected a number, found null"},
+       {"wire_words", Kind::garbage, "answer:1:1: syntax error"},
+       {"wire_empty", Kind::garbage, "answer: empty"},
+       {"wire_array", Kind::garbage, "answer: expected an object"},
+       {"wire_bytes", Kind::garbage, "answer:1:"},
+       {"wire_wrong_seq", Kind::garbage, "answer.seq: not that of the question"},
+       {"wire_no_seq", Kind::garbage, "answer: the key \"seq\" is missing"},
+       {"wire_two_words", Kind::garbage, "answer: expected \"seq\" and one of"},
+       {"wire_nothing", Kind::garbage, "answer: expected \"seq\" and one of"},
+       {"wire_null", Kind::garbage, "result.distance: expected a number, found null, which is how many JSON"},
+       {"wire_text", Kind::garbage, "result.distance: expected a finite number, found \"NaN\""},
+       {"wire_huge", Kind::garbage, "answer:1:"},
+       {"wire_unknown_key", Kind::garbage, "result: unknown key \"distanz\""},
+       {"wire_truncated", Kind::crashed, "exit status 0, in the middle of an answer"},
+       {"wire_endless", Kind::garbage, "an answer longer than 1048576 bytes", short_line}}));
   CAPTURE(deed.mode);
   const int before = open_descriptors();
   {

@@ -153,6 +153,27 @@ TEST_CASE("schema and reader refuse the same answers") {
   }
 }
 
+TEST_CASE("an integer in an answer is the double that it reads as") {
+  const auto distance = [](const std::string& written) {
+    const std::string line = R"({"seq":1,"result":{"distance":)" + written + "}}";
+    return std::get<Distance>(protocol::read_answer<Distance>(line, 1)).distance.value();
+  };
+  // As JSON.stringify writes 2^53 + 2, 2^63, 2^64 + 2^12, 2^69 and the greatest double below 10^21.
+  CHECK(distance("9007199254740994") == 0x1p53 + 2);
+  CHECK(distance("9223372036854776000") == 0x1p63);
+  CHECK(distance("18446744073709556000") == 0x1p64 + 0x1p12);
+  CHECK(distance("590295810358705700000") == 0x1p69);
+  CHECK(distance("999999999999999900000") == 999999999999999900000.0);
+  CHECK(distance("9007199254740993") == 0x1p53);  // to even
+  const std::string card =
+      R"({"seq":1,"protocol":1,"card":{"name":"n","version":"1","precision":"exact","answers":[],"broad_phase_margin":)";
+  CHECK(protocol::read_introduction(card + "590295810358705700000}}", 1).broad_phase_margin == 0x1p69);
+  // A scene means exactly its numbers.
+  std::string question = protocol::ask(1, "distance", json_of(scene()).dump());
+  question.replace(question.find("1.25"), 4, "9007199254740993");
+  CHECK_THROWS_AS(protocol::read_request(question), InputError);
+}
+
 TEST_CASE("schema and reader refuse the same introductions") {
   const std::string good =
       R"({"seq":1,"protocol":1,"card":{"name":"n","version":"1","precision":"exact","answers":[]}})";
