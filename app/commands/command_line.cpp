@@ -184,6 +184,8 @@ void add_check(CLI::App& program, Options& options) {
   add_run_options(*command, options.check);
   command->add_flag("--first-failure", options.check.first_failure,
                     "Stop at the first scene on which a property fails, and do not make it smaller");
+  command->add_flag("--require-answers", options.check.require_answers,
+                    "Exit code 1 also if a subject answers none of the scenes of a query that is asked");
   command->footer(help::check);
   command->callback([&options] { options.chosen = [&] { return check(options.check); }; });
 }

@@ -20,6 +20,7 @@
 #include "app/trial/questions.h"
 #include "app/trial/subject_list.h"
 #include "app/trial/trial.h"
+#include "app/trial/unanswered.h"
 #include "model/input_error.h"
 #include "model/json.h"
 #include "model/near_names.h"
@@ -207,6 +208,14 @@ void print_summary(const Ledger& ledger) {
   }
 }
 
+/// Returns whether there are any.
+bool print_unanswered(const Ledger& ledger) {
+  const std::vector<Unanswered> all = unanswered(ledger);
+  for (const auto& [subject, query] : all)
+    print("{} {}: no answer, and answers are required\n", subject->card.name, query);
+  return !all.empty();
+}
+
 }  // namespace
 
 std::vector<std::string> default_queries() {
@@ -252,7 +261,8 @@ int check(const RunOptions& options) {
   print_impacts(ledger);
   print_summary(ledger);
   if (ledger.interrupted) return interrupted_exit_code();
-  return failing_rows(ledger) > 0 ? 1 : 0;
+  const bool silent = options.require_answers && print_unanswered(ledger);
+  return silent || failing_rows(ledger) > 0 ? 1 : 0;
 }
 
 }  // namespace touchstone::app

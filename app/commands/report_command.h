@@ -21,6 +21,7 @@ struct RunOptions {
   std::string junit;
   std::string meshes;  ///< folder; if empty, the known ones
   bool first_failure = false;
+  bool require_answers = false;
 };
 
 /// The queries that a run asks if `queries` is empty, and those that it asks only if they are named.
@@ -31,7 +32,7 @@ std::vector<std::string> queries_on_demand();
 int report(const RunOptions& options);
 
 /// Prints one line per failing row and, for a single subject, the largest error of each query and its case. Returns 0
-/// if every property holds, 1 if one fails or breaks, 130 if interrupted.
+/// if every property holds, 1 if one fails or breaks or a required answer is missing, 130 if interrupted.
 int check(const RunOptions& options);
 
 }  // namespace touchstone::app

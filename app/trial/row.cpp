@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 #include <utility>
 
+#include "app/trial/fault_size.h"
 #include "oracle/tolerance/tolerance.h"
 
 namespace touchstone::app {
@@ -31,11 +33,20 @@ bool in_usual_units(const Scene& scene) {
   return 1e-3 <= scale && scale <= 1e3;
 }
 
-/// Is `a` a better start for the minimiser? Usual units first, then the worse grade, then the smaller scene.
+/// Three decimal digits of the fault beside its scene. (The examples of a row are of one subject, so its precision
+/// changes no order.)
+int digits_of_fault(const Example& example) {
+  const double size = fault_size(example.finding, example.scene, oracle::Precision::binary64).over_scene;
+  return size > 0 && std::isfinite(size) ? static_cast<int>(std::floor(std::log2(size) / 10)) : -1000;
+}
+
+/// Is `a` a better start for the minimiser? Usual units first, then a fault that can be measured, then the worse grade,
+/// then the larger fault beside its scene, then the smaller scene.
 bool handier(const Example& a, const Example& b) {
   const auto rank = [](const Example& example) {
     const oracle::Size size = oracle::size_of(example.scene);
-    return std::tuple(!in_usual_units(example.scene), -static_cast<int>(oracle::grade(example.finding)), size.bodies,
+    return std::tuple(!in_usual_units(example.scene), !tells_something(example.finding, oracle::Precision::binary64),
+                      -static_cast<int>(oracle::grade(example.finding)), -digits_of_fault(example), size.bodies,
                       size.vertices_per_body_max, size.significant_bits_max);
   };
   return rank(a) < rank(b);

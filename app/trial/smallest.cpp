@@ -5,6 +5,7 @@
 
 #include "app/system/interruption.h"
 #include "app/system/progress.h"
+#include "app/trial/fault_size.h"
 #include "app/trial/parallel.h"
 #include "app/trial/subject_list.h"
 #include "oracle/judge/grade.h"
@@ -31,8 +32,15 @@ oracle::Case with_note(oracle::Case a_case, const std::string& note) {
   return a_case;
 }
 
-bool shows_the_same(const Finding& finding, const Finding& original) {
-  return failed(finding) && finding.defect == original.defect && oracle::grade(finding) >= oracle::grade(original);
+/// The same defect in the same unit, and none of its sizes has sunk: the smallest scene must not be one where the fault
+/// is next to nothing.
+bool shows_the_same(const Finding& finding, const Scene& scene, const Example& original, oracle::Precision precision) {
+  const Finding& found = original.finding;
+  if (!failed(finding) || finding.defect != found.defect || finding.unit != found.unit) return false;
+  if (oracle::grade(finding) < oracle::grade(found)) return false;
+  if (!tells_something(found, precision)) return true;
+  return tells_something(finding, precision) &&
+         as_large(fault_size(finding, scene, precision), fault_size(found, original.scene, precision));
 }
 
 }  // namespace
@@ -44,11 +52,12 @@ oracle::Case smallest_case(const Example& example, const properties::Property& p
   const oracle::Case interrupted_at_once = with_note(result, "interrupted: not reduced");
   if (interrupted()) return interrupted_at_once;
   start_afresh(subject);
+  const oracle::Precision precision = subject.card().precision;
   const auto still_fails = [&](const Scene& scene) {
     if (interrupted()) return false;
     const Finding finding = property.check(scene, subject);
     if (asked) asked();
-    if (interrupted() || !shows_the_same(finding, example.finding)) return false;
+    if (interrupted() || !shows_the_same(finding, scene, example, precision)) return false;
     result.finding = finding;
     return true;
   };
@@ -57,7 +66,7 @@ oracle::Case smallest_case(const Example& example, const properties::Property& p
   start_afresh(subject);
   result.finding = property.check(result.scene, subject);
   if (interrupted()) return as_far_as_it_came;
-  if (shows_the_same(result.finding, example.finding)) return result;
+  if (shows_the_same(result.finding, result.scene, example, precision)) return result;
   start_afresh(subject);
   result.scene = example.scene;
   result.finding = property.check(result.scene, subject);

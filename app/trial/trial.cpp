@@ -18,6 +18,7 @@
 #include "app/trial/questions.h"
 #include "app/trial/smallest.h"
 #include "app/trial/subject_list.h"
+#include "app/trial/unanswered.h"
 #include "model/input_error.h"
 #include "properties/property.h"
 #include "properties/scenes/domain.h"
@@ -241,6 +242,7 @@ Ledger run(const TrialPlan& plan, const MeshSet& meshes) {
     });
   }
   if (!plan.first_failure) name_empty_classes(ledger, all_trials);
+  count_as_abstentions(ledger.results);
   cut_down(ledger, workers, plan.first_failure ? 0 : plan.effort.minimise_budget);
   ledger.interrupted = interrupted();
   return ledger;
