@@ -1,6 +1,7 @@
 // Converts text to JSON and back.
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -99,14 +100,27 @@ class Builder final : public nlohmann::json_sax<Json> {
   bool parse_error(std::size_t position, const std::string& last, const Json::exception& error) override {
     constexpr int out_of_range = 406;
     if (error.id == out_of_range) refuse_next("too great for a double, found " + shortened(last));
-    const std::size_t begin = std::min(text_.size(), position - std::min(position, last.size()));
-    for (const std::string_view word : {"NaN", "nan", "-nan", "Infinity", "-Infinity", "inf", "-inf"}) {
-      if (text_.substr(begin).starts_with(word)) refuse_next("expected a finite number, found " + std::string(word));
+    if (const std::string word = not_finite_at(position); !word.empty()) {
+      refuse_next("expected a finite number, found " + word);
     }
     throw Flaw{InputError(place(false), readable(error.what())), position > 0 ? position - 1 : 0};
   }
 
  private:
+  /// Returns the word for NaN or infinity, which JSON lacks, that the parser stopped in: after its first letter, or
+  /// after its second one where the first one may also begin "null" or a number. Else "".
+  std::string not_finite_at(std::size_t position) const {
+    for (const std::size_t read : {2, 1}) {
+      const std::string_view rest = text_.substr(std::min(text_.size(), position - std::min(position, read)));
+      for (const std::string_view word : {"NaN", "nan", "-nan", "-NaN", "Infinity", "-Infinity", "inf", "-inf"}) {
+        const bool ends =
+            rest.size() <= word.size() || std::isalnum(static_cast<unsigned char>(rest[word.size()])) == 0;
+        if (rest.starts_with(word) && ends) return std::string(word);
+      }
+    }
+    return "";
+  }
+
   /// Only up to 2^53 is every integer a double.
   template <class Integer>
   bool add_integer(Integer value) {
