@@ -54,12 +54,21 @@ std::uint64_t read_uint64(const Json& json, const char* key, const Node& node) {
   return json.at(key).get<std::uint64_t>();
 }
 
+void validate_at(const Scene& scene, const std::string& place) {
+  try {
+    validate(scene);
+  } catch (const InputError& error) {  // its message starts with the path within the scene
+    throw InputError("", place + error.what());
+  }
+}
+
 Case read_case_json(const Json& json, const std::string& place) {
   const Node node(json, place);
   if (const std::string format = node.at("touchstone").text(); format != case_format) {
     node.at("touchstone").refuse("expected \"" + std::string(case_format) + "\", found " + Json(format).dump());
   }
-  node.expect_object({"touchstone", "property", "subject", "family", "seed", "index", "note", "finding", "scene"});
+  node.expect_object(
+      {"touchstone", "property", "subject", "family", "seed", "index", "note", "finding", "scene", "changed"});
   Case a_case;
   a_case.property = node.at("property").text();
   read_if_there(node, "subject", a_case.subject);
@@ -72,10 +81,13 @@ Case read_case_json(const Json& json, const std::string& place) {
   a_case.finding = read_finding(json.at("finding"), place + dot + "finding");
   node.at("scene");
   a_case.scene = read<Scene>(json.at("scene"), place + dot + "scene");
-  try {
-    validate(a_case.scene);
-  } catch (const InputError& error) {  // its message starts with the path within the scene
-    throw InputError("", place + dot + "scene." + error.what());
+  validate_at(a_case.scene, place + dot + "scene.");
+  if (const auto changed = node.find("changed")) {
+    changed->expect_object({"how", "scene"});
+    changed->at("scene");
+    const std::string there = place + dot + "changed.scene";
+    a_case.changed = {changed->at("how").text(), read<Scene>(json.at("changed").at("scene"), there)};
+    validate_at(a_case.changed->scene, there + '.');
   }
   return a_case;
 }
@@ -127,6 +139,9 @@ Json json_of(const Case& a_case) {
   write_if_there(json, "note", a_case.note);
   json["finding"] = json_of(a_case.finding);
   json["scene"] = touchstone::json_of(a_case.scene);
+  if (a_case.changed) {
+    json["changed"] = {{"how", a_case.changed->how}, {"scene", touchstone::json_of(a_case.changed->scene)}};
+  }
   return json;
 }
 

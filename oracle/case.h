@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -10,6 +11,14 @@
 #include "oracle/finding.h"
 
 namespace touchstone::oracle {
+
+/// The second question of a law, about the scene after a change whose effect on the truth is known.
+struct ChangedScene {
+  std::string how;  ///< "all lengths times 2^20"
+  Scene scene;
+
+  bool operator==(const ChangedScene&) const = default;
+};
 
 /// The contents of a case file.
 struct Case {
@@ -21,6 +30,7 @@ struct Case {
   Scene scene;
   Finding finding;
   std::string note;
+  std::optional<ChangedScene> changed = {};  ///< if the answer about this scene broke a law, or is missing
 
   bool operator==(const Case&) const = default;
 };

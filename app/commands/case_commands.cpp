@@ -14,6 +14,7 @@
 #include "app/system/progress.h"
 #include "app/system/terminal.h"
 #include "app/system/writable.h"
+#include "app/trial/last_asked.h"
 #include "app/trial/smallest.h"
 #include "app/trial/subject_list.h"
 #include "model/input_error.h"
@@ -23,6 +24,7 @@
 #include "oracle/truth/truth.h"
 #include "properties/clause.h"
 #include "properties/property.h"
+#include "properties/transforms/name.h"
 
 namespace touchstone::app {
 namespace {
@@ -102,11 +104,15 @@ int replay(const CaseCommand& command) {
   const Case a_case = oracle::read_case(command.path);
   const Property& property = properties::find(a_case.property);
   const auto subject = connect(name_of_subject(command, "replay", a_case), limits_of(command.time_limit));
-  const Finding finding = property.check(a_case.scene, *subject);
+  LastAsked last_asked(*subject);
+  const Finding finding = property.check(a_case.scene, last_asked);
   if (command.json) {
     print_lines(text_of(oracle::json_of(finding)));
   } else {
     print_words(a_case, property, subject->card(), finding);
+    if (failed(finding) && last_asked.scene() && *last_asked.scene() != a_case.scene) {
+      print_line("asked of", properties::name_of_change(a_case.scene, *last_asked.scene()));
+    }
   }
   return failed(finding) ? 1 : 0;
 }

@@ -146,6 +146,9 @@ void print_failing(const Ledger& ledger) {
     print("{}: {} of {} fail, grade {}\n", name_of(row), row.fails + row.breaks, row.answered(),
           oracle::name_of(*row.grade()));
     for (const auto& [label, words] : lines_of(shown_finding(row))) print("    {:<9} {}\n", label, words);
+    if (row.smallest_case && row.smallest_case->changed) {
+      print("    {:<9} {}\n", "asked of", row.smallest_case->changed->how);
+    }
     if (!row.replay_command.empty()) print("    {}\n", row.replay_command);
   }
 }

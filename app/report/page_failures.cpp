@@ -23,6 +23,7 @@ std::string about_the_case(const Row& row) {
   const oracle::Size size = oracle::size_of(row.smallest_case->scene);
   return definition("scene", fmt::format("{}; drawn as {} {} with {}", text_of(size), escaped(row.smallest->family),
                                          row.smallest->index, text_of(row.size_found))) +
+         definition("asked of", row.smallest_case->changed ? escaped(row.smallest_case->changed->how) : "") +
          definition("note", escaped(row.smallest_case->note)) +
          definition("replay", fmt::format("<code>{}</code> <a href=\"{}\">file</a>", escaped(row.replay_command),
                                           escaped(row.case_file)));
@@ -37,8 +38,18 @@ std::string facts(const Row& row) {
   return html + about_the_case(row);
 }
 
+/// The scene and, of a law about two answers, the second one. The two stand one below the other.
+std::string drawings(const oracle::Case& a_case) {
+  const std::string first = picture(a_case.scene);
+  if (!a_case.changed) return first;
+  const std::string second = picture(a_case.changed->scene);
+  if (first.empty() || second.empty()) return first + second;
+  return fmt::format("<div>{}<p class=\"soft\">then asked of {}:</p>{}</div>", first, escaped(a_case.changed->how),
+                     second);
+}
+
 std::string failing_row(const Row& row) {
-  const std::string drawing = row.smallest_case ? picture(row.smallest_case->scene) : "";
+  const std::string drawing = row.smallest_case ? drawings(*row.smallest_case) : "";
   return fmt::format(
       "<details class=\"row\" id=\"{}\"><summary>{}<b>{}</b> <span class=\"soft\">{}, {} of {}</span></summary>"
       "<p class=\"soft\">Must hold: {}.</p><div class=\"{}\">{}<dl>{}</dl></div></details>",

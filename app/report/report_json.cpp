@@ -58,6 +58,7 @@ Json json_of(const Row& row) {
     json["size_found"] = json_of(row.size_found);
     json["size"] = json_of(oracle::size_of(row.smallest_case->scene));
     json["finding"] = oracle::json_of(row.smallest_case->finding);
+    if (row.smallest_case->changed) json["changed"] = row.smallest_case->changed->how;
   }
   return json;
 }

@@ -6,9 +6,11 @@
 #include "app/system/interruption.h"
 #include "app/system/progress.h"
 #include "app/trial/fault_size.h"
+#include "app/trial/last_asked.h"
 #include "app/trial/parallel.h"
 #include "app/trial/subject_list.h"
 #include "oracle/judge/grade.h"
+#include "properties/transforms/name.h"
 
 namespace touchstone::app {
 namespace {
@@ -43,6 +45,12 @@ bool shows_the_same(const Finding& finding, const Scene& scene, const Example& o
          as_large(fault_size(finding, scene, precision), fault_size(found, original.scene, precision));
 }
 
+/// The scene that the last question was about, if it is another one than the case's own.
+std::optional<oracle::ChangedScene> changed_scene(const Scene& scene, const LastAsked& asked) {
+  if (!asked.scene() || *asked.scene() == scene) return std::nullopt;
+  return oracle::ChangedScene{properties::name_of_change(scene, *asked.scene()), *asked.scene()};
+}
+
 }  // namespace
 
 oracle::Case smallest_case(const Example& example, const properties::Property& property, oracle::Subject& subject,
@@ -64,16 +72,24 @@ oracle::Case smallest_case(const Example& example, const properties::Property& p
   result.scene = oracle::minimise(example.scene, still_fails, affordable(budget, example.finding.defect));
   const oracle::Case as_far_as_it_came = with_note(result, "interrupted: a smaller scene may fail too");
   start_afresh(subject);
-  result.finding = property.check(result.scene, subject);
+  LastAsked last_asked(subject);
+  result.finding = property.check(result.scene, last_asked);
   if (interrupted()) return as_far_as_it_came;
-  if (shows_the_same(result.finding, result.scene, example, precision)) return result;
+  if (shows_the_same(result.finding, result.scene, example, precision)) {
+    result.changed = changed_scene(result.scene, last_asked);
+    return result;
+  }
   start_afresh(subject);
   result.scene = example.scene;
-  result.finding = property.check(result.scene, subject);
+  result.finding = property.check(result.scene, last_asked);
   if (interrupted()) return interrupted_at_once;
   result.note = failed(result.finding) ? "not reduced: the smaller scene fails only after other questions"
                                        : "fails only after other questions: the finding is the one of the run";
-  if (!failed(result.finding)) result.finding = example.finding;
+  if (failed(result.finding)) {
+    result.changed = changed_scene(result.scene, last_asked);
+  } else {
+    result.finding = example.finding;
+  }
   return result;
 }
 

@@ -14,8 +14,9 @@ namespace touchstone::app {
 /// Minimises the row's `smallest` example, keeping its defect, a grade at least as bad, and a fault at least as large
 /// beside what is allowed and beside the scene (app/trial/fault_size.h). Checks the result once more in a fresh
 /// process. If the subject does not repeat itself, the scene stays as found, and the case's note says so; it also says
-/// if the search was interrupted. The case names the subject by its card, since the caller knows how to connect to it.
-/// `asked` is called after each query of the search.
+/// if the search was interrupted. If the last question was about another scene, as in a law about two answers, the case
+/// has that scene too. The case names the subject by its card, since the caller knows how to connect to it. `asked` is
+/// called after each query of the search.
 oracle::Case smallest_case(const Example& example, const properties::Property& property, oracle::Subject& subject,
                            std::uint64_t seed, int budget, const std::function<void()>& asked = {});
 

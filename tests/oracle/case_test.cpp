@@ -30,6 +30,8 @@ Case a_case() {
   c.finding.margin = Interval{0.1, std::numeric_limits<double>::infinity()};
   c.finding.certificate = "a proof";
   c.note = "line one\nline two";
+  c.changed = {"all lengths times 2^-20", c.scene};
+  c.changed->scene.bodies.pop_back();
   return c;
 }
 
