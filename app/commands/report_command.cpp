@@ -17,6 +17,7 @@
 #include "app/system/interruption.h"
 #include "app/system/terminal.h"
 #include "app/system/writable.h"
+#include "app/trial/causes.h"
 #include "app/trial/questions.h"
 #include "app/trial/subject_list.h"
 #include "app/trial/trial.h"
@@ -140,16 +141,22 @@ long failing_rows(const Ledger& ledger) { return std::ranges::count_if(ledger.re
 /// "bullet.double distance.value"
 std::string name_of(const Row& row) { return row.subject->card.name + ' ' + row.property->id; }
 
+/// Of a cause, the words once, and then only the names of the other rows that it breaks.
 void print_failing(const Ledger& ledger) {
-  for (const Row& row : ledger.results.all()) {
-    if (!row.failing()) continue;
-    print("{}: {} of {} fail, grade {}\n", name_of(row), row.fails + row.breaks, row.answered(),
-          oracle::name_of(*row.grade()));
-    for (const auto& [label, words] : lines_of(shown_finding(row))) print("    {:<9} {}\n", label, words);
-    if (row.smallest_case && row.smallest_case->changed) {
-      print("    {:<9} {}\n", "asked of", row.smallest_case->changed->how);
+  for (const Cause& cause : causes(ledger)) {
+    const Row& first = *cause.rows.front();
+    print("{}: {} of {} fail, grade {}\n", name_of(first), first.fails + first.breaks, first.answered(),
+          oracle::name_of(*first.grade()));
+    for (const auto& [label, words] : lines_of(shown_finding(first))) print("    {:<9} {}\n", label, words);
+    if (first.smallest_case && first.smallest_case->changed) {
+      print("    {:<9} {}\n", "asked of", first.smallest_case->changed->how);
     }
-    if (!row.replay_command.empty()) print("    {}\n", row.replay_command);
+    if (!first.replay_command.empty()) print("    {}\n", first.replay_command);
+    for (const Row* row : cause.rows) {
+      if (row == &first) continue;
+      print("{}: {} of {} fail, grade {}, for the same cause\n", name_of(*row), row->fails + row->breaks,
+            row->answered(), oracle::name_of(*row->grade()));
+    }
   }
 }
 

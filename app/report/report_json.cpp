@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "app/system/version.h"
+#include "app/trial/causes.h"
 #include "oracle/process/protocol.h"
 
 namespace touchstone::app {
@@ -63,6 +64,13 @@ Json json_of(const Row& row) {
   return json;
 }
 
+Json json_of(const Cause& cause) {
+  Json json = {{"subject", cause.subject->card.name},
+               {"defect", oracle::name_of(shown_finding(*cause.rows[0]).defect)}};
+  for (const Row* row : cause.rows) json["rows"].push_back(row->property->id);
+  return json;
+}
+
 Json cards(const Ledger& ledger) {
   Json all = Json::array();
   for (const TestedSubject& subject : ledger.subjects) all.push_back(oracle::protocol::json_of(subject.card));
@@ -91,6 +99,8 @@ Json report_json(const Ledger& ledger) {
                {"properties", properties_of(ledger)}};
   json["rows"] = Json::array();
   for (const Row& row : ledger.results.all()) json["rows"].push_back(json_of(row));
+  json["causes"] = Json::array();
+  for (const Cause& cause : causes(ledger)) json["causes"].push_back(json_of(cause));
   json["scenes"] = ledger.scenes;
   json["classes"] = ledger.classes;
   json["empty_classes"] = ledger.empty_classes;

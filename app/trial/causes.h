@@ -1,0 +1,21 @@
+// One cause that breaks many rows is one cause.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/trial/ledger.h"
+
+namespace touchstone::app {
+
+/// Failing rows of one subject that are shown with the same break: the same defect with the same words, apart from the
+/// numbers in them. A row that answers wrongly is a cause by itself.
+struct Cause {
+  const TestedSubject* subject = nullptr;
+  std::vector<const Row*> rows;  ///< property by property; never empty
+};
+
+/// By subject, and then by first row. Each failing row is in one cause.
+std::vector<Cause> causes(const Ledger& ledger);
+
+}  // namespace touchstone::app
