@@ -39,7 +39,7 @@ FaultSize fault_size(const oracle::Finding& finding, const Scene& scene, oracle:
   return {finding.error / std::max(finding.allowed, 1.0), over_scene(finding, scene, precision)};
 }
 
-bool tells_something(const oracle::Finding& finding, oracle::Precision precision) {
+bool is_measurable(const oracle::Finding& finding, oracle::Precision precision) {
   if (!has_magnitude(finding)) return true;
   if (!std::isfinite(finding.error) || !std::isfinite(finding.allowed)) return false;
   return !in_ulps(finding) || finding.allowed * oracle::unit_roundoff(precision) < 1;

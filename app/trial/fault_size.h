@@ -19,7 +19,7 @@ FaultSize fault_size(const oracle::Finding& finding, const Scene& scene, oracle:
 
 /// May the scene stand for the fault? Not where the allowance is as large as what is compared, or infinite: where all
 /// bodies are at rest, an ulp of their speeds is next to nothing, and an error of any size is 2^1000 of them.
-bool tells_something(const oracle::Finding& finding, oracle::Precision precision);
+bool is_measurable(const oracle::Finding& finding, oracle::Precision precision);
 
 /// Is the fault still as large as the one that was found?
 bool as_large(const FaultSize& now, const FaultSize& found);

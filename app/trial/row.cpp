@@ -45,7 +45,7 @@ int digits_of_fault(const Example& example) {
 bool handier(const Example& a, const Example& b) {
   const auto rank = [](const Example& example) {
     const oracle::Size size = oracle::size_of(example.scene);
-    return std::tuple(!in_usual_units(example.scene), !tells_something(example.finding, oracle::Precision::binary64),
+    return std::tuple(!in_usual_units(example.scene), !is_measurable(example.finding, oracle::Precision::binary64),
                       -static_cast<int>(oracle::grade(example.finding)), -digits_of_fault(example), size.bodies,
                       size.vertices_per_body_max, size.significant_bits_max);
   };

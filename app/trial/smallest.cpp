@@ -40,8 +40,8 @@ bool shows_the_same(const Finding& finding, const Scene& scene, const Example& o
   const Finding& found = original.finding;
   if (!failed(finding) || finding.defect != found.defect || finding.unit != found.unit) return false;
   if (oracle::grade(finding) < oracle::grade(found)) return false;
-  if (!tells_something(found, precision)) return true;
-  return tells_something(finding, precision) &&
+  if (!is_measurable(found, precision)) return true;
+  return is_measurable(finding, precision) &&
          as_large(fault_size(finding, scene, precision), fault_size(found, original.scene, precision));
 }
 

@@ -43,13 +43,13 @@ TEST_CASE("A fault has a size beside what is allowed, and beside the lengths and
   CHECK(fault_size(fault(1, 0, oracle::without_size), moving, Precision::binary64).over_allowance == 0);
 }
 
-TEST_CASE("An allowance as large as what is compared tells nothing") {
+TEST_CASE("By an allowance as large as what is compared nothing is measured") {
   // What an engine was accused of whose bodies were all at rest: 1.1e-16 m/s for 0.
-  CHECK_FALSE(tells_something(fault(2e307, 2.6e300, "ulps of the impact's energy norm"), Precision::binary64));
-  CHECK_FALSE(tells_something(fault(HUGE_VAL, HUGE_VAL, "m"), Precision::binary64));
-  CHECK_FALSE(tells_something(fault(0x1p26, 0x1p25, "ulps of the scene's scale"), Precision::binary32));
-  CHECK(tells_something(fault(0x1p26, 0x1p25, "ulps of the scene's scale"), Precision::binary64));
-  CHECK(tells_something(Finding{}, Precision::binary64));
+  CHECK_FALSE(is_measurable(fault(2e307, 2.6e300, "ulps of the impact's energy norm"), Precision::binary64));
+  CHECK_FALSE(is_measurable(fault(HUGE_VAL, HUGE_VAL, "m"), Precision::binary64));
+  CHECK_FALSE(is_measurable(fault(0x1p26, 0x1p25, "ulps of the scene's scale"), Precision::binary32));
+  CHECK(is_measurable(fault(0x1p26, 0x1p25, "ulps of the scene's scale"), Precision::binary64));
+  CHECK(is_measurable(Finding{}, Precision::binary64));
 }
 
 /// Says a distance that is wrong by 2^17 ulps of a scale of 4 where the second ball is at an odd place, else by 2^9.
