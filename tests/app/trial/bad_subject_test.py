@@ -12,7 +12,7 @@ TWO_BALLS = scene(body(ball(1)), body(ball(1), (3, 0, 0)))
 class AtItsStart(Test):
     def test_a_program_that_never_introduces_itself(self):
         for trick, says in [("start_exit", ("did not introduce itself", "no licence found")),
-                            ("start_words", ("introduction:1:",)), ("start_deaf", ("did not introduce itself",))]:
+                            ("start_words", ("introduction:1:", f"{MISBEHAVING} start_words", "found the line: Welcome!")), ("start_deaf", ("did not introduce itself",))]:
             for command in ("report", "check"):
                 self.refused(command, "--cases", 1, "--time-limit", 0.2, "--json", "r.json", "--out", "R",
                              "--subjects", f"exec:{MISBEHAVING} {trick}", says=["touchstone: subject", *says])

@@ -1,0 +1,82 @@
+"""What is not an engine's fault is not charged to it: how numbers are written, what it does not offer, one cause in many rows."""
+
+import json
+import unittest
+
+from program import *
+
+# Answers each question with the value of an expression of the number of questions so far.
+ENGINE_OF = """
+import json, sys
+asked = 0
+for line in sys.stdin:
+    message = json.loads(line)
+    if message["op"] == "stop":
+        break
+    if message["op"] == "start":
+        print('{"seq": %d, "protocol": 1, "card": {"name": "mine", "version": "0", "precision": "binary64", "answers": ["distance"]}}'
+              % message["seq"], flush=True)
+        continue
+    asked += 1
+    print('{"seq": %d, ' % message["seq"] + (ANSWER) + "}", flush=True)
+"""
+
+
+class FairVerdict(Test):
+    def engine(self, answer):
+        return "exec:/usr/bin/python3 " + str(self.folder / self.file("mine.py", ENGINE_OF.replace("ANSWER", answer)))
+
+    def checked(self, answer, *words, code):
+        said = self.succeeds("check", "--subjects", self.engine(answer), "--queries", "distance", "--cases", 4, "--json", "r.json",
+                             *words, code=code)
+        return said, self.json("r.json")
+
+    def test_an_integer_is_the_double_that_it_reads_as(self):
+        """As JSON.stringify writes 2^69: its shortest digits, and zeros."""
+        far = scene(body(ball(2**40)), body(ball(2**40), (2.0**69 + 2.0**41, 0, 0)))
+        self.file("case.json", {"touchstone": "case/1", "property": "distance.value", "seed": 1, "index": 0, "scene": far,
+                                "finding": {"outcome": "holds", "defect": "none", "error": 0, "allowed": 0}})
+        subject = self.engine("""'"result": {"distance": 590295810358705700000}'""")
+        self.succeeds("replay", "case.json", "--subject", subject)
+
+    def test_a_query_that_is_never_answered_is_abstained_from(self):
+        answer = """'"abstains": "no boxes"' if asked % 2 else '"breaks": {"kind": "threw", "how": "no hull %d"}' % asked"""
+        said, report = self.checked(answer, code=0)
+        self.assertRegex(said, r"mine +0 properties hold,   0 fail")
+        for row in report["rows"]:
+            self.assertEqual((row["fails"], row["breaks"], "grade" in row), (0, 0, False), row)
+        self.assertTrue(any("it threw: no hull" in row.get("why_abstains", "") for row in report["rows"]))
+        said, _ = self.checked(answer, "--require-answers", code=1)
+        self.assertIn("mine distance: no answer, and answers are required", said)
+
+    def test_a_required_answer_may_be_wrong_or_right(self):
+        said, _ = self.checked("""'"result": {"verdict": "separated", "distance": 1}'""", "--require-answers", code=1)
+        self.assertNotIn("answers are required", said)
+
+    def test_one_cause_is_one_cause(self):
+        said, report = self.checked("""'"breaks": {"kind": "threw", "how": "no hull %d"}' % asked""", code=1)
+        self.assertEqual([cause["defect"] for cause in report["causes"]], ["threw"])
+        failing = [row["property"] for row in report["rows"] if row["breaks"] > 0]
+        self.assertGreater(len(failing), 5)
+        self.assertEqual(report["causes"][0]["rows"], failing)
+        self.assertEqual(said.count("no hull"), 1)
+        self.assertEqual(said.count("for the same cause"), len(failing) - 1)
+
+    def test_a_law_names_the_scene_that_broke_it(self):
+        near = scene(body(ball(1)), body(ball(1), (3, 0, 0)))
+        self.file("case.json", {"touchstone": "case/1", "property": "distance.scaled", "seed": 1, "index": 0, "scene": near,
+                                "finding": {"outcome": "holds", "defect": "none", "error": 0, "allowed": 0}})
+        x = 'message["scene"]["bodies"][1]["X_WB"]["p"][0]'
+        threw = """'"breaks": {"kind": "threw", "how": "too small"}'"""
+        subject = self.engine(f"""{threw} if {x} < 1e-3 else '"result": {{"distance": %r}}' % ({x} / 3)""")
+        said = self.succeeds("replay", "case.json", "--subject", subject, code=1)
+        self.assertRegex(said, r"(?m)^asked of +all lengths times 2\^-20$")
+        self.succeeds("minimise", "case.json", "--budget", 1, "--subject", subject, "--out", "small.json")
+        small = self.json("small.json")
+        self.assertEqual(small["changed"]["how"], "all lengths times 2^-20")
+        radii = [s["bodies"][0]["shape"]["radius"] for s in (small["scene"], small["changed"]["scene"])]
+        self.assertEqual(radii[1], radii[0] * 2.0**-20)
+
+
+if __name__ == "__main__":
+    unittest.main()
