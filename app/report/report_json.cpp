@@ -93,7 +93,7 @@ Json report_json(const Ledger& ledger) {
                {"version", version},
                {"seed", ledger.seed},
                {"effort", ledger.effort},
-               {"cases_per_stem", ledger.cases},
+               {"cases_per_query", ledger.cases},
                {"interrupted", ledger.interrupted},
                {"subjects", cards(ledger)},
                {"properties", properties_of(ledger)}};
