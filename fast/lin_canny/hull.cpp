@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fast/lin_canny/half_edges.h"
 #include "fast/lin_canny/merged_faces.h"
 #include "fast/lin_canny/rotation.h"
-#include "model/input_error.h"
 
 namespace touchstone::fast::lin_canny {
 namespace {
@@ -83,40 +83,20 @@ void Hull::add_faces(const std::vector<std::vector<int>>& loops) {
     faces_.push_back(face);
   }
   radius_ = greatest_length(vertices_) * (1 + 8 * u);
-  link_edges();
+  link_edges(loops);
   link_spokes();
   raise_faces();
 }
 
-/// Each edge occurs twice: once as tail → head in face[0], once as head → tail in face[1].
-void Hull::link_edges() {
-  struct EdgeUse {
-    int low, high, face, place;
-    bool forward;
-  };
-  std::vector<EdgeUse> uses;
-  for (int f = 0; f < face_count(); ++f) {
-    const Face& loop = face(f);
-    for (int i = 0; i < loop.corner_count; ++i) {
-      const int from = corner(loop.first_corner + i);
-      const int to = corner(loop.first_corner + (i + 1) % loop.corner_count);
-      uses.push_back({std::min(from, to), std::max(from, to), f, loop.first_corner + i, from < to});
-    }
-  }
-  std::ranges::sort(uses, [](const EdgeUse& a, const EdgeUse& b) {
-    return a.low != b.low ? a.low < b.low : a.high != b.high ? a.high < b.high : a.forward > b.forward;
-  });
-  if (uses.size() % 2 != 0) throw InputError("shape.faces", "an edge is not met twice");
+void Hull::link_edges(const std::vector<std::vector<int>>& loops) {
+  const HalfEdges edges(loops, vertices_.size());
   sides_.resize(corners_.size());
-  for (std::size_t m = 0; m < uses.size(); m += 2) {
-    const EdgeUse& there = uses[m];
-    const EdgeUse& back = uses[m + 1];
-    if (there.low != back.low || there.high != back.high || !there.forward || back.forward) {
-      throw InputError("shape.faces", "an edge is not met once in each direction");
-    }
+  for (std::size_t i = 0; i < edges.sorted().size(); ++i) {
+    const HalfEdge &there = edges.sorted()[i], &back = edges.twin(i);
+    if (there.from > there.to) continue;
     Edge edge;
-    edge.tail = there.low;
-    edge.head = there.high;
+    edge.tail = there.from;
+    edge.head = there.to;
     edge.face[0] = there.face;
     edge.face[1] = back.face;
     edge.along = vertex(edge.head) - vertex(edge.tail);

@@ -64,7 +64,7 @@ class Hull {
 
  private:
   void add_faces(const std::vector<std::vector<int>>& loops);
-  void link_edges();
+  void link_edges(const std::vector<std::vector<int>>& loops);
   void link_spokes();
   void raise_faces();
 

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "fast/exact/vector.h"
+#include "fast/lin_canny/half_edges.h"
 #include "fast/lin_canny/rotation.h"
 #include "model/input_error.h"
 
@@ -15,12 +16,6 @@ namespace touchstone::fast::lin_canny {
 namespace {
 
 using Loop = std::vector<int>;
-
-struct HalfEdge {
-  int from = 0;
-  int to = 0;
-  int face = 0;
-};
 
 [[noreturn]] void refuse(const std::string& what) { throw InputError("shape.faces", what); }
 
@@ -52,26 +47,24 @@ bool on_one_line(const Vec3& a, const Vec3& b, const Vec3& c) {
 
 class Merger {
  public:
-  explicit Merger(const Polytope& polytope) : points_(polytope.vertices), loops_(polytope.faces) {
+  explicit Merger(const Polytope& polytope)
+      : points_(polytope.vertices), loops_(polytope.faces), edges_(loops_, points_.size()) {
     if (loops_.size() < 4) refuse("expected the faces of a solid; derive them first");
-    for (std::size_t f = 0; f < loops_.size(); ++f) {
-      list_edges(static_cast<int>(f));
-      corners_.push_back(three_corners(loops_[f]));
-    }
-    std::ranges::sort(half_edges_, before);
+    for (const Loop& loop : loops_) corners_.push_back(three_corners(loop));
     root_.resize(loops_.size());
     std::iota(root_.begin(), root_.end(), 0);
   }
 
   std::vector<Loop> merged() {
-    for (const HalfEdge& edge : half_edges_) {
-      const HalfEdge& back = reverse(edge);
+    const std::vector<HalfEdge>& edges = edges_.sorted();
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      const HalfEdge &edge = edges[i], &back = edges_.twin(i);
       if (edge.from < edge.to && flat(edge, back)) root_[at(root(edge.face))] = root(back.face);
     }
     std::vector<std::vector<HalfEdge>> rims(loops_.size());
-    for (const HalfEdge& edge : half_edges_) {
-      const int face = root(edge.face);
-      if (face != root(reverse(edge).face)) rims[at(face)].push_back(edge);
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      const int face = root(edges[i].face);
+      if (face != root(edges_.twin(i).face)) rims[at(face)].push_back(edges[i]);
     }
     std::vector<Loop> faces;
     for (const std::vector<HalfEdge>& rim : rims) {
@@ -83,27 +76,7 @@ class Merger {
 
  private:
   static std::size_t at(int i) { return static_cast<std::size_t>(i); }
-  static bool before(const HalfEdge& a, const HalfEdge& b) { return a.from != b.from ? a.from < b.from : a.to < b.to; }
   const Vec3& point(int v) const { return points_[at(v)]; }
-
-  void list_edges(int f) {
-    const Loop& loop = loops_[at(f)];
-    if (loop.size() < 3) refuse("a face of fewer than three vertices");
-    for (std::size_t i = 0; i < loop.size(); ++i) {
-      const int from = loop[i];
-      if (from < 0 || at(from) >= points_.size()) refuse("no vertex " + std::to_string(from));
-      half_edges_.push_back({from, loop[(i + 1) % loop.size()], f});
-    }
-  }
-
-  const HalfEdge& reverse(const HalfEdge& edge) const {
-    const HalfEdge wanted{edge.to, edge.from, 0};
-    const auto found = std::ranges::lower_bound(half_edges_, wanted, before);
-    const bool once = found != half_edges_.end() && !before(wanted, *found) &&
-                      (found + 1 == half_edges_.end() || before(wanted, *(found + 1)));
-    if (!once) refuse("edge " + std::to_string(edge.to) + "-" + std::to_string(edge.from) + " is not met exactly once");
-    return *found;
-  }
 
   int root(int f) const {
     while (root_[at(f)] != f) f = root_[at(f)];
@@ -156,7 +129,7 @@ class Merger {
 
   const std::vector<Vec3>& points_;
   const std::vector<Loop>& loops_;
-  std::vector<HalfEdge> half_edges_;         ///< sorted
+  HalfEdges edges_;
   std::vector<std::array<int, 3>> corners_;  ///< of each face: three that are not collinear
   std::vector<int> root_;                    ///< by face: union-find parent; a root represents its merged face
 };
