@@ -6,6 +6,7 @@
 #include "model/near_names.h"
 #include "oracle/query.h"
 #include "properties/queries.h"
+#include "properties/simulation_queries.h"
 
 namespace touchstone::properties {
 namespace {
@@ -16,7 +17,8 @@ std::vector<Property> join() {
        {mass_properties, bounds_properties, broad_phase_properties, broad_phase_sequence_properties,
         distance_properties, penetration_properties, pixel_properties, impulse_properties, impulse_law_properties,
         time_of_impact_properties, simulation_properties, simulation_lockstep_properties, simulation_meeting_properties,
-        simulation_law_properties, simulation_scene_properties, constraint_properties}) {
+        simulation_law_properties, simulation_scene_properties, simulation_causality_properties,
+        simulation_face_properties, constraint_properties}) {
     for (Property& property : query()) joined.push_back(std::move(property));
   }
   return joined;

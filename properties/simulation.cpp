@@ -282,6 +282,75 @@ Finding impulses(const Scene& scene, Subject& subject) {
       });
 }
 
+/// An impulse, with the bodies where the event reports them, and with their velocities before it.
+struct ReportedImpulse {
+  const TrajectoryCase& asked;
+  const Event& event;
+  Scene scene;
+  oracle::Impact impact;
+  double slack;  ///< m: how far C may be from where the two touch, by rounding
+
+  ReportedImpulse(const TrajectoryCase& of, const Event& reported, const Scene& pair)
+      : asked(of),
+        event(reported),
+        scene(impact_of(at_reported_poses(oracle::pair_at(pair, event.time), event), event, pair.motion->law)),
+        impact(oracle::impact(scene)),
+        slack(tolerance::distance(scene, asked.precision) + rounded_way(pair, event.time, asked.precision)) {}
+
+  Finding compare(const Point& said, const Point& expected, Real allowed, Real unit, const char* name) const {
+    const Real u = oracle::unit_roundoff(asked.precision);
+    return judge::at_most(
+        static_cast<double>((said - expected).norm()),
+        {static_cast<double>(allowed), static_cast<double>(u * std::max<Real>(unit, 0x1p-900L)), "ulps of the impulse"},
+        Defect::wrong_momentum, [&] { return text(event) + ": " + name + " = " + text(said); },
+        [&] { return text(expected); });
+  }
+
+  /// Judges m (v' − v) = P and I (w' − w) = r × P for body `side` (0: A, 1: B). `flown` bounds the errors of the
+  /// velocities before; P is rounded once more, since the event reports it.
+  Finding judged(std::size_t side, const tolerance::BallisticBound& flown) const {
+    const std::array<Velocity, 2> after = {event.after_a.velocity, event.after_b.velocity};
+    const oracle::ImpactBody& body = impact.bodies[side];
+    const Point P = (side == 0 ? 1 : -1) * event.P_A_W.cast<Real>(), torque = body.p_BcmC_W.cross(P);
+    const Point gained = body.mass * (after[side].v_WBcm.cast<Real>() - body.v_WBcm);
+    const Point turned = body.angular_momentum(after[side].w_WB.cast<Real>() - body.w_WB);
+    const Real u = oracle::unit_roundoff(asked.precision), force = P.norm(), arm = body.p_BcmC_W.norm();
+    Finding worst = compare(gained, P,
+                            tolerance::momentum(scene, impact, after, force, asked.precision) + 2 * u * force +
+                                body.mass * static_cast<Real>(flown.velocity),
+                            force, "m Δv");
+    if (worst.outcome == Outcome::fails) return worst;
+    worse(worst, compare(turned, torque,
+                         tolerance::angular_momentum(scene, impact, side, after[side], force, asked.precision) +
+                             (2 * u * arm + static_cast<Real>(slack)) * force +
+                             body.moments[2] * static_cast<Real>(flown.spin),
+                         arm * force, "I Δω"));
+    return worst;
+  }
+};
+
+// Also where the law of impact itself is in doubt, and for a body that strikes one that is not in ballistic motion.
+Finding impulses_apply(const Scene& scene, Subject& subject) {
+  return of_timeline(scene, subject, [&](const TrajectoryCase& asked, const Timeline& timeline) {
+    Finding worst = judge::outside("no impulse on a body in ballistic motion");
+    for (std::size_t e = 0; e < asked.events(); ++e) {
+      const Event& event = (*asked.said.events)[e];
+      if (!is_struck(event)) continue;
+      const std::vector<Segment> segments = segments_into(timeline, asked.said, e);
+      const ReportedImpulse impulse(asked, event, segment_scene(scene, segments, event.time));
+      if (!tolerance::impact_in_range(impulse.impact, asked.precision)) continue;
+      for (std::size_t side = 0; side < 2; ++side) {
+        if (!segments[side].ballistic || asked.is_fixed(segments[side].body)) continue;
+        const Scene alone = segment_scene(scene, {segments[side]}, event.time);
+        const tolerance::BallisticBound flown = allowance(alone, 0, event.time, asked.precision);
+        const bool decisive = is_decisive(alone.bodies[0], flown.place + impulse.slack);
+        if (worse(worst, counted(decisive, impulse.judged(side, flown)))) return worst;
+      }
+    }
+    return worst;
+  });
+}
+
 bool spheres_apart(const Body& a, const State& at, const Body& b, const State& bt) {
   const double reach = tolerance::radius(a) + tolerance::radius(b);
   return (at.X_WB.p_WB - bt.X_WB.p_WB).norm() > 1.01 * reach;
@@ -347,6 +416,11 @@ std::vector<Property> simulation_properties() {
        {clause + "6"},
        "an impact changes the velocities as the impact law says",
        impulses},
+      {"simulation.impulses_apply",
+       query,
+       {clause + "25"},
+       "each impulse changes a body's velocities as Newton and Euler say",
+       impulses_apply},
       {"simulation.solid",
        query,
        {clause + "7"},

@@ -133,6 +133,14 @@ Finding galilean(const Scene& scene, Subject& subject) {
   return first_impact_unchanged(scene, scene.motion ? carried(scene) : std::nullopt, subject);
 }
 
+Finding renumbered(const Scene& scene, Subject& subject) {
+  return first_impact_unchanged(scene, swapped(scene), subject);
+}
+
+Finding reflected(const Scene& scene, Subject& subject) {
+  return first_impact_unchanged(scene, scene.motion ? mirrored(scene) : std::nullopt, subject);
+}
+
 // A ball as large as the largest body, so that the envelope stays the same, and too far away for any contact.
 Body bystander(const Scene& scene) {
   double largest = 0, far = 0;
@@ -396,6 +404,8 @@ std::vector<Property> simulation_scene_properties() {
        {clause + "15"},
        "a velocity added to all bodies changes no first impact",
        galilean},
+      {"simulation.renumbered", query, {clause + "26"}, "renumbering the bodies changes no first impact", renumbered},
+      {"simulation.mirrored", query, {clause + "26"}, "mirroring the world changes no first impact", reflected},
       {"simulation.bystanders",
        query,
        {clause + "16"},

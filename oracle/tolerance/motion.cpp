@@ -141,6 +141,17 @@ BallisticBound ballistic(const Scene& scene, std::size_t body, double time, Prec
   return bound;
 }
 
+// A shift stays, and a velocity adds to it. `place` bounds the error of the turn times rho as well. A turned body whose
+// angular velocity is as stated has it turned in its own axes, by Ω place/rho. That and the error of ω grow as above,
+// at most by e^(1.16Ωτ); a round body keeps its ω. Twice the rotations, since `displacement` counts an angle √2 times.
+double carried(const Scene& scene, std::size_t body, double time, double until, const BallisticBound& off) {
+  const Facts it = facts(scene, body, until, Precision::exact);
+  const Real tau = static_cast<Real>(until) - time, rho = radius(scene.bodies[body]) + it.centre;
+  const Real own = it.round ? 0 : it.w * off.place;
+  const Real growth = it.round ? 1 : std::exp(greatest_growth * it.w * tau);
+  return static_cast<double>(off.place + tau * off.velocity + 2 * (off.place + tau * growth * (rho * off.spin + own)));
+}
+
 double turn(const Scene& scene, std::size_t body, double rate, double seconds, Precision precision) {
   Facts it = facts(scene, body, seconds, precision);
   it.growth = greatest_growth;  // `rate` is that of any of its motions, of which the scene's is only the first

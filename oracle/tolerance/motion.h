@@ -23,6 +23,9 @@ struct BallisticBound {
 /// Requires a completed scene with a motion, and a time not before the start.
 BallisticBound ballistic(const Scene& scene, std::size_t body, double time, Precision precision);
 
+/// m: how far errors `off` of a body's state at `time` move its points until `until`.
+double carried(const Scene& scene, std::size_t body, double time, double until, const BallisticBound& off);
+
 /// rad: error of a body's torque-free rotation over `seconds`, at rates that never exceed `rate` (rad/s).
 double turn(const Scene& scene, std::size_t body, double rate, double seconds, Precision precision);
 

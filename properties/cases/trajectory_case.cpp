@@ -6,7 +6,6 @@
 #include <tuple>
 
 #include "oracle/judge/words.h"
-#include "oracle/tolerance/motion.h"
 #include "oracle/tolerance/precision.h"
 #include "oracle/tolerance/tolerance.h"
 #include "oracle/truth/motion_in_doubles.h"
@@ -88,28 +87,6 @@ std::string fault_in_forces(const Motion& motion, const std::vector<Event>& even
   return {};
 }
 
-// m: upper bound of the displacement of the body's points from where they should be.
-double displacement(const Body& body, const Pose& said, const Pose& expected) {
-  const auto turn = [](const Quaternion& q) {
-    return Eigen::Quaternion<oracle::Real>(q.w, q.x, q.y, q.z).normalized().toRotationMatrix();
-  };
-  const oracle::Real shift = (said.p_WB.cast<oracle::Real>() - expected.p_WB.cast<oracle::Real>()).norm();
-  const oracle::Real turned = (turn(said.q_WB) - turn(expected.q_WB)).norm();
-  return static_cast<double>(shift + turned * tolerance::radius(body));
-}
-
-// The bound of the motion itself, one rounding of the answer, and four for the judge's expectation.
-tolerance::BallisticBound allowance(const Scene& ballistic_scene, std::size_t k, double time,
-                                    oracle::Precision precision) {
-  tolerance::BallisticBound allowed = tolerance::ballistic(ballistic_scene, k, time, precision);
-  const tolerance::BallisticBound own = tolerance::ballistic(ballistic_scene, k, time, oracle::Precision::exact);
-  const double roundings = 4 + std::ldexp(oracle::unit_roundoff(precision), 53);
-  allowed.place += roundings * own.place;
-  allowed.velocity += roundings * own.velocity;
-  allowed.spin += roundings * own.spin;
-  return allowed;
-}
-
 // Angular velocities count times the radius.
 oracle::Finding moves(const TrajectoryCase& asked, const Scene& ballistic_scene, std::size_t k, double time,
                       const Velocity& said) {
@@ -133,6 +110,26 @@ std::string text(const Pose& pose) {
 }
 
 }  // namespace
+
+double displacement(const Body& body, const Pose& said, const Pose& expected) {
+  const auto turn = [](const Quaternion& q) {
+    return Eigen::Quaternion<oracle::Real>(q.w, q.x, q.y, q.z).normalized().toRotationMatrix();
+  };
+  const oracle::Real shift = (said.p_WB.cast<oracle::Real>() - expected.p_WB.cast<oracle::Real>()).norm();
+  const oracle::Real turned = (turn(said.q_WB) - turn(expected.q_WB)).norm();
+  return static_cast<double>(shift + turned * tolerance::radius(body));
+}
+
+tolerance::BallisticBound allowance(const Scene& ballistic_scene, std::size_t k, double time,
+                                    oracle::Precision precision) {
+  tolerance::BallisticBound allowed = tolerance::ballistic(ballistic_scene, k, time, precision);
+  const tolerance::BallisticBound own = tolerance::ballistic(ballistic_scene, k, time, oracle::Precision::exact);
+  const double roundings = 4 + std::ldexp(oracle::unit_roundoff(precision), 53);
+  allowed.place += roundings * own.place;
+  allowed.velocity += roundings * own.velocity;
+  allowed.spin += roundings * own.spin;
+  return allowed;
+}
 
 oracle::Finding check_pose(const TrajectoryCase& asked, const Scene& ballistic_scene, std::size_t k, double time,
                            const Pose& said) {

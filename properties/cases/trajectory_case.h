@@ -7,6 +7,7 @@
 
 #include "model/answers.h"
 #include "oracle/judge/judge.h"
+#include "oracle/tolerance/motion.h"
 #include "properties/cases/timeline.h"
 #include "properties/judging/asking.h"
 
@@ -77,6 +78,13 @@ oracle::Finding of_impacts(const Scene& scene, oracle::Subject& subject, JudgeIt
 
 /// A bound in metres, counted in ulps of the scene's scale.
 oracle::judge::Allowance in_ulps_of_place(const TrajectoryCase& asked, double bound);
+
+/// m: upper bound of the distance of the body's points in one pose from those in another.
+double displacement(const Body& body, const Pose& said, const Pose& expected);
+
+/// The bound of body k's ballistic motion at a time, the rounding of the answer, and four for the judge's expectation.
+oracle::tolerance::BallisticBound allowance(const Scene& ballistic_scene, std::size_t k, double time,
+                                            oracle::Precision precision);
 
 /// Checks the pose of body k of the ballistic scene `flying` at a time; check_state() also checks its velocities.
 oracle::Finding check_pose(const TrajectoryCase& asked, const Scene& ballistic_scene, std::size_t k, double time,

@@ -1,5 +1,6 @@
 // Runs of two to six bodies: a few impacts each, before chaos and before anything piles up; and bodies that never
-// touch, that rest, or that bounce for ever less.
+// touch, that rest, or that bounce for ever less. Also of some dozens, with many impacts within a thirtieth of a
+// second.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -108,6 +109,25 @@ Scene ties(Random& random) {
   return run(random, std::move(bodies), motion_until(3, 2));
 }
 
+/// Ten to twenty pairs of balls that collide, not always centrally, within 2^-5 s.
+Scene crowd(Random& random) {
+  std::vector<Body> bodies;
+  const int pairs = random.between(10, 20);
+  for (int n = 0; n < pairs; ++n) {
+    const Vec3 middle = 8 * Vec3(n % 2, (n / 2) % 4, n / 8);
+    const double impact = 0.5 + std::ldexp(random.below(16), -9);
+    for (const double side : {-1.0, 1.0}) {
+      Body ball = at_rest(Sphere{1});
+      ball.material = some_material(random);
+      const double beside = random.whole(-2, 2) / 8;
+      ball.X_WB.p_WB = middle + Vec3(side * (1 + impact), beside, 0);
+      ball.velocity.v_WBcm = {-side, 0, 0};
+      bodies.push_back(std::move(ball));
+    }
+  }
+  return run(random, std::move(bodies), motion_until(1, 4));
+}
+
 /// Two balls, or a ball and a floor, elastic and without friction: one impact.
 Scene one_impact(Random& random) {
   Body ball = some_ball(random);
@@ -179,6 +199,23 @@ Scene at_rest_on_a_table(Random& random) {
   return run(random, std::move(bodies), std::move(motion), {0, 0, falls ? -8.0 : 0.0});
 }
 
+/// Two balls over a table within the envelope, in elastic bounces that samples hardly show: one slides, the other
+/// stays.
+Scene skims(Random& random) {
+  std::vector<Body> bodies = {floor_at_0()};
+  bodies[0].material = {1, 1};
+  for (int n = 0; n < 2; ++n) {
+    Body ball = at_rest(Sphere{1});
+    ball.material = {1, random.pick({0.25, 0.5})};
+    ball.X_WB.p_WB = {n * 17.0, 0, 1 + 0x1p-12};
+    bodies.push_back(std::move(ball));
+  }
+  bodies[1].velocity.v_WBcm = {random.whole(1, 4), 0, 0};
+  Motion motion = motion_until(0.125, 2);
+  motion.envelope = 0x1p-11;
+  return run(random, std::move(bodies), std::move(motion), {0, 0, -8});
+}
+
 /// A ball above a table: for e < 1 the last sample comes after infinitely many impacts.
 Scene bouncing(Random& random) {
   Body ball = some_ball(random);
@@ -214,11 +251,13 @@ std::vector<Family> run_families() {
       {"runs.on_a_table", "solids thrown onto a table", queries, true, on_a_table},
       {"runs.cradle", "equal balls in a row, with gaps", queries, true, cradle},
       {"runs.ties", "pairs that collide at the same time", queries, true, ties},
+      {"runs.crowd", "20 to 40 balls that collide in pairs within 2^-5 s", queries, true, crowd},
       {"runs.one_impact", "two elastic, smooth bodies that collide once", queries, true, one_impact},
       {"runs.tops", "bodies whose moments differ, turning", queries, true, tops},
       {"runs.pushed", "forces that begin and change", queries, true, pushed},
       {"runs.apart", "bodies that never touch", queries, true, apart},
       {"runs.at_rest", "balls and blocks at rest on a table", queries, true, at_rest_on_a_table},
+      {"runs.skims", "balls on a table that bounce within the envelope", queries, true, skims},
       {"runs.bouncing", "a ball that bounces, and comes to rest", queries, true, bouncing},
       {"runs.far_apart", "two bodies that start 2^4 to 2^60 sizes apart", queries, false, far_apart},
   };

@@ -1,5 +1,5 @@
 // A ball on tables: it slides, rolls, falls, rebounds. Also blocks and stacks, for which only laws are known, no exact
-// answer.
+// answer. Asked of both ways to follow bodies in contact: simulation and constraint.
 //
 // Lengths are multiples of 2⁻⁴, and tilts are rotations with small integer quaternions, so that contacts touch exactly.
 // Speeds are chosen such that something changes during the motion; in some families they are within 2⁻²⁰ of the value
@@ -208,10 +208,27 @@ Scene stack(Random& random) {
   return scene;
 }
 
+/// Blocks at rest that hang over two edges of the table: the centre of mass of one is inside by 1/2 to 2⁻¹² of its half
+/// length, that of the other outside.
+Scene overhangs(Random& random) {
+  Scene scene = table_scene(random, 0.5);
+  const double edge = std::get<Box>(scene.bodies[1].shape).half_extents.x();
+  scene.bodies[1].material = {0, random.pick({0.25, 0.5, 1.0})};
+  scene.bodies.erase(scene.bodies.begin());
+  const Vec3 half{sixteenths(random, 4, 16), sixteenths(random, 4, 16), sixteenths(random, 4, 16)};
+  const int side_of_edge = random.sign();
+  const double beside = side_of_edge * std::ldexp(half.x(), -random.between(1, 12));
+  for (const double side : {-1.0, 1.0}) {
+    scene.bodies.push_back(block(half, {Vec3(side * edge + beside, 0, half.z()), {}}, 1));
+  }
+  scene.motion = sampled_at(1);
+  return scene;
+}
+
 }  // namespace
 
 std::vector<Family> table_families() {
-  const std::vector<std::string> queries = {"constraint"};
+  const std::vector<std::string> queries = {"simulation", "constraint"};
   return {
       {"tables.slides", "a ball that slides on a table, with spin", queries, true, slides},
       {"tables.falls", "a ball that rolls off a table onto a floor", queries, false, falls},
@@ -222,6 +239,7 @@ std::vector<Family> table_families() {
       {"tables.barely_stays", "a ball that turns just before the upper edge", queries, false, barely_stays},
       {"tables.drops", "a ball that falls on a table with spin", queries, true, drops},
       {"tables.block", "a block on a slope, friction near the tangent", queries, false, block_on_slope},
+      {"tables.overhangs", "blocks at rest over two edges of a table", queries, true, overhangs},
       {"tables.stack", "two or three boxes on each other, the upper up to 100 times as heavy", queries, false, stack},
   };
 }

@@ -114,6 +114,12 @@ std::vector<Scene> build_runs() {
                {with(floor_box, 0.5, 0.5), body(cube, {-3, 0, 1 + 0x1p-12}), body(Sphere{1}, {3, 0, 1 + 0x1p-12})},
                {1, 2}, still);
   resting.motion->envelope = 0x1p-11;
+  Scene bouncing =
+      scene_of("balls that bounce within the envelope: one slides, one stays",
+               {with(floor_box, 1, 0.25), with(moving(body(Sphere{1}, {0, 0, 1 + 0x1p-12}), {2, 0, 0}), 1, 1),
+                with(body(Sphere{1}, {0, 5, 1 + 0x1p-12}), 1, 0.25)},
+               {0.03125, 0.0625}, down);
+  bouncing.motion->envelope = 0x1p-11;
   return {
       scene_of("balls that rub",
                {with(moving(body(Sphere{1}, {0, 0, 0}), {3, 0, 0}, {0, 0, 4}), 0.5, 0.25),
@@ -142,6 +148,8 @@ std::vector<Scene> build_runs() {
                 moving(top(body(cube, {8, 0, 0}), {2, 2, 3}), {4, 0, 1}, {1, 0, 2})},
                {0.125, 0.25}, down),
       resting,
+      bouncing,
+      scene_of("a cube that hangs over an edge", {floor_box, body(cube, {8.5, 0, 1})}, {0.5, 1}, down),
       scene_of("a ball that bounces", {with(floor_box, 1, 0), with(body(Sphere{1}, {0, 0, 2}), 0.5, 0)},
                {0.25, 0.75, 1.25}, down),
       scene_of("a ball against a wall", {moving(at(0.5, 0, 8), {1, 0, -8}), with(floor_box, 1, 0)}, {0.5, 1.5}, still),

@@ -1,11 +1,16 @@
 // The outcomes of the simulation properties, for a trajectory computed by hand.
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <optional>
+#include <string>
+#include <variant>
+#include <vector>
 
 #include "properties/property.h"
 #include "tests/catch.h"
 #include "tests/properties/fixed_subject.h"
+#include "tests/properties/kills.h"
 #include "tests/properties/scenes.h"
 
 using namespace touchstone;
@@ -44,8 +49,72 @@ oracle::Finding judged(const std::string& property, const Trajectory& said) {
   return properties::find("simulation." + property).check(wall(), subject);
 }
 
-const auto all_of_one = {"ordered", "flights", "event_states",   "none_missed", "contacts", "impulses",
-                         "solid",   "energy",  "elastic_energy", "whole",       "lockstep"};
+const auto all_of_one = {"ordered",        "flights", "event_states", "none_missed",    "contacts", "impulses",
+                         "impulses_apply", "solid",   "energy",       "elastic_energy", "whole",    "lockstep"};
+
+/// An error of a trajectory that is a few times beyond the allowance of a property, on a scene made by hand.
+struct Beyond {
+  const char* property;
+  const char* scene;
+  double error;  ///< SI
+  void (*change)(Trajectory&, double error);
+  bool elsewhere = false;  ///< only in the answers for other scenes: those that the property asks for comparison
+};
+
+State& last(Trajectory& said) { return said.states.back().front(); }
+
+void place(Trajectory& said, double error) { last(said).X_WB.p_WB.x() += error; }
+void height(Trajectory& said, double error) { said.states.back().back().X_WB.p_WB.z() += error; }
+void speed(Trajectory& said, double error) { last(said).velocity.v_WBcm.x() += error; }
+void spin(Trajectory& said, double error) { last(said).velocity.w_WB.x() += error; }
+void time(Trajectory& said, double error) { event_of(said).time += error; }
+void place_after(Trajectory& said, double error) { event_of(said).after_a.X_WB.p_WB.x() += error; }
+void speed_after(Trajectory& said, double error) { event_of(said).after_a.velocity.v_WBcm.x() += error; }
+void spin_after(Trajectory& said, double error) { event_of(said).after_a.velocity.w_WB.x() += error; }
+void contact_point(Trajectory& said, double error) { event_of(said).p_WC.z() += error; }
+void slides_faster(Trajectory& said, double error) { said.states.back()[1].velocity.v_WBcm.x() += error; }
+
+const std::vector<Beyond> beyond = {
+    {"flights", "balls that rub", 1e-13, place},
+    {"alone", "tops that never meet", 1e-13, place},
+    {"event_states", "balls that rub", 1e-13, place_after},
+    {"contacts", "a ball against a wall", 0x1p-27, contact_point},
+    {"impulses", "a ball against a wall", 8e-12, speed_after},
+    {"impulses_apply", "balls that rub", 3e-11, spin_after},
+    {"solid", "a ball that bounces", -0x1p-27, height},
+    {"momentum", "balls that rub", 4e-13, speed},
+    {"angular_momentum", "balls that rub", 6e-11, spin},
+    {"energy", "a ball against a wall", 3e-11, speed},
+    {"elastic_energy", "a ball against a wall", 3e-11, speed},
+    {"rests", "a cube and a ball at rest", 0x1p-9, height},
+    {"bounces", "a ball that bounces", 0x1p-26, height},
+    {"one_meeting", "a ball against a wall", 1e-8, time},
+    {"reversible", "a ball against a wall", 0x1p-26, place, true},
+    {"rotated", "a ball against a wall", 1e-8, time, true},
+    {"translated", "a ball against a wall", 1e-8, time, true},
+    {"galilean", "balls that rub", 1e-8, time, true},
+    {"renumbered", "a ball against a wall", 1e-8, time, true},
+    {"mirrored", "a ball against a wall", 1e-8, time, true},
+    {"resumed", "a ball against a wall", 1e-8, time, true},
+    {"slides", "balls that bounce within the envelope: one slides, one stays", 0.125, slides_faster},
+};
+
+/// The truth, but for one error.
+struct Mistaken : tests::FixedSubject {
+  const Scene& scene;
+  const Beyond& by;
+  double error;
+  std::unique_ptr<oracle::Subject> truthful = tests::truthful();
+
+  Mistaken(const Scene& of, const Beyond& row, double size) : scene(of), by(row), error(size) {}
+  Answer<TimeOfImpact> time_of_impact(const Scene& asked) override { return truthful->time_of_impact(asked); }
+  Answer<Trajectory> simulation(const Scene& asked) override {
+    Answer<Trajectory> answer = truthful->simulation(asked);
+    auto* said = std::get_if<Trajectory>(&answer);
+    if (said != nullptr && by.elsewhere != (asked == scene)) by.change(*said, error);
+    return answer;
+  }
+};
 
 }  // namespace
 
@@ -59,6 +128,36 @@ TEST_CASE("simulation: the trajectory on paper holds") {
   for (const char* property : {"momentum", "angular_momentum", "alone", "rests", "bounces"}) {
     INFO(property);
     CHECK(judged(property, turned_back()).outcome == Outcome::outside);
+  }
+}
+
+// Regression pins of the tolerances: each property detects an error a few times beyond its allowance, and allows one
+// that is 1,000 times smaller. So no tolerance becomes 1,000 times wider, or narrower, unnoticed.
+TEST_CASE("simulation: errors a few times beyond each allowance are caught") {
+  for (const Beyond& row : beyond) {
+    const Scene& scene = tests::scene(row.scene);
+    const auto finding = [&](double error) {
+      Mistaken subject(scene, row, error);
+      return properties::find(std::string("simulation.") + row.property).check(scene, subject);
+    };
+    const oracle::Finding caught = finding(row.error), allowed = finding(row.error / 1000);
+    INFO(row.property << ": " << caught.error / caught.allowed << " and " << allowed.error / allowed.allowed
+                      << " times the allowance" << caught.why);
+    CHECK(caught.outcome == Outcome::fails);
+    CHECK(caught.error < 100 * caught.allowed);
+    CHECK(allowed.outcome == Outcome::holds);
+  }
+  // The reference's impacts are half an envelope early; the one on paper is not.
+  for (const char* property : {"none_missed", "lockstep"}) {
+    const auto late = [&](double error) {
+      Trajectory said = turned_back();
+      event_of(said).time += error;
+      return judged(property, said);
+    };
+    INFO(property << ": " << late(1e-12).error / late(1e-12).allowed << " times the allowance");
+    CHECK(late(1e-12).outcome == Outcome::fails);
+    CHECK(late(1e-12).error < 100 * late(1e-12).allowed);
+    CHECK(late(1e-15).outcome == Outcome::holds);
   }
 }
 

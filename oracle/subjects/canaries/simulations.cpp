@@ -1,4 +1,5 @@
 // Canaries that lie about simulations, one for each error of simulators.
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -214,6 +215,81 @@ void world_grid(Subject&, const Scene& scene, Trajectory& said) {
     event.time += 1e-4 * event.time * (place(scene) + speed + heading) / (1 + place(scene) + speed + heading);
 }
 
+// The order in which bodies are listed, or the side on which they lie, changes when they have impacts.
+void left_before_right(Subject&, const Scene& scene, Trajectory& said) {
+  if (!said.events || scene.bodies.front().X_WB.p_WB.x() >= scene.bodies.back().X_WB.p_WB.x()) return;
+  for (Event& event : *said.events) event.time *= 1 + 1e-6;
+}
+
+// The last bit of a position depends on a force that is yet to come.
+void foresees(State& state, const Scene& scene, std::size_t body, double time) {
+  for (const AppliedForce& applied : scene.motion->forces) {
+    if (static_cast<std::size_t>(applied.body) != body || applied.time <= time || applied.force_W.sum() <= 0) continue;
+    state.X_WB.p_WB.x() = std::nextafter(state.X_WB.p_WB.x(), INFINITY);
+  }
+}
+
+// Half of the change of spin, reported as an impulse that no law of restitution judges.
+void half_a_twist(Event& event, const Scene& scene) {
+  event.kind = Event::Kind::micro_collision;
+  two_points(event, scene);
+}
+
+// Turns a body and its spin about its angular momentum, which changes neither that nor the energy.
+void top_leads(State& state, const Scene& scene, std::size_t body, double time) {
+  const auto* given = std::get_if<MassProperties>(&scene.bodies[body].mass);
+  const Vec3 w = state.velocity.w_WB;
+  if (given == nullptr || w.isZero(0)) return;
+  const Quaternion& q = state.X_WB.q_WB;
+  const Eigen::Quaterniond R_WB = Eigen::Quaterniond(q.w, q.x, q.y, q.z).normalized();
+  const Vec3 L = R_WB * (given->I_BBcm_B * (R_WB.conjugate() * w));
+  const Eigen::Quaterniond ahead(Eigen::AngleAxisd(1e-6 * time, L.normalized()));
+  const Eigen::Quaterniond turned = ahead * R_WB;
+  state.X_WB.q_WB = {turned.w(), turned.x(), turned.y(), turned.z()};
+  state.velocity.w_WB = ahead * w;
+}
+
+// Half of the friction. Without events, the law of single impacts does not show it.
+void slippery(Subject& truthful, const Scene& scene, Trajectory& said) {
+  Scene other = scene;
+  for (Body& body : other.bodies) body.material.friction /= 2;
+  with(truthful.simulation(other), [&](const Trajectory& answer) { said = answer; });
+  said.events.reset();
+}
+
+// A body that starts at rest in contact stays there, wherever its centre of mass is.
+void clings(Subject& truthful, const Scene& scene, Trajectory& said) {
+  std::vector<State> stays;
+  for (const Body& body : scene.bodies) {
+    if (body.velocity != Velocity{}) return;
+    stays.push_back({body.X_WB, {}});
+  }
+  std::vector<Event> contacts;
+  for (std::size_t b = 1; b < stays.size(); ++b) {
+    for (std::size_t a = 0; a < b; ++a) {
+      Scene pair;
+      pair.bodies = {scene.bodies[a], scene.bodies[b]};
+      if (distance_by(truthful, pair) > envelope(scene)) continue;
+      Event contact;
+      contact.kind = Event::Kind::contact;
+      contact.a = static_cast<int>(a);
+      contact.b = static_cast<int>(b);
+      contact.after_a = stays[a];
+      contact.after_b = stays[b];
+      contacts.push_back(std::move(contact));
+    }
+  }
+  if (contacts.empty()) return;
+  said = Trajectory{};
+  said.states.assign(scene.motion->sample_times.size(), stays);
+  said.events = std::move(contacts);
+}
+
+void last_sample(Subject&, const Scene&, Trajectory& said) {
+  if (said.states.empty()) return;
+  for (State& state : said.states.back()) state.X_WB.p_WB.y() += 1e-9;
+}
+
 }  // namespace
 
 std::vector<Canary> canaries_about_simulations() {
@@ -263,6 +339,20 @@ std::vector<Canary> canaries_about_simulations() {
       lying("canary.look_missing", "leaves out the last sample", [] { return runs(no_times); }),
       lying("canary.world_grid", "reports impacts later, the farther and faster bodies are",
             [] { return runs(world_grid); }),
+      lying("canary.left_before_right", "reports impacts later if the first body is on the left of the last",
+            [] { return runs(left_before_right); }),
+      lying("canary.foresees", "knows a force before its time, in the last bit", [] { return each_state(foresees); }),
+      lying("canary.half_a_twist", "gives half of its spin to a body that is hit, by a micro-collision",
+            [] { return first_impact_with(half_a_twist); }),
+      lying("canary.top_leads", "turns tops a millionth of a radian too far each second",
+            [] { return each_state(top_leads); }),
+      lying("canary.starts_anew", "takes a state at a later time for one at time 0",
+            [] { return as_if([](Scene& scene) { scene.motion->start_times.clear(); }); }),
+      lying("canary.slippery", "halves all friction, and reports no events", [] { return runs(slippery); }),
+      lying("canary.clings", "keeps a body that starts in contact where it is, whatever it is on",
+            [] { return runs(clings); }),
+      lying("canary.last_sample", "moves all bodies by a nanometre in the last sample alone",
+            [] { return runs(last_sample); }),
   };
 }
 
