@@ -101,6 +101,7 @@ Json json_of(const Finding& finding) {
   json["error"] = number(finding.error);
   json["allowed"] = number(finding.allowed);
   write_if_there(json, "unit", finding.unit);
+  if (finding.rounding != 0) json["rounding"] = number(finding.rounding);
   if (finding.margin) json["margin"] = {number(finding.margin->lo), number(finding.margin->hi)};
   write_if_there(json, "certificate", finding.certificate);
   write_if_there(json, "why", finding.why);
@@ -109,8 +110,8 @@ Json json_of(const Finding& finding) {
 
 Finding read_finding(const Json& json, const std::string& place) {
   const Node node(json, place);
-  node.expect_object(
-      {"outcome", "defect", "observed", "expected", "error", "allowed", "unit", "margin", "certificate", "why"});
+  node.expect_object({"outcome", "defect", "observed", "expected", "error", "allowed", "unit", "rounding", "margin",
+                      "certificate", "why"});
   Finding finding;
   finding.outcome = read_name(node.at("outcome"), Outcome::outside);
   finding.defect = read_name(node.at("defect"), Defect::garbage);
@@ -121,6 +122,7 @@ Finding read_finding(const Json& json, const std::string& place) {
   const Node allowed = node.at("allowed");
   finding.allowed = read_number(json.at("allowed"), allowed);
   read_if_there(node, "unit", finding.unit);
+  if (const auto rounding = node.find("rounding")) finding.rounding = read_number(json.at("rounding"), *rounding);
   if (const auto margin = node.find("margin")) {
     margin->expect_size(2);
     finding.margin = {read_number(json.at("margin")[0], (*margin)[0]), read_number(json.at("margin")[1], (*margin)[1])};

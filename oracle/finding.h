@@ -65,6 +65,7 @@ struct Finding {
   double error = 0;                ///< in `unit`
   double allowed = 0;              ///< in `unit`; the named bound that `error` is compared with
   std::string unit;                ///< usually "ulps of the scene's scale"
+  double rounding = 0;             ///< in `unit`: what rounding explains, where the clause allows less; 0: nothing more
   std::optional<Interval> margin;  ///< m: how far the input is from changing the truth
   std::string certificate;         ///< the proof of the truth, in words
   std::string why;                 ///< for abstains, breaks and outside

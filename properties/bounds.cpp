@@ -96,8 +96,14 @@ Finding worst_side(const Scene& scene, Subject& subject, double allowed, Defect 
 }
 
 Finding holds_body(const Scene& scene, Subject& subject) {
-  return worst_side(scene, subject, 0, Defect::wrong_box,
-                    [](const std::array<Rational, 6>& gaps) { return -*std::ranges::min_element(gaps); });
+  Finding finding = worst_side(scene, subject, 0, Defect::wrong_box,
+                               [](const std::array<Rational, 6>& gaps) { return -*std::ranges::min_element(gaps); });
+  const judge::Allowance rounding =
+      judge::in_ulps(scene, subject.card(), tolerance::bounds(scene, subject.card().precision));
+  if (finding.outcome == oracle::Outcome::fails && finding.unit == rounding.unit_name) {
+    finding.rounding = rounding.bound / rounding.unit;
+  }
+  return finding;
 }
 
 Finding tight(const Scene& scene, Subject& subject) {

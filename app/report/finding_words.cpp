@@ -7,7 +7,9 @@ namespace {
 
 std::string error_of(const oracle::Finding& finding) {
   if (finding.unit.empty()) return "";
-  return fmt::format("{:.4g} {}; allowed {:.4g}", finding.error, finding.unit, finding.allowed);
+  const std::string rounding =
+      finding.rounding > 0 ? fmt::format("; rounding explains {:.4g}", finding.rounding) : std::string();
+  return fmt::format("{:.4g} {}; allowed {:.4g}{}", finding.error, finding.unit, finding.allowed, rounding);
 }
 
 std::string margin_of(const oracle::Finding& finding) {

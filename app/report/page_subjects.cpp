@@ -17,7 +17,7 @@ struct Summary {
   int hold = 0;
   int fail = 0;
   int silent = 0;
-  std::array<long, 5> grades{};
+  std::array<long, oracle::grade_count> grades{};
   const Row* most_wrong = nullptr;                          ///< in ulps of the scene's scale
   std::map<std::string, std::vector<std::string>> silence;  ///< reason -> properties
 };

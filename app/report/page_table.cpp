@@ -35,6 +35,7 @@ std::string query_row(const Ledger& ledger, const std::string& query) {
 
 constexpr const char* legend = R"html(<dl class="legend">
 <dt><span class="g A">A</span></dt><dd>holds: within what rounding in the engine’s own precision explains</dd>
+<dt><span class="g A-">A-</span></dt><dd>on the side that the clause forbids, but within rounding: a box not rounded outward</dd>
 <dt><span class="g B">B</span></dt><dd>wrong by up to 2¹⁰ times that</dd>
 <dt><span class="g C">C</span></dt><dd>up to 2²⁰ times</dd>
 <dt><span class="g D">D</span></dt><dd>beyond: an absolute epsilon, a wrong formula, a broken law</dd>

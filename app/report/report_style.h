@@ -24,7 +24,7 @@ th,td{padding:.26rem .6rem;text-align:left;border-bottom:1px solid var(--line);w
 tbody tr:last-child>*{border-bottom:0}thead th{background:var(--card);vertical-align:bottom}
 tbody th{font-weight:500;position:sticky;left:0;background:var(--card);z-index:1;border-right:1px solid var(--line)}
 tr.query th,tr.query td{font-weight:700;background:var(--none)}td a{display:block;color:inherit}
-.A{background:var(--a)}.B{background:var(--b)}.C{background:var(--c)}.D{background:var(--d)}.F{background:var(--f)}
+.A,.A-{background:var(--a)}.A-{font-style:italic}.B{background:var(--b)}.C{background:var(--c)}.D{background:var(--d)}.F{background:var(--f)}
 td.share{background:color-mix(in srgb,var(--link) calc(var(--share)*70%),transparent)}
 td.none{background:var(--none);color:var(--soft)}
 .g{color:var(--ink);display:inline-block;min-width:1.6em;text-align:center;font-weight:700;border-radius:.3rem;padding:0 .3rem;margin-right:.35rem}

@@ -42,16 +42,16 @@ struct Row {
   long abstains = 0;
   long breaks = 0;
   long outside = 0;
-  long not_asked = 0;                         ///< skipped because the subject hung too often
-  std::array<long, 5> grades{};               ///< of the answers: A, B, C, D, F
-  std::map<oracle::Defect, long> defects;     ///< of the answers that fail or break
-  long impacts = 0;                           ///< of simulations: each one compared with the reference by itself
-  std::string why_abstains;                   ///< the first reason
-  double largest_error = 0;                   ///< among the wrong answers whose error has a size
-  std::string unit;                           ///< of largest_error; empty if there is none
-  ErrorHistogram errors;                      ///< of all answers
-  std::optional<Example> closest;             ///< the correct answer with the largest error / allowed error
-  std::optional<Example> worst;               ///< by the worst grade, then the largest error, then the first
+  long not_asked = 0;                              ///< skipped because the subject hung too often
+  std::array<long, oracle::grade_count> grades{};  ///< of the answers
+  std::map<oracle::Defect, long> defects;          ///< of the answers that fail or break
+  long impacts = 0;                                ///< of simulations: each one compared with the reference by itself
+  std::string why_abstains;                        ///< the first reason
+  double largest_error = 0;                        ///< among the wrong answers whose error has a size
+  std::string unit;                                ///< of largest_error; empty if there is none
+  ErrorHistogram errors;                           ///< of all answers
+  std::optional<Example> closest;                  ///< the correct answer with the largest error / allowed error
+  std::optional<Example> worst;                    ///< by the worst grade, then the largest error, then the first
   std::optional<Example> smallest;            ///< by usual units, then the worst grade, then size: start of minimising
   std::optional<oracle::Case> smallest_case;  ///< after minimising
   oracle::Size size_found;                    ///< of `smallest`, before minimising

@@ -32,8 +32,13 @@ TEST_CASE("grades: by how many times the allowance, F for no answer and for wron
   Finding unsized = failing(1, 0, Defect::nondeterministic);
   unsized.unit = without_size;
   CHECK(grade(unsized) == Grade::D);
+  Finding cuts = failing(3, 0, Defect::wrong_box);
+  cuts.rounding = 208;
+  CHECK(grade(cuts) == Grade::A_minus);
+  cuts.error = 209;
+  CHECK(grade(cuts) == Grade::B);
   Finding broken;
   broken.outcome = Outcome::breaks;
   CHECK(grade(broken) == Grade::F);
-  CHECK(name_of(Grade::A) + name_of(Grade::F) == "AF");
+  CHECK(name_of(Grade::A) + name_of(Grade::A_minus) + name_of(Grade::B) + name_of(Grade::F) == "AA-BF");
 }

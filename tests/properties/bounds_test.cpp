@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limits>
 
+#include "oracle/judge/grade.h"
 #include "properties/property.h"
 #include "tests/catch.h"
 #include "tests/properties/fixed_subject.h"
@@ -38,6 +39,9 @@ TEST_CASE("bounds.holds_body: not one bit inside") {
   CHECK(finding.defect == Defect::wrong_box);
   CHECK(finding.error > 0);
   CHECK(finding.observed.starts_with("bodies[1]"));
+  CHECK(oracle::grade(finding) == oracle::Grade::A_minus);  // not rounded outward
+  cut[1].hi.y() = 2.99;
+  CHECK(oracle::grade(judged("bounds.holds_body", cut)) > oracle::Grade::A_minus);
 }
 
 TEST_CASE("bounds.tight: rounding and the declared margin, no more") {
