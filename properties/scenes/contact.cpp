@@ -4,6 +4,7 @@
 // A family draws the velocity u of A's contact point relative to B's, and the bodies' arms, orientations and spins; the
 // velocity of A's centre follows. The normal is along z until the whole scene is rotated.
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>

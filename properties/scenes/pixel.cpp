@@ -160,6 +160,25 @@ Scene word_borders(Random& random) {
   return under(raster, pair(random, A, B));
 }
 
+/// More than 2,048 columns, or just not. One body covers all pixels, up to the raster's border or beyond; the other one
+/// does too, or is a bar or a ball in front of it, touching it or behind.
+Scene wide(Random& random) {
+  Raster raster;
+  raster.columns = random.pick({2047, 2048, 2049, 2112, 2113, 2500, 4097});
+  raster.rows = random.between(1, 2);
+  raster.shift_x = random.pick({0, 0, 1, -1, 64, -65, 2047, -2048, 2049});
+  const Vec3 middle{0.5 * raster.columns, 0.5 * raster.rows, 0};
+  const auto cover = [&](Random& r) {
+    const double beyond = r.pick({0.0, 0.0, 0.5, 8.0});
+    return at_rest(Box{middle + Vec3(beyond, beyond, 1)}, {middle, {}});
+  };
+  const Body A = cover(random);
+  Body B = random.one_in(3) ? cover(random) : random.one_in(2) ? some_ball(random) : some_lattice_box(random);
+  const Vec3 along{0.5 * random.between(0, 2 * raster.columns), 0, 0.5 * random.between(-6, 6)};
+  B.X_WB.p_WB += random.one_in(2) ? along : Vec3(0, 0, along.z());
+  return under(raster, pair(random, A, B));
+}
+
 /// Another family's scene, so far away that doubles have few bits left for fractions of a pixel.
 Scene far_away(Random& random) {
   Scene scene = random.one_in(2) ? lattice_boxes(random) : lattice_polytopes(random);
@@ -242,6 +261,7 @@ std::vector<Family> pixel_families() {
        off_the_raster},
       {"pixels.below_a_pixel", "bodies smaller than a pixel, on centres and lines", queries, true, below_a_pixel},
       {"pixels.word_borders", "63 to 130 columns, shifted by about 64", queries, true, word_borders},
+      {"pixels.wide", "1 or 2 rows of 2047 to 4097 columns, all covered", queries, true, wide},
       {"pixels.far_away", "lattice scenes 2^30 to 2^50 from the origin", queries, false, far_away},
       {"pixels.tiny", "pixels of 2^-58 to 2^-44 at a corner of bodies of size 1", queries, true, tiny_pixels},
       {"pixels.big_shifts", "shifts beyond the raster, to ±10^9", queries, true, big_shifts},
