@@ -24,7 +24,7 @@ struct Effort {
 /// on_the_cone, mass_ratios, levers, jamming): 455,000 impacts; the other 1,001,000 are not.
 inline const std::vector<Effort>& efforts() {
   static const std::vector<Effort> all = {
-      {"quick", 300, 300, 0, 60, 300, 4, 12, 60, 60, 30},
+      {"quick", 300, 300, 0, 60, 300, 4, 12, 60, 60, 40},
       {"standard", 4000, 100'000, 1'356'000, 600, 800, 1, 60, 1000, 4000, 1000},
       {"soak", 40'000, 1'000'000, 9'000'000, 6000, 1500, 1, 600, 10'000, 40'000, 10'000}};
   return all;
