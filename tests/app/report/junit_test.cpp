@@ -25,7 +25,8 @@ TEST_CASE("Abstaining is skipped, failing fails, holding is neither") {
   abstaining.why_abstains = "a & b";
   failing.fails = 1;
   failing.worst.emplace();
-  failing.worst->finding = {oracle::Outcome::fails, oracle::Defect::wrong_mass, "<1>", "2", 1, 0.5, "kg", 0, {}, "", ""};
+  failing.worst->finding = {
+      oracle::Outcome::fails, oracle::Defect::wrong_mass, "<1>", "2", 1, 0.5, "kg", 0, {}, "", ""};
   const std::string xml = report_junit(ledger);
   CHECK_THAT(xml, Catch::Contains("name=\"&lt;engine&gt;\" tests=\"3\" failures=\"1\" errors=\"0\" skipped=\"1\""));
   CHECK_THAT(xml, Catch::Contains("<skipped message=\"a &amp; b\"/>"));
