@@ -6,7 +6,6 @@
 #include "model/near_names.h"
 #include "oracle/query.h"
 #include "properties/queries.h"
-#include "properties/simulation_queries.h"
 
 namespace touchstone::properties {
 namespace {

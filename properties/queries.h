@@ -23,6 +23,8 @@ std::vector<Property> simulation_lockstep_properties();
 std::vector<Property> simulation_meeting_properties();
 std::vector<Property> simulation_law_properties();
 std::vector<Property> simulation_scene_properties();
+std::vector<Property> simulation_causality_properties();
+std::vector<Property> simulation_face_properties();
 std::vector<Property> constraint_properties();
 
 }  // namespace touchstone::properties

@@ -10,7 +10,7 @@
 #include "oracle/tolerance/tolerance.h"
 #include "properties/cases/time_of_impact_case.h"
 #include "properties/cases/trajectory_case.h"
-#include "properties/simulation_queries.h"
+#include "properties/queries.h"
 
 namespace touchstone::properties {
 namespace {

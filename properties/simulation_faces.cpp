@@ -13,7 +13,7 @@
 #include "oracle/truth/world_points.h"
 #include "properties/cases/time_of_impact_case.h"
 #include "properties/cases/trajectory_case.h"
-#include "properties/simulation_queries.h"
+#include "properties/queries.h"
 
 namespace touchstone::properties {
 namespace {

@@ -141,21 +141,23 @@ long failing_rows(const Ledger& ledger) { return std::ranges::count_if(ledger.re
 /// "bullet.double distance.value"
 std::string name_of(const Row& row) { return row.subject->card.name + ' ' + row.property->id; }
 
+std::string verdict_on(const Row& row) {
+  return fmt::format("{}: {} of {} fail, grade {}", name_of(row), row.fails + row.breaks, row.answered(),
+                     oracle::name_of(*row.grade()));
+}
+
 /// Of a cause, the words once, and then only the names of the other rows that it breaks.
 void print_failing(const Ledger& ledger) {
   for (const Cause& cause : causes(ledger)) {
     const Row& first = *cause.rows.front();
-    print("{}: {} of {} fail, grade {}\n", name_of(first), first.fails + first.breaks, first.answered(),
-          oracle::name_of(*first.grade()));
+    print("{}\n", verdict_on(first));
     for (const auto& [label, words] : lines_of(shown_finding(first))) print("    {:<9} {}\n", label, words);
     if (first.smallest_case && first.smallest_case->changed) {
       print("    {:<9} {}\n", "asked of", first.smallest_case->changed->how);
     }
     if (!first.replay_command.empty()) print("    {}\n", first.replay_command);
     for (const Row* row : cause.rows) {
-      if (row == &first) continue;
-      print("{}: {} of {} fail, grade {}, for the same cause\n", name_of(*row), row->fails + row->breaks,
-            row->answered(), oracle::name_of(*row->grade()));
+      if (row != &first) print("{}, for the same cause\n", verdict_on(*row));
     }
   }
 }

@@ -1,5 +1,8 @@
 #include "oracle/process/pipe.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <array>
 #include <concepts>
@@ -29,12 +32,6 @@ const std::string& text_of(const Scene& scene) {
   oldest = (oldest + 1) % memory.size();
   written = {scene, json_of(scene).dump()};
   return written.text;
-}
-
-std::string joined(const std::vector<std::string>& command) {
-  std::string line;
-  for (const std::string& word : command) line += (line.empty() ? "" : " ") + word;
-  return line;
 }
 
 std::string shortened(const std::string& line) {
@@ -97,7 +94,7 @@ Card PipeSubject::start() try {
   }
 } catch (const InputError& error) {
   child_.reset();
-  throw InputError("subject \"" + joined(command_) + '"', error.what());
+  throw InputError(fmt::format("subject \"{}\"", fmt::join(command_, " ")), error.what());
 }
 
 template <class T>

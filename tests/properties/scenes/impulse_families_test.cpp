@@ -6,30 +6,21 @@
 
 #include "oracle/truth/impact.h"
 #include "oracle/truth/truth.h"
-#include "properties/scenes/domain.h"
 #include "tests/catch.h"
+#include "tests/properties/scenes/drawn.h"
 
 using namespace touchstone;
+using tests::count;
+using tests::drawn;
 
 namespace {
 
 constexpr int draws = 200;
 
-std::vector<Scene> drawn(const char* family) {
-  std::vector<Scene> scenes;
-  for (std::uint64_t i = 0; i < draws; ++i) scenes.push_back(properties::draw(properties::find_family(family), 5, i));
-  return scenes;
-}
-
-template <class Is>
-int count(const std::vector<Scene>& scenes, Is&& is) {
-  return static_cast<int>(std::ranges::count_if(scenes, is));
-}
-
 }  // namespace
 
 TEST_CASE("drawn impacts: contact.jamming compresses a second time, and slip stops in restitution") {
-  const std::vector<Scene> scenes = drawn("contact.jamming");
+  const std::vector<Scene> scenes = drawn("contact.jamming", draws);
   const auto modes = [](const Scene& s) { return oracle::truth::impulse(s).modes; };
   CHECK(count(scenes, [&](const Scene& s) { return modes(s).recompressed; }) >= 25);
   CHECK(count(scenes, [&](const Scene& s) { return modes(s).painleve; }) >= 100);
@@ -37,7 +28,7 @@ TEST_CASE("drawn impacts: contact.jamming compresses a second time, and slip sto
 }
 
 TEST_CASE("drawn impacts: contact.times_powers goes beyond 2^200, both ways") {
-  const std::vector<Scene> scenes = drawn("contact.times_powers");
+  const std::vector<Scene> scenes = drawn("contact.times_powers", draws);
   const auto speed = [](const Scene& s) {
     return std::max(s.bodies[0].velocity.v_WBcm.cwiseAbs().maxCoeff(),
                     s.bodies[1].velocity.v_WBcm.cwiseAbs().maxCoeff());
@@ -47,7 +38,7 @@ TEST_CASE("drawn impacts: contact.times_powers goes beyond 2^200, both ways") {
 }
 
 TEST_CASE("drawn impacts: contact.rods strikes needles along their axis, and nearly") {
-  const std::vector<Scene> scenes = drawn("contact.rods");
+  const std::vector<Scene> scenes = drawn("contact.rods", draws);
   // The sine of the angle between the arm and the normal, of a body whose least moment is below 2^-7 of the others.
   const auto sine = [](const Scene& s) {
     for (const oracle::ImpactBody& body : oracle::impact(s).bodies) {
@@ -66,7 +57,7 @@ TEST_CASE("drawn impacts: contact.off_centre has turned bodies with the centre o
     const auto* given = std::get_if<MassProperties>(&body.mass);
     return given != nullptr && !given->p_BBcm.isZero(0);
   };
-  const std::vector<Scene> scenes = drawn("contact.off_centre");
+  const std::vector<Scene> scenes = drawn("contact.off_centre", draws);
   CHECK(count(scenes, [&](const Scene& s) { return is_off(s.bodies[0]) || is_off(s.bodies[1]); }) >= 180);
   CHECK(count(scenes, [&](const Scene& s) { return is_off(s.bodies[0]) && is_off(s.bodies[1]); }) >= 30);
   for (const Scene& scene : scenes) {  // C is where it was drawn: at most 4 + 4√3 from each centre of mass

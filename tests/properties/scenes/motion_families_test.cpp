@@ -8,27 +8,18 @@
 
 #include "model/limits.h"
 #include "oracle/truth/truth.h"
-#include "properties/scenes/domain.h"
 #include "tests/catch.h"
+#include "tests/properties/scenes/drawn.h"
 
 using namespace touchstone;
+using tests::count;
+using tests::drawn;
 
 namespace {
 
 using Status = TimeOfImpact::Status;
 
 constexpr int draws = 60;
-
-std::vector<Scene> drawn(const char* family) {
-  std::vector<Scene> scenes;
-  for (std::uint64_t i = 0; i < draws; ++i) scenes.push_back(properties::draw(properties::find_family(family), 5, i));
-  return scenes;
-}
-
-template <class Is>
-int count(const std::vector<Scene>& scenes, Is&& is) {
-  return static_cast<int>(std::ranges::count_if(scenes, is));
-}
 
 const reference::TimeOfImpactTruth& truth(const Scene& scene) { return oracle::truth::time_of_impact(scene); }
 
@@ -67,7 +58,7 @@ bool is_tumbling(const Body& body) {
 }  // namespace
 
 TEST_CASE("drawn motions: flights.tangent touches exactly, by next to nothing, or just does not") {
-  const std::vector<Scene> scenes = drawn("flights.tangent");
+  const std::vector<Scene> scenes = drawn("flights.tangent", draws);
   for (const Scene& scene : scenes) {
     REQUIRE(comes_within(scene, 0x1p-27));
     if (truth(scene).status == Status::miss) continue;
@@ -79,7 +70,7 @@ TEST_CASE("drawn motions: flights.tangent touches exactly, by next to nothing, o
 }
 
 TEST_CASE("drawn motions: flights.turning_points are in contact at the turn, just before it and just after") {
-  const std::vector<Scene> scenes = drawn("flights.turning_points");
+  const std::vector<Scene> scenes = drawn("flights.turning_points", draws);
   constexpr double at_once = 0x1p-45;  // s
   // The first contact, or where the reference leaves it undecided: most of these touch exactly.
   const auto after_turn = [&](const Scene& s) { return truth(s).time.lo - tangent_at(s); };
@@ -93,7 +84,7 @@ TEST_CASE("drawn motions: flights.turning_points are in contact at the turn, jus
 }
 
 TEST_CASE("drawn motions: flights.late_starts are next to each other when the later one starts, and differ in start") {
-  const std::vector<Scene> scenes = drawn("flights.late_starts");
+  const std::vector<Scene> scenes = drawn("flights.late_starts", draws);
   const auto start = [](const Scene& s) { return std::max(s.motion->start_times[0], s.motion->start_times[1]); };
   for (const Scene& scene : scenes) {
     REQUIRE(scene.motion->start_times[0] != scene.motion->start_times[1]);
@@ -105,7 +96,7 @@ TEST_CASE("drawn motions: flights.late_starts are next to each other when the la
 }
 
 TEST_CASE("drawn motions: flights.compounds come into contact") {
-  const std::vector<Scene> scenes = drawn("flights.compounds");
+  const std::vector<Scene> scenes = drawn("flights.compounds", draws);
   const auto parts = [](const Body& body) {
     const auto* compound = std::get_if<Compound>(&body.shape);
     return compound == nullptr ? 0 : static_cast<int>(compound->parts.size());
@@ -116,7 +107,7 @@ TEST_CASE("drawn motions: flights.compounds come into contact") {
 }
 
 TEST_CASE("drawn motions: flights.many_periods tumble for more than 8 periods before the contact") {
-  const std::vector<Scene> scenes = drawn("flights.many_periods");
+  const std::vector<Scene> scenes = drawn("flights.many_periods", draws);
   for (const Scene& scene : scenes) {
     const double until = truth(scene).time.lo;
     CHECK(std::ranges::any_of(scene.bodies, is_tumbling));
@@ -126,7 +117,7 @@ TEST_CASE("drawn motions: flights.many_periods tumble for more than 8 periods be
 }
 
 TEST_CASE("drawn motions: flights.from_afar are up to 2^60 sizes apart, and many touch") {
-  const std::vector<Scene> scenes = drawn("flights.from_afar");
+  const std::vector<Scene> scenes = drawn("flights.from_afar", draws);
   const auto ratio = [](const Scene& s) {
     return (s.bodies[0].X_WB.p_WB - s.bodies[1].X_WB.p_WB).norm() /
            std::max(size(s.bodies[0].shape), size(s.bodies[1].shape));

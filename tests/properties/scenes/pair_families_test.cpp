@@ -5,28 +5,19 @@
 #include <vector>
 
 #include "oracle/truth/truth.h"
-#include "properties/scenes/domain.h"
 #include "tests/catch.h"
+#include "tests/properties/scenes/drawn.h"
 
 using namespace touchstone;
+using tests::count;
+using tests::drawn;
 
 namespace {
 
 constexpr int draws = 60;
 
-std::vector<Scene> drawn(const char* family) {
-  std::vector<Scene> scenes;
-  for (std::uint64_t i = 0; i < draws; ++i) scenes.push_back(properties::draw(properties::find_family(family), 5, i));
-  return scenes;
-}
-
-template <class Is>
-int count(const std::vector<Scene>& scenes, Is&& is) {
-  return static_cast<int>(std::ranges::count_if(scenes, is));
-}
-
 int count(const std::vector<Scene>& scenes, Verdict verdict) {
-  return count(scenes, [&](const Scene& s) { return oracle::truth::distance(s).verdict == verdict; });
+  return tests::count(scenes, [&](const Scene& s) { return oracle::truth::distance(s).verdict == verdict; });
 }
 
 /// The vertices that are no corners of the hull.
@@ -53,7 +44,7 @@ const std::vector<Part>& parts(const Body& body) { return std::get<Compound>(bod
 }  // namespace
 
 TEST_CASE("drawn pairs: hulls.redundant has vertices that are no corners, named by faces and not, in any order") {
-  const std::vector<Scene> scenes = drawn("hulls.redundant");
+  const std::vector<Scene> scenes = drawn("hulls.redundant", draws);
   const auto sum = [](const Scene& s, auto&& of) {
     return of(std::get<Polytope>(s.bodies[0].shape)) + of(std::get<Polytope>(s.bodies[1].shape));
   };
@@ -64,7 +55,7 @@ TEST_CASE("drawn pairs: hulls.redundant has vertices that are no corners, named 
 }
 
 TEST_CASE("drawn pairs: spheres.odd_sums touches exactly where the sum of the radii is not a double") {
-  const std::vector<Scene> scenes = drawn("spheres.odd_sums");
+  const std::vector<Scene> scenes = drawn("spheres.odd_sums", draws);
   CHECK(count(scenes, Verdict::touching) >= 15);
   for (const Scene& scene : scenes) {
     const bool touches = oracle::truth::distance(scene).verdict == Verdict::touching;
@@ -75,7 +66,7 @@ TEST_CASE("drawn pairs: spheres.odd_sums touches exactly where the sum of the ra
 }
 
 TEST_CASE("drawn pairs: compounds.unlike has parts of several kinds that touch") {
-  const std::vector<Scene> scenes = drawn("compounds.unlike");
+  const std::vector<Scene> scenes = drawn("compounds.unlike", draws);
   const auto kinds = [](const Body& body) {
     std::set<std::size_t> found;
     for (const Part& part : parts(body)) found.insert(part.shape.index());
@@ -86,7 +77,7 @@ TEST_CASE("drawn pairs: compounds.unlike has parts of several kinds that touch")
 }
 
 TEST_CASE("drawn pairs: compounds.balls differ in size by 2^10 and more, and touch") {
-  const std::vector<Scene> scenes = drawn("compounds.balls");
+  const std::vector<Scene> scenes = drawn("compounds.balls", draws);
   const auto is_unlike = [](const Scene& scene) {
     double least = 1e300, most = 0;
     for (const Body& body : scene.bodies) {
@@ -102,7 +93,7 @@ TEST_CASE("drawn pairs: compounds.balls differ in size by 2^10 and more, and tou
 }
 
 TEST_CASE("drawn pairs: compounds.far are 2^40 from the origin, from each other, or have a part that far away") {
-  const std::vector<Scene> scenes = drawn("compounds.far");
+  const std::vector<Scene> scenes = drawn("compounds.far", draws);
   const auto is_far = [](const Body& body) { return body.X_WB.p_WB.norm() >= 0x1p40; };
   const auto has_far_part = [](const Body& body) {
     return std::ranges::any_of(parts(body), [](const Part& part) { return part.X_BP.p_WB.norm() >= 0x1p40; });
