@@ -3,8 +3,22 @@
 import base64
 import json
 import os
+import pathlib
+import shutil
 import subprocess
 import tempfile
+
+SHOTS = os.environ.get("TOUCHSTONE_SCREENSHOTS")  # a folder for screenshots, to be inspected by eye
+
+
+def folder_and_browser(test_class, webgl=False):
+    """An empty folder and a browser for all tests of the class, which ends both."""
+    assert shutil.which("chromium"), "this test needs chromium: apt-get install chromium"
+    folder = pathlib.Path(tempfile.mkdtemp(prefix="touchstone_"))
+    test_class.addClassCleanup(shutil.rmtree, folder)
+    browser = Browser(webgl)
+    test_class.addClassCleanup(browser.__exit__)
+    return folder, browser
 
 
 class Browser:

@@ -1,13 +1,11 @@
 """The replay page in a browser: bodies are drawn and move, on phone and desktop, light and dark, without errors."""
 
-import shutil
 import time
 import unittest
 
-from browser import Browser
+from browser import SHOTS, Browser, folder_and_browser
 from program import *
 
-SHOTS = os.environ.get("TOUCHSTONE_SCREENSHOTS")  # a folder for screenshots, to be inspected by eye
 PLAYER = f"exec:/usr/bin/python3 {SOURCE / 'tests/app/motion/motion_engine.py'} right"
 COLOURS = """(() => { replay.seek(replay.time);  // draws, in the same task as the reading
   const gl = replay.canvas.getContext('webgl2') || replay.canvas.getContext('webgl'), seen = new Set();
@@ -24,9 +22,7 @@ def key(name):
 class Replay(Test):
     @classmethod
     def setUpClass(cls):
-        assert shutil.which("chromium"), "this test needs chromium: apt-get install chromium"
-        cls.runs = pathlib.Path(tempfile.mkdtemp(prefix="touchstone_"))
-        cls.addClassCleanup(shutil.rmtree, cls.runs)
+        cls.runs, cls.browser = folder_and_browser(cls, webgl=True)
         falling = body(ball(0.5), (0, 0, 1.75))
         wedge = hull([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]])
         table = {"type": "compound", "parts": [{"X_BP": {"p": [0, 0, 0], "q": NO_TURN}, "shape": box(2, 2, 1)},
@@ -37,8 +33,6 @@ class Replay(Test):
         subprocess.run([PROGRAM, "simulate", "scene.json", "--engine", PLAYER, "--until", "3", "--replay", "R.html"],
                        cwd=cls.runs, check=True, capture_output=True)
         cls.page = (cls.runs / "R.html").as_uri()
-        cls.browser = Browser(webgl=True)
-        cls.addClassCleanup(cls.browser.__exit__)
 
     def height(self):
         return self.browser.value("replay.pose(0, replay.time).p[2]")

@@ -1,27 +1,20 @@
 """The report in a browser: no errors, no word cut off on a phone, and every link has a target."""
 
-import shutil
 import sys
 import unittest
 
-from browser import Browser
+from browser import SHOTS, folder_and_browser
 from program import *
-
-SHOTS = os.environ.get("TOUCHSTONE_SCREENSHOTS")  # a folder for screenshots, to be inspected by eye
 
 
 class Page(Test):
     @classmethod
     def setUpClass(cls):
-        assert shutil.which("chromium"), "this test needs chromium: apt-get install chromium"
-        cls.runs = pathlib.Path(tempfile.mkdtemp(prefix="touchstone_"))
-        cls.addClassCleanup(shutil.rmtree, cls.runs)
+        cls.runs, cls.browser = folder_and_browser(cls)
         write_meshes(cls.runs / "meshes")
         subprocess.run([PROGRAM, "report", "--cases", "10", "--meshes", "meshes", "--queries", "mass,distance,penetration",
                         "--out", "R", "--subjects", "reference,fast,bullet.float,fcl.indep,libccd.gjk"], cwd=cls.runs, check=True, capture_output=True)
         cls.page = (cls.runs / "R/index.html").as_uri()
-        cls.browser = Browser()
-        cls.addClassCleanup(cls.browser.__exit__)
 
     def test_phone_and_desk_in_light_and_dark(self):
         for width in (390, 1300):
