@@ -1,0 +1,119 @@
+// Speaks Touchstone's protocol (docs/protocol.md) for an adapter, which supplies a card and one function a query.
+//
+//   touchstone_adapter::serve({{"name", "my_engine"}, {"version", "1.0"}, {"precision", "binary64"}},
+//                             {{"distance", distance}});
+//
+// A function gets a scene (docs/scene.schema.json) and returns the result (docs/protocol.schema.json). It throws an
+// Abstain if it does not answer this scene; any other exception is reported as a failure of the engine, and the next
+// question follows. Needs nlohmann-json 3 (header only) and POSIX.
+#pragma once
+
+#include <unistd.h>
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <iostream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <string>
+
+namespace touchstone_adapter {
+
+using Json = nlohmann::ordered_json;
+using Vec3 = std::array<double, 3>;
+using Queries = std::map<std::string, std::function<Json(const Json& scene)>>;
+using Reproduce = std::function<Json(const std::string& query, const Json& scene)>;
+
+/// This scene is not answered; the message says why.
+struct Abstain : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// The engine computed NaN or an infinity, which JSON cannot hold; the message says where.
+struct NotFinite : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// w, x, y, z of length 1 with the rotation of q, an object of any length but 0, however large or small.
+inline std::array<double, 4> unit_quaternion(const Json& q) {
+  std::array<double, 4> unit = {q.at("w"), q.at("x"), q.at("y"), q.at("z")};
+  double largest = 0, sum = 0;
+  for (const double c : unit) largest = std::fmax(largest, std::abs(c));
+  for (double& c : unit) c /= largest;
+  for (const double c : unit) sum += c * c;
+  for (double& c : unit) c /= std::sqrt(sum);
+  return unit;
+}
+
+/// R(q) v: a vector of the body's frame B, in the world's frame W.
+inline Vec3 rotated(const Json& q, const Vec3& v) {
+  const auto [w, x, y, z] = unit_quaternion(q);
+  const Vec3 t = {2 * (y * v[2] - z * v[1]), 2 * (z * v[0] - x * v[2]), 2 * (x * v[1] - y * v[0])};
+  return {v[0] + w * t[0] + y * t[2] - z * t[1], v[1] + w * t[1] + z * t[0] - x * t[2],
+          v[2] + w * t[2] + x * t[1] - y * t[0]};
+}
+
+/// The point of the body's frame B, in the world's frame W: R(q) p_BQ + p.
+inline Vec3 in_world(const Json& pose, const Vec3& p_BQ) {
+  const Vec3 turned = rotated(pose.at("q"), p_BQ), p = pose.at("p");
+  return {turned[0] + p[0], turned[1] + p[1], turned[2] + p[2]};
+}
+
+/// Throws NotFinite if a number of the value is not finite; the library would silently write null.
+inline void require_finite(const Json& value, const std::string& place) {
+  if (value.is_number_float() && !std::isfinite(value.get<double>())) {
+    const double x = value.get<double>();
+    throw NotFinite(place + " is " + (std::isnan(x) ? "NaN" : x > 0 ? "infinity" : "-infinity"));
+  }
+  std::size_t i = 0;
+  if (value.is_array()) {
+    for (const Json& part : value) require_finite(part, place + '[' + std::to_string(i++) + ']');
+  }
+  if (value.is_object()) {
+    for (const auto& [key, part] : value.items()) require_finite(part, place + '.' + key);
+  }
+}
+
+/// Answers until `stop` or the end of stdin. `reproduce`, if the adapter offers it, returns {{"language", "cpp"},
+/// {"code", ...}}. What the engine prints to stdout goes to stderr, and spoils no answer.
+inline void serve(Json card, const Queries& queries, const Reproduce& reproduce = {}) {
+  card["answers"] = Json::array();
+  for (const auto& [name, query] : queries) card["answers"].push_back(name);
+  if (reproduce) card["reproduces"] = true;
+  std::FILE* const out = fdopen(dup(STDOUT_FILENO), "w");
+  if (!out || dup2(STDERR_FILENO, STDOUT_FILENO) < 0) throw std::runtime_error("stdout is closed");
+  for (std::string line; std::getline(std::cin, line);) {
+    Json answer = {{"seq", 0}};
+    const auto breaks = [&](const char* kind, const char* how) { answer["breaks"] = {{"kind", kind}, {"how", how}}; };
+    try {
+      const Json message = Json::parse(line);
+      answer["seq"] = message.at("seq");
+      if (message.at("op") == "stop") break;
+      if (message.at("op") == "start") {
+        answer["protocol"] = 1;
+        answer["card"] = card;
+      } else if (message.at("op") == "reproduce") {
+        answer["snippet"] = reproduce(message.at("query"), message.at("scene"));
+      } else if (const auto query = queries.find(message.at("query")); query != queries.end()) {
+        const Json result = query->second(message.at("scene"));
+        require_finite(result, "result");
+        answer["result"] = result;
+      } else {
+        answer["abstains"] = "no " + message.at("query").get<std::string>() + " query";
+      }
+    } catch (const Abstain& why) {
+      answer["abstains"] = why.what();
+    } catch (const NotFinite& where) {
+      breaks("garbage", where.what());
+    } catch (const std::exception& error) {
+      breaks("threw", error.what());
+    }
+    std::fprintf(out, "%s\n", answer.dump(-1, ' ', false, Json::error_handler_t::replace).c_str());
+    std::fflush(out);
+  }
+}
+
+}  // namespace touchstone_adapter
