@@ -268,12 +268,6 @@ Json with_pair(const std::string& query, const Scene& scene, const Json& answer)
   return with_names;
 }
 
-Json answered(const std::string& query, const GivenScene& given) try {
-  return with_pair(query, given.scene, shows().at(query)(given.scene));
-} catch (const InputError& error) {
-  throw given.located(error);
-}
-
 }  // namespace
 
 const std::vector<std::string>& printed_queries() {
@@ -285,8 +279,18 @@ const std::vector<std::string>& printed_queries() {
   return names;
 }
 
+Json exact_answer(const std::string& query, const Scene& scene) {
+  return with_pair(query, scene, shows().at(query)(scene));
+}
+
 void ask(const std::string& query, const std::string& name_or_file, bool as_json) {
-  const Json answer = answered(query, given_scene(name_or_file));
+  const GivenScene given = given_scene(name_or_file);
+  Json answer;
+  try {
+    answer = exact_answer(query, given.scene);
+  } catch (const InputError& error) {
+    throw given.located(error);
+  }
   if (as_json) {
     print_lines(touchstone::text_of(answer));
   } else {

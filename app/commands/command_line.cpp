@@ -22,6 +22,7 @@
 #include "app/commands/option_values.h"
 #include "app/commands/plan.h"
 #include "app/commands/report_command.h"
+#include "app/commands/serve.h"
 #include "app/commands/simulate.h"
 #include "app/commands/soak.h"
 #include "app/motion/motion_scenes.h"
@@ -237,6 +238,12 @@ void add_ask(CLI::App& program, Options& options) {
   });
 }
 
+void add_serve(CLI::App& program, Options& options) {
+  auto* command = program.add_subcommand("serve", "Answer exact queries of another program, over JSON lines");
+  command->footer(help::serve);
+  command->callback([&options] { options.chosen = serve; });
+}
+
 void add_plan(CLI::App& program, Options& options) {
   auto* command = program.add_subcommand(
       "plan", "Print which parts of the optimised broad phase a scene needs, which it leaves out, and why");
@@ -353,6 +360,10 @@ void add_for_launcher(CLI::App& program, Options& options, const std::string& na
 
 void add_test(CLI::App& program, Options& options) {
   add_for_launcher(program, options, "test", "Build and run the test suite", help::test, "tests");
+}
+
+void add_package(CLI::App& program, Options& options) {
+  add_for_launcher(program, options, "package", "Make a .deb and a tarball of the program", help::package, "source");
 }
 
 void add_mutate(CLI::App& program, Options& options) {
@@ -472,8 +483,9 @@ int run_command(int argc, const char* const* argv) {
   CLI::App program("Touchstone: the reference that collision detection and impact code is tested against.",
                    "touchstone");
   Options options;
-  for (const auto add : {add_report, add_check, add_replay, add_minimise, add_ask, add_plan, add_simulate, add_import,
-                         add_list, add_soak, add_bench, add_test, add_mutate, add_completion, add_help}) {
+  for (const auto add :
+       {add_report, add_check, add_replay, add_minimise, add_ask, add_serve, add_plan, add_simulate, add_import,
+        add_list, add_soak, add_bench, add_test, add_package, add_mutate, add_completion, add_help}) {
     add(program, options);
   }
   refuse_empty_words(program);

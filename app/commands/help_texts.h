@@ -92,6 +92,21 @@ Exit codes:
   2  bad input or usage
   3  a fault of Touchstone itself; or a full disk, or a closed stdout)";
 
+inline constexpr const char* serve = R"(
+Examples:
+  touchstone serve <questions.jsonl        one answer a line
+  python3 -c 'from touchstone_exact import *; print(exact.distance(sphere(1), sphere(2, p=(5, 0, 0))))'
+
+The messages are those of docs/protocol.md; the result of an answer is what `touchstone ask QUERY SCENE --json` prints.
+A bad line is answered with what is wrong in it, and the next one is read. The second example is the client for Python
+in adapters/python (docs/how_to/ask_from_python.md), which starts this command itself.
+
+Exit codes:
+  0    stdin has ended, or a message said "stop"
+  2    bad usage
+  3    a fault of Touchstone itself; or a full disk, or a closed stdout
+  141  nothing reads stdout any more)";
+
 inline constexpr const char* plan = R"(
 Examples:
   touchstone plan docs/scenes/broad_phase/swarm.json
@@ -189,6 +204,19 @@ Exit codes:
   2  the program touchstone was asked instead of the launcher
   3  the set-up or the build failed
   8  a test failed)";
+
+inline constexpr const char* package = R"(
+Examples:
+  ./touchstone package                     with the adapters of all engines that are installed
+  ./touchstone --minimal package           the judge and our own subjects, without another engine's library
+
+Builds the program, and prints the paths of a Debian package and a tarball of it. Neither needs a compiler where it is
+installed; the tarball may be unpacked anywhere. The launcher ./touchstone at the root of the source tree does this.
+
+Exit codes:
+  0  the files are written
+  2  the program touchstone was asked instead of the launcher
+  3  the set-up or the build failed)";
 
 inline constexpr const char* mutate = R"(
 Examples:

@@ -17,7 +17,6 @@
 #include "oracle/process/descriptor.h"
 #include "oracle/process/protocol.h"
 #include "oracle/process/received_scene.h"
-#include "oracle/query.h"
 
 namespace touchstone::oracle {
 namespace {
@@ -40,30 +39,30 @@ void write_all(const Descriptor& out, const std::string& line) {
 }
 
 template <class T>
-std::string line_of(protocol::Seq seq, const Answer<T>& answer) {
-  if (const T* result = std::get_if<T>(&answer)) return protocol::answer(seq, json_of(*result));
-  if (const Abstains* abstains = std::get_if<Abstains>(&answer)) return protocol::answer(seq, *abstains);
-  return protocol::answer(seq, std::get<Breaks>(answer));
+Answer<Json> in_json(const Answer<T>& answer) {
+  if (const T* result = std::get_if<T>(&answer)) return json_of(*result);
+  if (const Abstains* abstains = std::get_if<Abstains>(&answer)) return *abstains;
+  return std::get<Breaks>(answer);
 }
 
-std::string answer_to(protocol::Request request, Subject& subject) {
+/// A library built with -ffast-math makes the processor flush denormals for the whole process as soon as it is loaded.
+Answer<Json> in_default_environment(const AnswerFunction& answer, const Query& query, const Scene& scene) {
+  std::fesetenv(FE_DFL_ENV);
+  Answer<Json> answered = answer(query, scene);
+  std::fesetenv(FE_DFL_ENV);
+  return answered;
+}
+
+std::string answer_to(protocol::Request request, const AnswerFunction& answer) {
   const Scene scene = received(std::move(request.scene), request.query);
-  // A library built with -ffast-math makes the processor flush denormals for the whole process as soon as it is loaded.
-  const auto in_default_environment = [](auto ask) {
-    std::fesetenv(FE_DFL_ENV);
-    auto answer = ask();
-    std::fesetenv(FE_DFL_ENV);
-    return answer;
-  };
-  const auto answered = [&](auto query) {
-    return line_of(request.seq, in_default_environment([&] { return (subject.*query)(scene); }));
-  };
-  if (const Query* query = find_query(request.query)) return std::visit(answered, query->ask);
-  return protocol::answer(request.seq, Abstains{"no " + request.query + " query"});
+  const Query* query = find_query(request.query);
+  if (query == nullptr) return protocol::answer(request.seq, Abstains{"no " + request.query + " query"});
+  return std::visit([&](const auto& said) { return protocol::answer(request.seq, said); },
+                    in_default_environment(answer, *query, scene));
 }
 
 /// Returns no reply to `stop`. An error in the line becomes an answer, and the next line is read.
-std::optional<std::string> reply_to(const std::string& line, Subject& subject) {
+std::optional<std::string> reply_to(const std::string& line, const Card& card, const AnswerFunction& answer) {
   const auto breaks = [&](const char* how) {
     return protocol::answer(protocol::seq_of(line), Breaks{Breaks::Kind::threw, how});
   };
@@ -71,8 +70,8 @@ std::optional<std::string> reply_to(const std::string& line, Subject& subject) {
     std::fesetenv(FE_DFL_ENV);
     protocol::Request request = protocol::read_request(line);
     if (request.op == protocol::Request::Op::stop) return std::nullopt;
-    if (request.op == protocol::Request::Op::start) return protocol::introduction(request.seq, subject.card());
-    return answer_to(std::move(request), subject);
+    if (request.op == protocol::Request::Op::start) return protocol::introduction(request.seq, card);
+    return answer_to(std::move(request), answer);
   } catch (const std::exception& error) {
     return breaks(error.what());
   } catch (...) {
@@ -94,7 +93,7 @@ bool read_line(std::istream& in, std::string& line) {
 
 }  // namespace
 
-int serve(Subject& subject) try {
+void serve(const Card& card, const AnswerFunction& answer) {
   const Descriptor out = private_stdout();
   const rlimit no_core_dumps{0, 0};
   setrlimit(RLIMIT_CORE, &no_core_dumps);
@@ -105,10 +104,16 @@ int serve(Subject& subject) try {
       write_all(out, protocol::answer(0, Breaks{Breaks::Kind::threw, how}));
       continue;
     }
-    const std::optional<std::string> reply = reply_to(line, subject);
+    const std::optional<std::string> reply = reply_to(line, card, answer);
     if (!reply) break;
     write_all(out, *reply);
   }
+}
+
+int serve(Subject& subject) try {
+  serve(subject.card(), [&](const Query& query, const Scene& scene) {
+    return std::visit([&](auto ask) { return in_json((subject.*ask)(scene)); }, query.ask);
+  });
   return 0;
 } catch (const std::exception& error) {
   std::fprintf(stderr, "%s\n", error.what());

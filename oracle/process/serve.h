@@ -2,6 +2,10 @@
 // process.
 #pragma once
 
+#include <functional>
+
+#include "model/json.h"
+#include "oracle/query.h"
 #include "oracle/subject.h"
 
 namespace touchstone::oracle {
@@ -12,5 +16,11 @@ namespace touchstone::oracle {
 /// (oracle/process/received_scene.h). An exception becomes the answer Breaks::Kind::threw; so does a line that cannot
 /// be read or a scene that is refused. Then the next line is read.
 int serve(Subject& subject);
+
+/// The result of an answer as JSON.
+using AnswerFunction = std::function<Answer<Json>(const Query&, const Scene&)>;
+
+/// The same with any function that answers. Throws std::system_error if stdout cannot be written.
+void serve(const Card& card, const AnswerFunction& answer);
 
 }  // namespace touchstone::oracle
