@@ -36,4 +36,8 @@ configure_file(${PROJECT_SOURCE_DIR}/cmake/TouchstoneConfig.cmake.in ${package}/
 write_basic_package_version_file(${package}/touchstone-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${package}/touchstone-config.cmake ${package}/touchstone-config-version.cmake DESTINATION lib/cmake/touchstone)
 install(EXPORT touchstone NAMESPACE touchstone:: DESTINATION lib/cmake/touchstone FILE touchstone-targets.cmake)
-install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION share/doc/touchstone)
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/cmake/copyright DESTINATION share/doc/touchstone
+  COMPONENT program)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs/ DESTINATION share/doc/touchstone COMPONENT program)
+install(FILES ${PROJECT_SOURCE_DIR}/adapters/python/touchstone_exact.py DESTINATION share/touchstone/python
+  COMPONENT program)

@@ -13,8 +13,10 @@ ROOT, CMAKE = pathlib.Path(sys.argv[1]), sys.argv[2]
 STAND_INS = {
     "dpkg-query": "echo installed",
     "apt-get": "exit 1",
-    # Configures the folder after -B.
-    "cmake": 'while [ "$1" != -B ]; do shift; done; touch "$2/build.ninja"; echo "-- Not on trial: ode (not found)"',
+    # Configures the folder after -B, and keeps its words.
+    "cmake": 'echo "$*" >"${0%/*}/../configured"; while [ "$1" != -B ]; do shift; done; touch "$2/build.ninja"; echo "-- Not on trial: ode (not found)"',
+    # Says that it has written a file with the name of its words.
+    "cpack": 'shift; echo "CPack: - package: $1 $3 generated."',
     # Builds a program that prints its own path.
     "ninja": 'mkdir -p "$2/bin"; printf "#!/bin/sh\\necho \\$0 \\$*\\n" >"$2/bin/touchstone"; chmod +x "$2/bin/touchstone"',
 }
@@ -72,6 +74,38 @@ class Launcher(unittest.TestCase):
         stamp = pathlib.Path(f"{self.build}-mutate/.set-up-for-mutation")
         self.assertIn("python3-clang", stamp.read_text())
         self.assertFalse(self.build.exists())
+
+    def test_a_minimal_build_needs_no_engine_and_no_browser_library(self):
+        """It has a build folder of its own, and fetches no meshes: apt-get, which fails here, is not asked."""
+        code, output, errors = self.run_launcher("--minimal", "check", "--minimal")
+        self.assertEqual((code, output), (0, f"{self.build}-minimal/bin/touchstone check --minimal\n"), errors)
+        self.assertEqual((self.folder / "configured").read_text().split()[:2], ["--preset", "minimal"])
+        needed = pathlib.Path(f"{self.build}-minimal/.set-up-for-program").read_text().split()
+        self.assertIn("libcgal-dev", needed)
+        for of_others in ["bullet", "fcl", "ccd", "ode", "simbody", "three", "pkg-config"]:
+            self.assertEqual([package for package in needed if of_others in package], [])
+        self.assertNotIn("meshes", errors)
+        self.assertFalse(self.build.exists())
+
+    def test_what_a_minimal_build_cannot_do_is_refused(self):
+        for command in ["test", "bench", "mutate"]:
+            code, output, errors = self.run_launcher("--minimal", command)
+            self.assertEqual((code, output), (2, ""))
+            self.assertIn(f"--minimal is a build of the program alone, without {command}", errors)
+        self.assertFalse(pathlib.Path(f"{self.build}-minimal").exists())
+
+    def test_packages(self):
+        """Their paths are printed. Where Debian's tools are missing, no Debian package is asked for."""
+        (self.tools / "dpkg-shlibdeps").symlink_to(shutil.which("true"))
+        for words, folder in [["package"], self.build], [["--minimal", "package"], f"{self.build}-minimal"]:
+            code, output, errors = self.run_launcher(*words)
+            self.assertEqual((code, output), (0, f"{folder}/CPackConfig.cmake TGZ;DEB\n"), errors)
+            self.assertIn("dpkg-dev file", pathlib.Path(f"{folder}/.set-up-for-package").read_text())
+        (self.tools / "dpkg-shlibdeps").unlink()
+        self.assertEqual(self.run_launcher("package")[:2], (0, f"{self.build}/CPackConfig.cmake TGZ\n"))
+        code, output, errors = self.run_launcher("package", "everything")
+        self.assertEqual((code, output), (2, ""))
+        self.assertIn("no further words are expected, found everything", errors)
 
     def test_a_folder_that_cannot_be_made_is_named(self):
         (self.folder / "elsewhere").write_text("a file")
