@@ -1,4 +1,4 @@
-// The distance of two bodies by Lin & Canny's closest features, with a certified enclosure and an exact verdict.
+// The distance of two bodies and their closest features, with a certified enclosure and an exact verdict.
 #pragma once
 
 #include "model/answers.h"
@@ -12,10 +12,10 @@ namespace touchstone::fast {
 /// exactly when separated. If the bodies overlap, both witnesses are one common point (of the cores or within the
 /// radii), and no features are named.
 ///
-/// Requires a valid scene of at least two bodies whose polytopes have their faces. Throws InputError naming the
-/// problem, and std::range_error if the distance exceeds the greatest double.
+/// Requires a valid scene of at least two bodies, else throws InputError. Of a polytope only the vertices are read, so
+/// its faces need not be given. Throws std::range_error if the distance exceeds the greatest double.
 ///
-/// Cost: O(n log n) for preparing the shapes, and a walk that starts at a corner. For pairs followed over time, see
+/// Cost: a few passes over the vertices of both; nothing is prepared. For pairs followed over time, see
 /// fast/collider.h.
 Distance distance(const Scene& scene);
 

@@ -53,9 +53,6 @@ Vec3 direction(const PosedHull& A, const PosedHull& B, const Closest& c) {
     const Vec3 e = edge_in_pair(A, a);
     const Vec3 f = edge_in_pair(B, b);
     const Vec3 n = (e / std::sqrt(A.hull->edge(a.index).squared)).cross(f / std::sqrt(B.hull->edge(b.index).squared));
-    // The squared sine of the angle between the edges. A choice: a smaller limit gives up digits of n by cancellation,
-    // a larger one uses the difference of the points where n is better. Any direction gives a valid bound.
-    constexpr double clearly_crossing = 0x1p-10;
     return n.squaredNorm() > clearly_crossing ? along_difference(n, d) : across(across(d, e), f);
   }
   if (a.kind == Kind::edge) return across(d, edge_in_pair(A, a));
@@ -68,8 +65,7 @@ double lower_end(const PosedHull& A, const PosedHull& B, const FeaturePair& feat
   const bool own_b = features.b.kind == Kind::face;
   const double up_to_A = height(A, features.a, own_a ? A.hull->face(features.a.index).normal : A.turned_in(n), own_a);
   const double up_to_B = height(B, features.b, own_b ? B.hull->face(features.b.index).normal : B.turned_in(-n), own_b);
-  const double gap = n.dot(B.t - A.t) - up_to_A - up_to_B - error;
-  return std::max(0.0, gap * (1 - 4 * u));
+  return gap_between(A, B, n, up_to_A, up_to_B, error);
 }
 
 /// A point of a face near x (both in the hull's frame), as a convex combination of three corners of its triangle fan.
@@ -99,6 +95,16 @@ double rounding(const PosedHull& A, const PosedHull& B) {
   return reach + 8 * u * (B.t - A.t).norm() + A.shift_error + B.shift_error + 0x1p-900;
 }
 
+double gap_between(const PosedHull& A, const PosedHull& B, const Vec3& n, double up_to_A, double up_to_B,
+                   double rounding_error) {
+  const double gap = n.dot(B.t - A.t) - up_to_A - up_to_B - rounding_error;
+  return std::max(0.0, gap * (1 - 4 * u));
+}
+
+double error_of_hi(const PosedHull& A, const PosedHull& B, double rounding_error) {
+  return rounding_error + 7 * u * (A.hull->radius() + B.hull->radius()) - 6 * u * (B.t - A.t).norm();
+}
+
 Vec3 separating_direction(const PosedHull& A, const PosedHull& B, const Closest& c) {
   if (c.features.a.kind == Kind::face) return A.turned_out(A.hull->face(c.features.a.index).normal);
   if (c.features.b.kind == Kind::face) return -B.turned_out(B.hull->face(c.features.b.index).normal);
@@ -109,14 +115,13 @@ Vec3 separating_direction(const PosedHull& A, const PosedHull& B, const Closest&
 
 Bracket bracket(const PosedHull& A, const PosedHull& B, const Closest& c) {
   const double error = rounding(A, B);
-  const double error_of_hi = error + 7 * u * (A.hull->radius() + B.hull->radius()) - 6 * u * (B.t - A.t).norm();
   Bracket found;
   found.a = witness(A, c.features.a, c.a);
   found.b = witness(B, c.features.b, c.b);
-  found.hi = (found.b - found.a).norm() * (1 + 4 * u) + error_of_hi;
-  const Vec3 n = separating_direction(A, B, c);
-  if (n.isZero(0)) return found;
-  found.lo = lower_end(A, B, c.features, n, error);
+  found.hi = (found.b - found.a).norm() * (1 + 4 * u) + error_of_hi(A, B, error);
+  found.n = separating_direction(A, B, c);
+  if (found.n.isZero(0)) return found;
+  found.lo = lower_end(A, B, c.features, found.n, error);
   return found;
 }
 

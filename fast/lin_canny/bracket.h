@@ -30,16 +30,29 @@ struct Bracket {
   double hi = 0;
   Vec3 a = Vec3::Zero();  ///< witness points, in the pair's frame
   Vec3 b = Vec3::Zero();
+  Vec3 n = Vec3::Zero();  ///< that of lo; 0 if there is none
 };
 
 /// The n for lo, from A to B, of length 1 within 1.5u; 0 if the closest points coincide and no feature defines a
 /// direction.
 Vec3 separating_direction(const PosedHull& A, const PosedHull& B, const Closest& closest);
 
+/// The squared sine of the angle between two edges whose cross product is taken for n. A choice: a smaller limit gives
+/// up digits of n by cancellation, a larger one uses the difference of the points where n is better. Any direction
+/// gives a valid bound.
+constexpr double clearly_crossing = 0x1p-10;
+
 Bracket bracket(const PosedHull& A, const PosedHull& B, const Closest& closest);
 
 /// The error bound of lo, about as large as that of hi: if the features are the closest ones as far as doubles can
 /// tell, the width is at most twice that, plus 5 %.
 double rounding(const PosedHull& A, const PosedHull& B);
+
+/// lo, given n of length 1 within 1.5u from A to B, and the heights of A along n and of B along −n.
+double gap_between(const PosedHull& A, const PosedHull& B, const Vec3& n, double up_to_A, double up_to_B,
+                   double rounding_error);
+
+/// What hi adds to the length between two witnesses.
+double error_of_hi(const PosedHull& A, const PosedHull& B, double rounding_error);
 
 }  // namespace touchstone::fast::lin_canny

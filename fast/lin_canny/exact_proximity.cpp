@@ -96,15 +96,21 @@ Vec3 in_world(const Convex& part, const CachedPose& body, const Vec3& x) {
 
 Proximity exact_proximity(const Convex& A, const CachedPose& body_A, const Convex& B, const CachedPose& body_B,
                           const FeaturePair& guess) {
+  Proximity answer = exact_proximity(A, body_A, B, body_B, first_pairs(A.core, B.core, guess));
+  answer.features = guess;
+  return answer;
+}
+
+Proximity exact_proximity(const Convex& A, const CachedPose& body_A, const Convex& B, const CachedPose& body_B,
+                          const std::vector<VertexPair>& guess) {
   const std::array<Pose, 2> poses_A = poses_of(A, body_A);
   const std::array<Pose, 2> poses_B = poses_of(B, body_B);
   exact::Difference difference(posed(A, poses_A), posed(B, poses_B));
-  const exact::Nearest found = exact::nearest(difference, first_pairs(A.core, B.core, guess));
+  const exact::Nearest found = exact::nearest(difference, guess);
 
   Proximity answer;
-  answer.features = guess;
-  answer.exact_vertices_A = distinct(found.pairs, &VertexPair::a);
-  answer.exact_vertices_B = distinct(found.pairs, &VertexPair::b);
+  answer.closest_vertices_A = distinct(found.pairs, &VertexPair::a);
+  answer.closest_vertices_B = distinct(found.pairs, &VertexPair::b);
   answer.p_WCa = in_world(A, body_A, combined(A.core, found, &VertexPair::a));
   answer.p_WCb = in_world(B, body_B, combined(B.core, found, &VertexPair::b));
 

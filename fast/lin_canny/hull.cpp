@@ -2,9 +2,11 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
+#include <utility>
 
-#include "fast/lin_canny/half_edges.h"
 #include "fast/lin_canny/merged_faces.h"
 #include "fast/lin_canny/rotation.h"
 
@@ -13,9 +15,16 @@ namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
+/// A plain square, if it neither over- nor underflows, errs by less than 4u of itself and a stable norm by less than
+/// 8u. So the vertex with the greatest stable norm is among those whose squares are within 64u of the greatest.
 double greatest_length(const std::vector<Vec3>& vertices) {
+  double square = 0;
+  for (const Vec3& v : vertices) square = std::max(square, v.squaredNorm());
+  const double enough = square > 0x1p-900 && square < 0x1p900 ? square * (1 - 64 * u) : 0;
   double greatest = 0;
-  for (const Vec3& v : vertices) greatest = std::max(greatest, v.stableNorm());
+  for (const Vec3& v : vertices) {
+    if (!(v.squaredNorm() < enough)) greatest = std::max(greatest, v.stableNorm());
+  }
   return greatest;
 }
 
@@ -23,12 +32,15 @@ Vec3 unit(const Vec3& v) { return v.stableNormalized(); }
 
 /// The sum over the fan's triangles from the first corner; corners are scaled by the polygon's size, so that nothing
 /// overflows or underflows.
-Vec3 polygon_normal(const std::vector<Vec3>& corners) {
+Vec3 polygon_normal(const std::vector<Vec3>& vertices, std::span<const int> loop) {
+  const auto corner = [&](std::size_t i) -> const Vec3& { return vertices[at(loop[i])]; };
   double size = 0;
-  for (const Vec3& c : corners) size = std::max(size, (c - corners[0]).lpNorm<Eigen::Infinity>());
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    size = std::max(size, (corner(i) - corner(0)).lpNorm<Eigen::Infinity>());
+  }
   Vec3 sum = Vec3::Zero();
-  for (std::size_t k = 2; k < corners.size(); ++k) {
-    sum += ((corners[k - 1] - corners[0]) / size).cross((corners[k] - corners[0]) / size);
+  for (std::size_t k = 2; k < loop.size(); ++k) {
+    sum += ((corner(k - 1) - corner(0)) / size).cross((corner(k) - corner(0)) / size);
   }
   return unit(sum);
 }
@@ -45,52 +57,49 @@ std::vector<Vec3> corners_of(const Box& box) {
 
 }  // namespace
 
-Hull::Hull(const Vec3& point) : vertices_{point}, source_{0}, first_spoke_{0, 0}, radius_(greatest_length(vertices_)) {
-  radius_ *= 1 + 8 * u;
-}
+Hull::Hull(std::vector<Vec3> vertices)
+    : vertices_(std::move(vertices)), radius_(greatest_length(vertices_) * (1 + 8 * u)) {}
 
-Hull::Hull(const Box& box) : vertices_(corners_of(box)), source_{0, 1, 2, 3, 4, 5, 6, 7} {
-  add_faces({{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}});
+Hull::Hull(const Vec3& point) : Hull(std::vector<Vec3>{point}) { first_spoke_ = {0, 0}; }
+
+Hull Hull::of_vertices(const Polytope& polytope) { return Hull(polytope.vertices); }
+
+Hull Hull::of_vertices(const Box& box) { return Hull(corners_of(box)); }
+
+Hull::Hull(const Box& box) : vertices_(corners_of(box)) {
+  Loops loops;
+  for (const auto& face : std::array<std::array<int, 4>, 6>{
+           {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}}}) {
+    loops.add(face);
+  }
+  add_faces(loops, HalfEdges(loops, vertices_.size()));
 }
 
 Hull::Hull(const Polytope& polytope) {
-  std::vector<std::vector<int>> loops = merged_faces(polytope);
-  std::vector<int> index(polytope.vertices.size(), -1);
-  for (const auto& loop : loops) {
-    for (const int v : loop) index[at(v)] = 0;
-  }
-  for (std::size_t v = 0; v < index.size(); ++v) {
-    if (index[v] < 0) continue;
-    index[v] = vertex_count();
-    vertices_.push_back(polytope.vertices[v]);
-    source_.push_back(static_cast<int>(v));
-  }
-  for (auto& loop : loops) {
-    for (int& v : loop) v = index[at(v)];
-  }
-  add_faces(loops);
+  MergedFaces faces = merged_faces(polytope);
+  vertices_.reserve(faces.vertices.size());
+  for (const int v : faces.vertices) vertices_.push_back(polytope.vertices[at(v)]);
+  source_ = std::move(faces.vertices);
+  add_faces(faces.loops, faces.edges);
 }
 
-void Hull::add_faces(const std::vector<std::vector<int>>& loops) {
-  for (const std::vector<int>& loop : loops) {
-    std::vector<Vec3> corners;
-    for (const int v : loop) corners.push_back(vertex(v));
-    Face face;
-    face.normal = polygon_normal(corners);
-    face.first_corner = static_cast<int>(corners_.size());
-    face.corner_count = static_cast<int>(loop.size());
-    corners_.insert(corners_.end(), loop.begin(), loop.end());
-    faces_.push_back(face);
+void Hull::add_faces(const Loops& loops, const HalfEdges& edges) {
+  faces_.resize(loops.count());
+  for (std::size_t f = 0; f < loops.count(); ++f) {
+    faces_[f].normal = polygon_normal(vertices_, loops[f]);
+    faces_[f].first_corner = loops.first[f];
+    faces_[f].corner_count = static_cast<int>(loops[f].size());
   }
+  corners_ = loops.corners;
   radius_ = greatest_length(vertices_) * (1 + 8 * u);
-  link_edges(loops);
+  link_edges(edges);
   link_spokes();
   raise_faces();
 }
 
-void Hull::link_edges(const std::vector<std::vector<int>>& loops) {
-  const HalfEdges edges(loops, vertices_.size());
+void Hull::link_edges(const HalfEdges& edges) {
   sides_.resize(corners_.size());
+  edges_.reserve(corners_.size() / 2);
   for (std::size_t i = 0; i < edges.sorted().size(); ++i) {
     const HalfEdge &there = edges.sorted()[i], &back = edges.twin(i);
     if (there.from > there.to) continue;

@@ -7,6 +7,9 @@
 
 namespace touchstone::fast::lin_canny {
 
+class HalfEdges;
+struct Loops;
+
 /// The boundary of the hull of a polytope's vertices in the solid's own frame. Coplanar neighbouring faces are merged,
 /// and vertices that are then no corners are dropped (decided exactly). So every edge has a Voronoi region of positive
 /// width.
@@ -41,6 +44,10 @@ class Hull {
   explicit Hull(const Box& box);
   /// Requires faces (reference::completed). Throws InputError if they are not the closed boundary of a convex solid.
   explicit Hull(const Polytope& polytope);
+  /// The vertices alone, without edges and faces: for queries that are asked once. All of them are kept, also those
+  /// that are no corners; the polytope's faces are not read.
+  static Hull of_vertices(const Polytope& polytope);
+  static Hull of_vertices(const Box& box);
 
   int vertex_count() const { return static_cast<int>(vertices_.size()); }
   int edge_count() const { return static_cast<int>(edges_.size()); }
@@ -56,20 +63,22 @@ class Hull {
 
   const std::vector<Vec3>& vertices() const { return vertices_; }
   /// Index of a vertex in the polytope or box that this hull was made from.
-  int source(int v) const { return source_[static_cast<std::size_t>(v)]; }
+  int source(int v) const { return source_.empty() ? v : source_[static_cast<std::size_t>(v)]; }
   /// ≥ |v| for all vertices v.
   double radius() const { return radius_; }
   /// Whether products of four lengths neither overflow nor lose bits to underflow, as the walk and its bracket need.
   bool fits_doubles() const { return radius_ < 0x1p250 && shortest_edge_ > 0x1p-250; }
 
  private:
-  void add_faces(const std::vector<std::vector<int>>& loops);
-  void link_edges(const std::vector<std::vector<int>>& loops);
+  /// Of vertices alone.
+  explicit Hull(std::vector<Vec3> vertices);
+  void add_faces(const Loops& loops, const HalfEdges& edges);
+  void link_edges(const HalfEdges& edges);
   void link_spokes();
   void raise_faces();
 
   std::vector<Vec3> vertices_;
-  std::vector<int> source_;
+  std::vector<int> source_;  ///< empty: each vertex has kept its index
   std::vector<Edge> edges_;
   std::vector<Face> faces_;
   std::vector<Spoke> spokes_;

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <numeric>
 #include <string>
+#include <utility>
 
 #include "fast/exact/vector.h"
-#include "fast/lin_canny/half_edges.h"
 #include "fast/lin_canny/rotation.h"
 #include "model/input_error.h"
 
@@ -45,33 +45,41 @@ bool on_one_line(const Vec3& a, const Vec3& b, const Vec3& c) {
   return cross(vector(b) - o, vector(c) - o).is_zero();
 }
 
+/// The polytope's loops, each from its least vertex on.
+Loops loops_of(const std::vector<std::vector<int>>& faces) {
+  Loops loops;
+  loops.first.reserve(faces.size() + 1);
+  loops.corners.reserve(3 * faces.size());
+  for (const Loop& face : faces) {
+    const std::size_t first = loops.corners.size();
+    loops.add(face);
+    const auto begin = loops.corners.begin() + static_cast<std::ptrdiff_t>(first);
+    std::rotate(begin, std::min_element(begin, loops.corners.end()), loops.corners.end());
+  }
+  return loops;
+}
+
 class Merger {
  public:
   explicit Merger(const Polytope& polytope)
-      : points_(polytope.vertices), loops_(polytope.faces), edges_(loops_, points_.size()) {
-    if (loops_.size() < 4) refuse("expected the faces of a solid; derive them first");
-    for (const Loop& loop : loops_) corners_.push_back(three_corners(loop));
-    root_.resize(loops_.size());
+      : points_(polytope.vertices), loops_(loops_of(polytope.faces)), edges_(loops_, points_.size()) {
+    if (loops_.count() < 4) refuse("expected the faces of a solid; derive them first");
+    corners_.reserve(loops_.count());
+    for (std::size_t f = 0; f < loops_.count(); ++f) corners_.push_back(three_corners(loops_[f]));
+    root_.resize(loops_.count());
     std::iota(root_.begin(), root_.end(), 0);
   }
 
-  std::vector<Loop> merged() {
-    const std::vector<HalfEdge>& edges = edges_.sorted();
-    for (std::size_t i = 0; i < edges.size(); ++i) {
-      const HalfEdge &edge = edges[i], &back = edges_.twin(i);
-      if (edge.from < edge.to && flat(edge, back)) root_[at(root(edge.face))] = root(back.face);
+  MergedFaces merged() {
+    const bool are_corners = each_is_corner();
+    if (!unite_flat() && are_corners) {
+      std::vector<int> all(points_.size());
+      std::iota(all.begin(), all.end(), 0);
+      return {std::move(all), std::move(loops_), std::move(edges_)};
     }
-    std::vector<std::vector<HalfEdge>> rims(loops_.size());
-    for (std::size_t i = 0; i < edges.size(); ++i) {
-      const int face = root(edges[i].face);
-      if (face != root(edges_.twin(i).face)) rims[at(face)].push_back(edges[i]);
-    }
-    std::vector<Loop> faces;
-    for (const std::vector<HalfEdge>& rim : rims) {
-      if (!rim.empty()) faces.push_back(chained(rim));
-    }
+    std::vector<Loop> faces = united();
     drop_straight_corners(faces);
-    return faces;
+    return of_corners(faces);
   }
 
  private:
@@ -83,10 +91,65 @@ class Merger {
     return f;
   }
 
+  /// Whether each vertex is in three faces at least, so that none is straight or unused if no faces are united.
+  bool each_is_corner() const {
+    for (std::size_t v = 0; v < points_.size(); ++v) {
+      if (edges_.degree(v) < 3) return false;
+    }
+    return true;
+  }
+
+  /// Unites coplanar neighbours; whether there are any.
+  bool unite_flat() {
+    bool any = false;
+    const std::vector<HalfEdge>& edges = edges_.sorted();
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      const HalfEdge &edge = edges[i], &back = edges_.twin(i);
+      if (edge.from > edge.to || !flat(edge, back)) continue;
+      root_[at(root(edge.face))] = root(back.face);
+      any = true;
+    }
+    return any;
+  }
+
+  std::vector<Loop> united() const {
+    const std::vector<HalfEdge>& edges = edges_.sorted();
+    std::vector<std::vector<HalfEdge>> rims(loops_.count());
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      const int face = root(edges[i].face);
+      if (face != root(edges_.twin(i).face)) rims[at(face)].push_back(edges[i]);
+    }
+    std::vector<Loop> faces;
+    for (const std::vector<HalfEdge>& rim : rims) {
+      if (!rim.empty()) faces.push_back(chained(rim));
+    }
+    return faces;
+  }
+
+  /// Without the vertices that are corners of no face.
+  MergedFaces of_corners(const std::vector<Loop>& faces) const {
+    std::vector<int> index(points_.size(), -1), vertices;
+    for (const Loop& face : faces) {
+      for (const int v : face) index[at(v)] = 0;
+    }
+    for (std::size_t v = 0; v < index.size(); ++v) {
+      if (index[v] < 0) continue;
+      index[v] = static_cast<int>(vertices.size());
+      vertices.push_back(static_cast<int>(v));
+    }
+    Loops loops;
+    for (Loop face : faces) {
+      for (int& v : face) v = index[at(v)];
+      loops.add(face);
+    }
+    HalfEdges edges(loops, vertices.size());
+    return {std::move(vertices), std::move(loops), std::move(edges)};
+  }
+
   /// Whether the two faces at an edge are coplanar. Refuses faces that fold inward.
   bool flat(const HalfEdge& edge, const HalfEdge& back) const {
     const std::array<int, 3>& corner = corners_[at(edge.face)];
-    const Loop& other = loops_[at(back.face)];
+    const std::span<const int> other = loops_[at(back.face)];
     int fold = 0;
     for (const int v : other) {
       // In the plane by definition. Doubles could not tell, so it would be computed exactly, at great cost.
@@ -99,7 +162,7 @@ class Merger {
   }
 
   /// Three corners of a polygon that are not collinear.
-  std::array<int, 3> three_corners(const Loop& loop) const {
+  std::array<int, 3> three_corners(std::span<const int> loop) const {
     for (std::size_t k = 2; k < loop.size(); ++k) {
       if (!on_one_line(point(loop[0]), point(loop[k - 1]), point(loop[k]))) return {loop[0], loop[k - 1], loop[k]};
     }
@@ -128,7 +191,7 @@ class Merger {
   }
 
   const std::vector<Vec3>& points_;
-  const std::vector<Loop>& loops_;
+  Loops loops_;
   HalfEdges edges_;
   std::vector<std::array<int, 3>> corners_;  ///< of each face: three that are not collinear
   std::vector<int> root_;                    ///< by face: union-find parent; a root represents its merged face
@@ -136,6 +199,6 @@ class Merger {
 
 }  // namespace
 
-std::vector<Loop> merged_faces(const Polytope& polytope) { return Merger(polytope).merged(); }
+MergedFaces merged_faces(const Polytope& polytope) { return Merger(polytope).merged(); }
 
 }  // namespace touchstone::fast::lin_canny

@@ -22,4 +22,7 @@ struct NearestParts {
 NearestParts nearest_parts(const Solid& A, const CachedPose& at_A, const Solid& B, const CachedPose& at_B,
                            std::span<FeaturePair> memory);
 
+/// From the vertices alone, for bodies that are asked about once (Solid::Preparation::vertices will do).
+NearestParts nearest_parts(const Solid& A, const CachedPose& at_A, const Solid& B, const CachedPose& at_B);
+
 }  // namespace touchstone::fast::lin_canny

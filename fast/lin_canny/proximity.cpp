@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "fast/lin_canny/descent.h"
 #include "fast/lin_canny/exact_proximity.h"
 #include "fast/lin_canny/surround.h"
 #include "fast/lin_canny/walk.h"
@@ -36,6 +37,33 @@ bool decide(const Bracket& cores, double radius, double error, Proximity& answer
   return false;
 }
 
+/// What a decided bracket of the cores says of the parts.
+void add_witnesses(const Bracket& cores, double radius_A, double radius_B, const Vec3& p_WO, Proximity& answer) {
+  const Vec3 d = cores.b - cores.a;
+  const double length = d.norm();
+  if (answer.verdict == Verdict::separated) {
+    answer.distance = std::clamp(length - (radius_A + radius_B), answer.enclosure.lo, answer.enclosure.hi);
+  }
+  const Vec3 n = length > 0 ? Vec3(d / length) : Vec3(Vec3::Zero());
+  answer.p_WCa = p_WO + (cores.a + radius_A * n);
+  answer.p_WCb = p_WO + (cores.b - radius_B * n);
+}
+
+/// The descent multiplies up to four lengths of a simplex. These are as short as the distance of the cores, which may
+/// be 2^-53 of their radii before it is rounding.
+bool fit_descent(const Hull& hull) {
+  return hull.radius() < 0x1p250 && (hull.radius() > 0x1p-200 || hull.vertex_count() == 1);
+}
+
+std::vector<exact::VertexPair> pairs_of(const Simplex& simplex) {
+  std::vector<exact::VertexPair> pairs;
+  for (int i = 0; i < simplex.size; ++i) {
+    const VertexDifference& point = simplex.points[static_cast<std::size_t>(i)];
+    pairs.push_back({point.a, point.b});
+  }
+  return pairs;
+}
+
 }  // namespace
 
 Proximity proximity(const Convex& A, const CachedPose& body_A, const Convex& B, const CachedPose& body_B,
@@ -57,14 +85,35 @@ Proximity proximity(const Convex& A, const CachedPose& body_A, const Convex& B, 
     answer.p_WCa = answer.p_WCb = p_WO + *common;
     return answer;
   }
-  const Vec3 d = cores.b - cores.a;
-  const double length = d.norm();
-  if (answer.verdict == Verdict::separated) {
-    answer.distance = std::clamp(length - (A.radius + B.radius), answer.enclosure.lo, answer.enclosure.hi);
+  add_witnesses(cores, A.radius, B.radius, p_WO, answer);
+  return answer;
+}
+
+Proximity proximity(const Convex& A, const CachedPose& body_A, const Convex& B, const CachedPose& body_B) {
+  const Vec3& p_WO = body_A.X_WB.p_WB;
+  const PosedHull placed_A = posed_hull(A, body_A, p_WO);
+  const PosedHull placed_B = posed_hull(B, body_B, p_WO);
+  const bool fit = fit_descent(A.core) && fit_descent(B.core) && fit_doubles(placed_A, placed_B);
+  if (!fit) return exact_proximity(A, body_A, B, body_B, std::vector<exact::VertexPair>{{0, 0}});
+  const double error = rounding(placed_A, placed_B);
+  const Simplex nearest = descend(placed_A, placed_B, error);
+  Proximity answer;
+  if (nearest.size == 4) {
+    const std::optional<Vec3> common = common_point(nearest, error);
+    if (!common) return exact_proximity(A, body_A, B, body_B, pairs_of(nearest));
+    answer.verdict = Verdict::overlapping;
+    answer.p_WCa = answer.p_WCb = p_WO + *common;
+    return answer;
   }
-  const Vec3 n = length > 0 ? Vec3(d / length) : Vec3(Vec3::Zero());
-  answer.p_WCa = p_WO + (cores.a + A.radius * n);
-  answer.p_WCb = p_WO + (cores.b - B.radius * n);
+  const Bracket cores = bracket(placed_A, placed_B, nearest, error);
+  if (!decide(cores, A.radius + B.radius, error, answer)) {
+    return exact_proximity(A, body_A, B, body_B, pairs_of(nearest));
+  }
+  if (answer.verdict == Verdict::separated) {
+    answer.closest_vertices_A = highest_vertices(placed_A, cores.n);
+    answer.closest_vertices_B = highest_vertices(placed_B, -cores.n);
+  }
+  add_witnesses(cores, A.radius, B.radius, p_WO, answer);
   return answer;
 }
 

@@ -17,9 +17,9 @@ struct Proximity {
   Vec3 p_WCa = Vec3::Zero();
   Vec3 p_WCb = Vec3::Zero();
   FeaturePair features;  ///< where the walk ended
-  /// If not empty: the vertices of the cores that the exact route determined, in place of features.
-  std::vector<int> exact_vertices_A;
-  std::vector<int> exact_vertices_B;
+  /// If not empty: the vertices of the cores that are the closest features, in place of `features`.
+  std::vector<int> closest_vertices_A;
+  std::vector<int> closest_vertices_B;
 };
 
 /// `memory`: where the walk starts and, afterwards, where it ended; initially any features of the two.
@@ -29,5 +29,13 @@ struct Proximity {
 /// times more, but no verdict is a guess.
 Proximity proximity(const Convex& A, const CachedPose& body_A, const Convex& B, const CachedPose& body_B,
                     FeaturePair& memory);
+
+/// The same from the vertices alone, for pairs that are asked about once: the cores may be without edges and faces.
+///
+/// Gilbert, Johnson & Keerthi's descent over B − A finds the vertices whose hulls are closest; its end needs no proof.
+/// The enclosure is that of bracket.h, with all vertices tested along the direction; and likewise exact arithmetic
+/// decides what it leaves open. The closest features are all the vertices that are highest along the direction, within
+/// rounding.
+Proximity proximity(const Convex& A, const CachedPose& body_A, const Convex& B, const CachedPose& body_B);
 
 }  // namespace touchstone::fast::lin_canny

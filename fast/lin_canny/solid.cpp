@@ -1,15 +1,22 @@
 #include "fast/lin_canny/solid.h"
 
+#include <utility>
 #include <variant>
 
 namespace touchstone::fast::lin_canny {
 namespace {
 
-Convex convex(const Sphere& sphere) {
-  return {Hull(Vec3(Vec3::Zero())), sphere.radius, {}, Mat3::Identity(), false, 0};
+using Preparation = Solid::Preparation;
+
+Convex unposed(Hull core, double radius) { return {std::move(core), radius, {}, Mat3::Identity(), false, 0}; }
+
+Convex convex(const Sphere& sphere, Preparation) { return unposed(Hull(Vec3(Vec3::Zero())), sphere.radius); }
+Convex convex(const Box& box, Preparation preparation) {
+  return unposed(preparation == Preparation::whole ? Hull(box) : Hull::of_vertices(box), 0);
 }
-Convex convex(const Box& box) { return {Hull(box), 0, {}, Mat3::Identity(), false, 0}; }
-Convex convex(const Polytope& polytope) { return {Hull(polytope), 0, {}, Mat3::Identity(), false, 0}; }
+Convex convex(const Polytope& polytope, Preparation preparation) {
+  return unposed(preparation == Preparation::whole ? Hull(polytope) : Hull::of_vertices(polytope), 0);
+}
 
 Convex with_reach(Convex part) {
   part.reach = (part.core.radius() + part.radius + part.X_BP.p_WB.stableNorm()) * (1 + 8 * u);
@@ -22,10 +29,10 @@ constexpr double part_turn_error = 40 * u;
 
 }  // namespace
 
-Solid::Solid(const Shape& shape) {
+Solid::Solid(const Shape& shape, Preparation preparation) {
   if (const auto* compound = std::get_if<Compound>(&shape)) {
     for (const Part& part : compound->parts) {
-      Convex made = std::visit([](const auto& s) { return convex(s); }, part.shape);
+      Convex made = std::visit([&](const auto& s) { return convex(s, preparation); }, part.shape);
       made.X_BP = part.X_BP;
       made.R_BP = rotation(part.X_BP.q_WB);
       made.is_posed = true;
@@ -35,7 +42,8 @@ Solid::Solid(const Shape& shape) {
   }
   std::visit(
       [&](const auto& s) {
-        if constexpr (!std::is_same_v<std::decay_t<decltype(s)>, Compound>) parts_.push_back(with_reach(convex(s)));
+        if constexpr (!std::is_same_v<std::decay_t<decltype(s)>, Compound>)
+          parts_.push_back(with_reach(convex(s, preparation)));
       },
       shape);
 }

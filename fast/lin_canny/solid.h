@@ -20,9 +20,12 @@ struct Convex {
 
 class Solid {
  public:
-  /// Requires a valid shape. Throws InputError if a polytope's faces are missing or are not the boundary of a convex
-  /// solid.
-  explicit Solid(const Shape& shape);
+  /// What the cores have: vertices, edges and faces; or vertices alone (Hull::of_vertices).
+  enum class Preparation : unsigned char { whole, vertices };
+
+  /// Requires a valid shape. Throws InputError if it prepares a whole polytope whose faces are missing or are not the
+  /// boundary of a convex solid.
+  explicit Solid(const Shape& shape, Preparation preparation = Preparation::whole);
 
   const std::vector<Convex>& parts() const { return parts_; }
 

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "fast/lin_canny/bracket.h"
+#include "fast/lin_canny/simplex.h"
 
 namespace touchstone::fast::lin_canny {
 
@@ -19,5 +20,8 @@ namespace touchstone::fast::lin_canny {
 /// The search gives up when it makes no progress, or after `most_vertices` vertices. That decides nothing; the exact
 /// route does.
 std::optional<Vec3> common_point(const PosedHull& A, const PosedHull& B);
+
+/// The same for four differences with their weights, as `reduce` leaves them. `rounding_error`: rounding(A, B).
+std::optional<Vec3> common_point(const Simplex& around, double rounding_error);
 
 }  // namespace touchstone::fast::lin_canny

@@ -7,13 +7,19 @@
 namespace touchstone::fast::lin_canny {
 namespace {
 
-using Loops = std::vector<std::vector<int>>;
+using Faces = std::vector<std::vector<int>>;
 
-const Loops tetrahedron = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+const Faces tetrahedron = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
 
-std::string refusal(const Loops& loops) {
+Loops loops(const Faces& faces) {
+  Loops all;
+  for (const std::vector<int>& face : faces) all.add(face);
+  return all;
+}
+
+std::string refusal(const Faces& faces) {
   try {
-    const HalfEdges edges(loops, 4);
+    const HalfEdges edges(loops(faces), 4);
   } catch (const InputError& error) {
     return error.what();
   }
@@ -21,7 +27,7 @@ std::string refusal(const Loops& loops) {
 }
 
 TEST_CASE("half edges: sorted, each with its face, its place and its twin") {
-  const HalfEdges edges(tetrahedron, 4);
+  const HalfEdges edges(loops(tetrahedron), 4);
   REQUIRE(edges.sorted().size() == 12);
   for (std::size_t i = 0; i < 12; ++i) {
     const HalfEdge &edge = edges.sorted()[i], &twin = edges.twin(i);
@@ -40,19 +46,19 @@ TEST_CASE("half edges: sorted, each with its face, its place and its twin") {
 }
 
 TEST_CASE("half edges: what is no closed surface is refused") {
-  Loops open = tetrahedron;
+  Faces open = tetrahedron;
   open.pop_back();
   CHECK_THAT(refusal(open), Catch::Contains("is not met exactly once"));
-  Loops twice = tetrahedron;
+  Faces twice = tetrahedron;
   twice.push_back({0, 2, 1});
   CHECK_THAT(refusal(twice), Catch::Contains("is not met exactly once"));
-  Loops inside_out = tetrahedron;
+  Faces inside_out = tetrahedron;
   inside_out[0] = {0, 1, 2};
   CHECK_THAT(refusal(inside_out), Catch::Contains("edge 1-0 is not met exactly once"));
-  Loops flat = tetrahedron;
+  Faces flat = tetrahedron;
   flat[1] = {0, 1};
   CHECK_THAT(refusal(flat), Catch::Contains("fewer than three"));
-  Loops beyond = tetrahedron;
+  Faces beyond = tetrahedron;
   beyond[1] = {0, 1, 4};
   CHECK_THAT(refusal(beyond), Catch::Contains("no vertex 4"));
 }

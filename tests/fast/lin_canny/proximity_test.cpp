@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "fast/distance.h"
+#include "fast/lin_canny/nearest_parts.h"
 #include "fast/lin_canny/surround.h"
 #include "reference/distance.h"
 #include "tests/catch.h"
@@ -17,8 +18,20 @@ namespace {
 
 using tests::Dice;
 
+/// The answer for callers that follow two bodies: a walk between hulls that are prepared whole.
+NearestParts followed(const Scene& scene) {
+  const Solid A(scene.bodies[0].shape);
+  const Solid B(scene.bodies[1].shape);
+  std::vector<FeaturePair> memory(A.parts().size() * B.parts().size());
+  return nearest_parts(A, CachedPose(scene.bodies[0].X_WB), B, CachedPose(scene.bodies[1].X_WB), memory);
+}
+
 void check_against_reference(const Scene& scene) {
   const reference::DistanceTruth truth = reference::distance(scene);
+  const Proximity walked = followed(scene).proximity;
+  REQUIRE(walked.verdict == truth.verdict);
+  REQUIRE(walked.enclosure.lo <= truth.distance.lo);
+  REQUIRE(walked.enclosure.hi >= truth.distance.hi);
   const Distance said = fast::distance(scene);
   REQUIRE(said.verdict == truth.verdict);
   REQUIRE(said.enclosure->lo <= truth.distance.lo);
@@ -155,6 +168,42 @@ TEST_CASE("a tracked query asks for no memory") {
   }
   CHECK(tests::allocations() == before);
   CHECK(sum > 0);
+}
+
+TEST_CASE("a query that is asked once prepares nothing: its allocations do not grow with the shapes") {
+  Dice dice(28);
+  const auto allocations_of = [&](int vertices, double apart) {
+    Scene scene =
+        tests::pair_of({{tests::round_hull(dice, vertices), Vec3(apart, 0, 0)}, {tests::round_hull(dice, vertices)}});
+    for (Body& body : scene.bodies) std::get<Polytope>(body.shape).faces.clear();  // they are not read
+    const std::size_t before = tests::allocations();
+    const Distance said = fast::distance(scene);
+    const std::size_t count = tests::allocations() - before;
+    CHECK(said.verdict == (apart > 2 ? Verdict::separated : Verdict::overlapping));
+    return count;
+  };
+  // Vertices and parts of two bodies, and two features.
+  for (const int vertices : {8, 50, 200}) CHECK(allocations_of(vertices, 2.5) <= 6);
+  for (const int vertices : {8, 50, 200}) CHECK(allocations_of(vertices, 0.25) <= 4);
+}
+
+TEST_CASE("a query that is asked once names all vertices where a plane between the bodies would touch them") {
+  const Polytope spike{{Vec3(0, 0, 0), Vec3(-1, 1, 4), Vec3(1, 1, 4), Vec3(0, -1, 4)}, {}};
+  const Distance over_a_face = fast::distance(tests::pair_of({{Box{Vec3(2, 1, 1)}}, {spike, Vec3(0.5, 0.125, 2)}}));
+  CHECK(over_a_face.feature_A->vertices == std::vector{4, 5, 6, 7});
+  CHECK(over_a_face.feature_B->vertices == std::vector{0});
+  CHECK(over_a_face.distance == 1);
+  const Distance under_it = fast::distance(tests::pair_of({{spike, Vec3(0.5, 0.125, 2)}, {Box{Vec3(2, 1, 1)}}}));
+  CHECK(under_it.feature_A->vertices == std::vector{0});
+  CHECK(under_it.feature_B->vertices == std::vector{4, 5, 6, 7});
+  const Distance beside_an_edge = fast::distance(tests::pair_of({{Box{Vec3(2, 1, 1)}}, {spike, Vec3(0.5, 4, 5)}}));
+  CHECK(beside_an_edge.feature_A->vertices == std::vector{6, 7});
+  CHECK(beside_an_edge.distance == 5);
+  const Distance over_a_diagonal = fast::distance(tests::pair_of({{Box{Vec3(2, 1, 1)}}, {spike, Vec3(1, 0.5, 2)}}));
+  CHECK(over_a_diagonal.feature_A->vertices == std::vector{4, 5, 6, 7});
+  const Distance parallel = fast::distance(tests::pair_of({{Box{Vec3(2, 1, 1)}}, {Box{Vec3(1, 9, 1)}, Vec3(0, 0, 4)}}));
+  CHECK(parallel.feature_A->vertices == std::vector{4, 5, 6, 7});
+  CHECK(parallel.feature_B->vertices == std::vector{0, 1, 2, 3});
 }
 
 TEST_CASE("beyond the range of doubles it says so") {

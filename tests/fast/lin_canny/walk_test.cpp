@@ -232,13 +232,13 @@ TEST_CASE("marks: degenerate exits") {
   for (const Vec3& apart : {Vec3(0.5, 3, 3), Vec3(0.5, 0.5, 3), Vec3(2, 2, 3), Vec3(2, 5, 5)}) {
     const Proximity found = Pair(cubes(apart)).from({v0, v0});
     CHECK(found.verdict == Verdict::separated);
-    CHECK(found.exact_vertices_A.empty());
+    CHECK(found.closest_vertices_A.empty());
   }
   // Exact contact of each kind: decided exactly.
   for (const Vec3& apart : {Vec3(2, 2, 2), Vec3(2, 2, 0.5), Vec3(2, 0.5, 0.5), Vec3(2, 2, 0), Vec3(2, 0, 0)}) {
     const Proximity found = Pair(cubes(apart)).from({v0, v0});
     CHECK(found.verdict == Verdict::touching);
-    CHECK_FALSE(found.exact_vertices_A.empty());
+    CHECK_FALSE(found.closest_vertices_A.empty());
     CHECK(found.enclosure == Interval{0, 0});
   }
   // One ulp apart, one ulp of overlap.
@@ -250,7 +250,7 @@ TEST_CASE("marks: degenerate exits") {
   const Proximity found = Pair(tiny).from({v0, v0});
   CHECK(found.enclosure.lo <= 0x1p-400);
   CHECK(found.enclosure.hi >= 0x1p-400);
-  CHECK_FALSE(found.exact_vertices_A.empty());
+  CHECK_FALSE(found.closest_vertices_A.empty());
 }
 
 }  // namespace
