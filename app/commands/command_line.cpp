@@ -330,10 +330,12 @@ void add_bench(CLI::App& program, Options& options) {
       ->delimiter(',')
       ->type_name("NUMBER");
   command
-      ->add_option("--workloads", options.bench.workloads,
-                   "broad_phase: coherent, settled, ratio, clustered, teleport, still; distance: coherent, cold; "
-                   "impulse: generic, tiny_slip, friction_to_10, rods, levers, spheres, no_slip; pixel: masks, boxes, "
-                   "triangles, 16-gons; simulation: names of `touchstone list motions`. Default: all")
+      ->add_option(
+          "--workloads", options.bench.workloads,
+          "broad_phase: coherent, settled, flickering, ratio, clustered, teleport, still, announced; distance: "
+          "coherent, cold, each also _100 and _1000, once, once_overlapping, once_touching; impulse: generic, "
+          "tiny_slip, friction_to_10, rods, levers, spheres, no_slip; pixel: masks, boxes, "
+          "triangles, 16-gons; simulation: names of `touchstone list motions`. Default: all")
       ->delimiter(',')
       ->type_name("WORKLOAD");
   add_whole_number(*command, "--rounds", options.bench.rounds, 1, 1000, "How many times; the median is printed")

@@ -1,8 +1,9 @@
 // Compares our distance query with those of other libraries: CSV of nanoseconds per query, and the errors.
 //
 // Contestants play a sequence of poses in turn, a round at a time; the result is the median of the rounds' CPU time.
-// Errors are differences from the exact distance in 200 frames, in ulps (2^-52) of the scene's scale 1 + 3 + 1; NaN if
-// a contestant reports no distance.
+// Of several pairs each has a contestant of its own, and a frame asks about all of them in turn. Errors are differences
+// from the exact distance in 200 frames, in ulps (2^-52) of the scene's scale 1 + 3 + 1; NaN if a contestant reports no
+// distance.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -18,7 +19,7 @@ namespace {
 
 struct Runner {
   Entrant entrant;
-  std::unique_ptr<Contestant> contestant;
+  std::vector<std::unique_ptr<Contestant>> contestants;  ///< by pair
   std::vector<double> ns;
   double median_error = 0;
   double worst_error = 0;
@@ -39,40 +40,57 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-std::vector<Runner> runners(const FrameSequence& sequence) {
+using Sequences = std::vector<FrameSequence>;
+
+std::vector<Entrant> entrants(const std::string& workload) {
+  if (asks_once(workload)) return asked_once();
+  std::vector<Entrant> all;
+  for (const auto& some : {ours(), bullet(), fcl_solvers(), libccd()}) all.insert(all.end(), some.begin(), some.end());
+  return all;
+}
+
+std::vector<Runner> runners(const std::string& workload, const Sequences& sequences) {
   std::vector<Runner> all;
-  for (const auto& some : {ours(), bullet(), fcl_solvers(), libccd()}) {
-    for (const Entrant& entrant : some) all.push_back({entrant, entrant.enter(sequence.A, sequence.B), {}, 0, 0});
+  for (const Entrant& entrant : entrants(workload)) {
+    all.push_back({entrant, {}, {}, 0, 0});
+    for (const FrameSequence& pair : sequences) all.back().contestants.push_back(entrant.enter(pair.A, pair.B));
   }
   return all;
 }
 
-double play(Contestant& contestant, const FrameSequence& sequence) {
+double play(Runner& runner, const Sequences& sequences) {
   double sum = 0;
-  for (const FrameSequence::Poses& poses : sequence.frames) sum += contestant.distance(poses);
+  for (std::size_t frame = 0; frame < sequences[0].frames.size(); ++frame) {
+    for (std::size_t pair = 0; pair < sequences.size(); ++pair) {
+      sum += runner.contestants[pair]->distance(sequences[pair].frames[frame]);
+    }
+  }
   return sum;
 }
 
-void judge(Runner& runner, const FrameSequence& sequence) {
+void judge(Runner& runner, const Sequences& sequences) {
   std::vector<double> errors;
   for (std::size_t i = 0; i < judged_frames; ++i) {
-    const Interval exact = reference::distance(scene_of(sequence, sequence.frames[i])).distance;
-    errors.push_back(std::abs(runner.contestant->distance(sequence.frames[i]) - exact.lo) / (0x1p-52 * scale));
+    const std::size_t pair = i % sequences.size();
+    const FrameSequence::Poses& poses = sequences[pair].frames[i / sequences.size()];
+    const Interval exact = reference::distance(scene_of(sequences[pair], poses)).distance;
+    errors.push_back(std::abs(runner.contestants[pair]->distance(poses) - exact.lo) / (0x1p-52 * scale));
   }
   runner.worst_error = *std::max_element(errors.begin(), errors.end());
   runner.median_error = median(errors);
 }
 
 void compare(const std::string& workload, int vertices, int rounds) {
-  const FrameSequence sequence = shoot(workload, vertices, frame_count);
-  std::vector<Runner> all = runners(sequence);
+  const Sequences sequences = shoot(workload, vertices, frame_count);
+  const auto queries = static_cast<double>(sequences.size() * sequences[0].frames.size());
+  std::vector<Runner> all = runners(workload, sequences);
   double unused = 0;
-  for (Runner& runner : all) judge(runner, sequence);
+  for (Runner& runner : all) judge(runner, sequences);
   for (int round = 0; round < rounds; ++round) {
     for (Runner& runner : all) {
       const double before = cpu_seconds();
-      unused += play(*runner.contestant, sequence);
-      runner.ns.push_back(1e9 * (cpu_seconds() - before) / static_cast<double>(sequence.frames.size()));
+      unused += play(runner, sequences);
+      runner.ns.push_back(1e9 * (cpu_seconds() - before) / queries);
     }
   }
   for (const Runner& runner : all) {

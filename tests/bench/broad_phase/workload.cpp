@@ -53,31 +53,35 @@ std::vector<MovingBox> moving_boxes(const std::string& workload, std::size_t bod
   return all;
 }
 
-std::vector<Aabb> settled_picture(std::size_t bodies, Dice& jitter) {
+/// `spread`: sizes differ by this much at most. Without it neighbours are as far apart as the jitter moves them, so
+/// their pairs begin and end from frame to frame.
+std::vector<Aabb> settled_picture(std::size_t bodies, double spread, Dice& jitter) {
   const auto row = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(bodies))));
   std::vector<Aabb> boxes;
   Dice sizes(7);
   for (std::size_t i = 0; i < bodies; ++i) {
-    const Vec3 half = 0.5 * Vec3(1 + 0.2 * sizes.around_zero(), 1 + 0.2 * sizes.around_zero(), 1);
+    const Vec3 half = 0.5 * Vec3(1 + spread * sizes.around_zero(), 1 + spread * sizes.around_zero(), 1);
     const Vec3 centre = Vec3(double(i % row), double(i / row), 0.5) + 1e-3 * jitter.in_cube();
     boxes.push_back({centre - half, centre + half});
   }
   return boxes;
 }
 
+bool is_mostly_still(const std::string& workload) { return workload == "still" || workload == "announced"; }
+
 std::vector<std::vector<Aabb>> pictures(const std::string& workload, std::size_t bodies, std::size_t frames) {
   Dice dice(5);
   std::vector<MovingBox> all = moving_boxes(workload, bodies, dice);
   std::vector<std::vector<Aabb>> sequence;
   for (std::size_t f = 0; f <= frames; ++f) {
-    if (workload == "settled") {
-      sequence.push_back(settled_picture(bodies, dice));
+    if (workload == "settled" || workload == "flickering") {
+      sequence.push_back(settled_picture(bodies, workload == "settled" ? 0.2 : 0, dice));
       continue;
     }
     if (workload == "teleport") all = moving_boxes(workload, bodies, dice);
     std::vector<Aabb> boxes;
     for (std::size_t i = 0; i < bodies; ++i) {
-      const bool moves = f > 0 && (workload != "still" || dice.between(1, 100) == 1);
+      const bool moves = f > 0 && (!is_mostly_still(workload) || dice.between(1, 100) == 1);
       if (moves) all[i].centre += all[i].velocity;
       if (f > 0 && !moves) {
         boxes.push_back(sequence.back()[i]);
@@ -91,17 +95,19 @@ std::vector<std::vector<Aabb>> pictures(const std::string& workload, std::size_t
   return sequence;
 }
 
-Frame changes(const std::vector<Aabb>& from, const std::vector<Aabb>& to) {
+/// `all`: also the boxes that have not changed.
+Frame changes(const std::vector<Aabb>& from, const std::vector<Aabb>& to, bool all) {
   Frame frame;
   for (std::size_t i = 0; i < from.size(); ++i)
-    if (!(from[i] == to[i])) frame.push_back({i, to[i]});
+    if (all || !(from[i] == to[i])) frame.push_back({i, to[i]});
   return frame;
 }
 
 }  // namespace
 
 const std::vector<std::string>& workloads() {
-  static const std::vector<std::string> names{"coherent", "settled", "ratio", "clustered", "teleport", "still"};
+  static const std::vector<std::string> names{"coherent",  "settled",  "flickering", "ratio",
+                                              "clustered", "teleport", "still",      "announced"};
   return names;
 }
 
@@ -116,9 +122,10 @@ FrameSequence shoot(const std::string& workload, std::size_t bodies, std::size_t
       shot.world.hi = shot.world.hi.cwiseMax(box.hi);
     }
   }
+  const bool all = workload == "announced";
   for (std::size_t f = 0; f + 1 < sequence.size(); ++f) {
-    shot.forward.push_back(changes(sequence[f], sequence[f + 1]));
-    shot.backward.push_back(changes(sequence[f + 1], sequence[f]));
+    shot.forward.push_back(changes(sequence[f], sequence[f + 1], all));
+    shot.backward.push_back(changes(sequence[f + 1], sequence[f], all));
   }
   return shot;
 }

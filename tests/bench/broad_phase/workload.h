@@ -1,4 +1,4 @@
-// The six workloads on which broad phases are compared. Each is a sequence that is played forward and backward.
+// The eight workloads on which broad phases are compared. Each is a sequence that is played forward and backward.
 #pragma once
 
 #include <string>
@@ -15,7 +15,7 @@ struct FrameSequence {
   Aabb world;                   ///< contains every box of every snapshot
 };
 
-/// coherent, settled, ratio, clustered, teleport, still.
+/// coherent, settled, flickering, ratio, clustered, teleport, still, announced.
 const std::vector<std::string>& workloads();
 
 /// A pure function of its arguments.

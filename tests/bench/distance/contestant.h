@@ -25,6 +25,8 @@ struct Entrant {
 };
 
 std::vector<Entrant> ours();
+/// fast::distance and reference::distance of a scene: they keep nothing.
+std::vector<Entrant> asked_once();
 std::vector<Entrant> bullet();
 std::vector<Entrant> fcl_solvers();
 std::vector<Entrant> libccd();
