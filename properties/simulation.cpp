@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "model/limits.h"
 #include "oracle/judge/words.h"
@@ -239,49 +240,6 @@ Point exact(const reference::ExactVec3& v) {
   return {static_cast<Real>(v[0].nearest()), static_cast<Real>(v[1].nearest()), static_cast<Real>(v[2].nearest())};
 }
 
-Finding impulses(const Scene& scene, Subject& subject) {
-  return of_struck_pairs(
-      scene, subject, [&](const TrajectoryCase& asked, const Event& event, const Scene& pair, const Scene& there) {
-        if (!is_decisive(pair, tolerance::moving_distance(pair, event.time, asked.precision))) {
-          return judge::outside(too_far_to_decide);
-        }
-        const Scene question = impact_of(there, event, scene.motion->law);
-        const ImpactCase impact(question, asked.precision);
-        const bool in_domain = tolerance::impact_in_range(impact.impact, asked.precision) &&
-                               tolerance::impact_is_sure(impact.impact, asked.precision);
-        if (!in_domain) return judge::outside("rounding may change the kind of impact");
-        const Impulse answer{{event.after_a.velocity, event.after_b.velocity}, event.P_A_W, {}, {}};
-        const SaidImpact said(impact, answer);
-        const std::array<tolerance::BallisticBound, 2> before = {
-            tolerance::ballistic(pair, 0, event.time, asked.precision),
-            tolerance::ballistic(pair, 1, event.time, asked.precision)};
-        const double flown = tolerance::through_impact(impact.impact, before);
-        const double u_n = static_cast<double>(impact.impact.u_n());
-        const double speed = flown / static_cast<double>(std::sqrt(impact.impact.least_mass()));
-        Finding worst = judge::at_most(
-            std::max(0.0, u_n), {speed, speed, "errors of the trajectory"}, Defect::phantom,
-            [&] { return text(event); }, [] { return std::string("an impact of bodies that approach"); });
-        if (worst.outcome == Outcome::fails) return worst;
-        const reference::ImpulseTruth& law = truth::impulse(question);
-        if (law.ambiguous || impact.law_jumps()) return worst;
-        After expected;
-        for (std::size_t k = 0; k < 2; ++k) expected[k] = {exact(law.after[k].v_WBcm), exact(law.after[k].w_WB)};
-        worse(worst, judge::at_most(
-                         static_cast<double>(difference(impact, said.after, expected)),
-                         of_energy(impact, said.allowed + flown), Defect::wrong_velocity,
-                         [&] { return text(event) + ": " + text(said.after); }, [&] { return text(expected); }));
-        const Point dP = event.P_A_W.cast<Real>() - exact(law.P_A_W);
-        const Real stored =
-            oracle::unit_roundoff(asked.precision) * event.P_A_W.norm() * std::sqrt(impact.impact.K.trace());
-        worse(worst, judge::at_most(
-                         static_cast<double>(std::sqrt(std::max<Real>(0, dP.dot(impact.impact.K * dP)))),
-                         of_energy(impact, said.allowed + flown + static_cast<double>(stored)), Defect::inconsistent,
-                         [&] { return text(event) + ": P = " + text(Point(event.P_A_W.cast<Real>())); },
-                         [&] { return text(exact(law.P_A_W)); }));
-        return worst;
-      });
-}
-
 /// An impulse, with the bodies where the event reports them, and with their velocities before it.
 struct ReportedImpulse {
   const TrajectoryCase& asked;
@@ -296,6 +254,17 @@ struct ReportedImpulse {
         scene(impact_of(at_reported_poses(oracle::pair_at(pair, event.time), event), event, pair.motion->law)),
         impact(oracle::impact(scene)),
         slack(tolerance::distance(scene, asked.precision) + rounded_way(pair, event.time, asked.precision)) {}
+
+  // m: how far C is from the surface of each body, at most `slack`. Where the two overlap, C may be as deep as they
+  // are.
+  std::array<double, 2> gaps() const {
+    const double deep = truth::distance(scene).verdict == Verdict::overlapping ? judge::margin(scene).hi : 0;
+    std::array<double, 2> both{};
+    for (std::size_t k = 0; k < 2; ++k) {
+      both[k] = std::min(slack, std::max(judge::off_body(scene.bodies[k], event.p_WC), deep));
+    }
+    return both;
+  }
 
   Finding compare(const Point& said, const Point& expected, Real allowed, Real unit, const char* name) const {
     const Real u = oracle::unit_roundoff(asked.precision);
@@ -328,6 +297,92 @@ struct ReportedImpulse {
     return worst;
   }
 };
+
+/// What the law says of a reported impulse; none where the law is in doubt.
+struct LawfulImpact {
+  After after;
+  Point P_A_W = Point::Zero();
+};
+
+std::optional<LawfulImpact> lawful(const Scene& question) {
+  const reference::ImpulseTruth& law = truth::impulse(question);
+  if (law.ambiguous) return std::nullopt;
+  LawfulImpact it;
+  for (std::size_t k = 0; k < 2; ++k) it.after[k] = {exact(law.after[k].v_WBcm), exact(law.after[k].w_WB)};
+  it.P_A_W = exact(law.P_A_W);
+  return it;
+}
+
+// √J: the difference of P as the change of u that it causes.
+Real difference(const ImpactCase& impact, const Point& P, const Point& Q) {
+  const Point dP = P - Q;
+  return std::sqrt(std::max<Real>(0, dP.dot(impact.impact.K * dP)));
+}
+
+// √J: how much the law's answer changes if each lever arm ends on its body's surface instead of at C, along the normal.
+// A body that is moved by a thousandth of its size has such an arm, and shows the slope: a shift of the gap itself
+// could be lost in the rounding of positions. The factor 2 covers what is not linear in it. None where the law of the
+// moved bodies is in doubt.
+std::optional<double> effect_of_gaps(const ImpactCase& impact, const LawfulImpact& law,
+                                     const std::array<double, 2>& gaps) {
+  Real sum = 0;
+  for (std::size_t k = 0; k < 2; ++k) {
+    Scene moved = impact.scene;
+    const double shift = tolerance::size(moved.bodies[k]) / 1024;
+    moved.bodies[k].X_WB.p_WB += (k == 0 ? -shift : shift) * impact.contact.nhat_BA_W;
+    const std::optional<LawfulImpact> there = lawful(moved);
+    if (!there) return std::nullopt;
+    const Real change =
+        std::max(difference(impact, there->after, law.after), difference(impact, there->P_A_W, law.P_A_W));
+    sum += 2 * change * gaps[k] / shift;
+  }
+  return static_cast<double>(sum);
+}
+
+Finding impulses(const Scene& scene, Subject& subject) {
+  return of_struck_pairs(
+      scene, subject, [&](const TrajectoryCase& asked, const Event& event, const Scene& pair, const Scene&) {
+        if (!is_decisive(pair, tolerance::moving_distance(pair, event.time, asked.precision))) {
+          return judge::outside(too_far_to_decide);
+        }
+        const ReportedImpulse reported(asked, event, pair);
+        const ImpactCase impact(reported.scene, asked.precision);
+        const bool in_domain = tolerance::impact_in_range(impact.impact, asked.precision) &&
+                               tolerance::impact_is_sure(impact.impact, asked.precision);
+        if (!in_domain) return judge::outside("rounding may change the kind of impact");
+        const Impulse answer{{event.after_a.velocity, event.after_b.velocity}, event.P_A_W, {}, {}};
+        const SaidImpact said(impact, answer);
+        const std::array<tolerance::BallisticBound, 2> before = {
+            tolerance::ballistic(pair, 0, event.time, asked.precision),
+            tolerance::ballistic(pair, 1, event.time, asked.precision)};
+        const double u = oracle::unit_roundoff(asked.precision), stored = u * event.p_WC.norm();
+        const std::array<double, 2> gaps = reported.gaps();
+        // The error of the subject's states; as much for the judge's states, and again for the rounding of v + w × r.
+        const double speed = 4 * tolerance::at_contact(impact.impact, before, {gaps[0] + stored, gaps[1] + stored});
+        Finding worst = judge::at_most(
+            std::max(0.0, static_cast<double>(impact.impact.u_n())), {speed, speed, "errors of the trajectory"},
+            Defect::phantom, [&] { return text(event); },
+            [] { return std::string("an impact of bodies that approach"); });
+        if (worst.outcome == Outcome::fails) return worst;
+        const std::optional<LawfulImpact> law = lawful(reported.scene);
+        if (!law || impact.law_jumps()) return worst;
+        const std::optional<double> of_gaps = effect_of_gaps(impact, *law, gaps);
+        if (!of_gaps) return worst;
+        const double flown = tolerance::through_impact(reported.scene, impact.impact, before, {stored, stored});
+        const double allowed = said.allowed + flown + *of_gaps;
+        worse(worst, judge::at_most(
+                         static_cast<double>(difference(impact, said.after, law->after)), of_energy(impact, allowed),
+                         Defect::wrong_velocity, [&] { return text(event) + ": " + text(said.after); },
+                         [&] { return text(law->after); }));
+        const double rounded = u * event.P_A_W.norm() * static_cast<double>(std::sqrt(impact.impact.K.trace()));
+        worse(worst, judge::at_most(
+                         static_cast<double>(difference(impact, event.P_A_W.cast<Real>(), law->P_A_W)),
+                         of_energy(impact, allowed + rounded), Defect::inconsistent,
+                         [&] { return text(event) + ": P = " + text(Point(event.P_A_W.cast<Real>())); },
+                         [&] { return text(law->P_A_W); }));
+        return counted(2 * allowed < static_cast<double>(impact.impact.energy_norm(impact.impact.u)), worst);
+      });
+}
 
 // Also where the law of impact itself is in doubt, and for a body that strikes one that is not in ballistic motion.
 Finding impulses_apply(const Scene& scene, Subject& subject) {

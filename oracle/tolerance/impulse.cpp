@@ -106,6 +106,17 @@ Real size(const Scene& scene, const Impact& impact) {
   return std::max(before, impact.energy_norm(impact.K * P) / 2);
 }
 
+// An error |dr| of this body's arm changes K relatively by this (derived below).
+Real of_arm(const Impact& impact, const ImpactBody& body, Real dr) {
+  return 2 * dr * std::sqrt(impact.least_mass() / body.moments[0]);
+}
+
+// √J: effect of a relative error K of K and of an error du (m/s) of u; P/m and I⁻¹(r × P) have that of K once more.
+Real disturbed(const Scene& scene, const Impact& impact, Real K, Real du) {
+  const Real N = size(scene, impact), m = impact.least_mass();
+  return crossing(impact, *scene.contact) * ((of_K + 2) * K * N + of_u * std::sqrt(m) * du);
+}
+
 }  // namespace
 
 // To first order, with N as above, so that |P|_K ≤ 2N. For each body b,
@@ -119,7 +130,7 @@ Real size(const Scene& scene, const Impact& impact) {
 //   stored  above.
 // All but the last times crossing.
 double impulse(const Scene& scene, const Impact& impact, const std::array<Velocity, 2>& after, Precision precision) {
-  const Real u = unit_roundoff(precision), N = size(scene, impact), m = impact.least_mass();
+  const Real u = unit_roundoff(precision), N = size(scene, impact);
   const bool exact = precision == Precision::exact;
   const Real said = stored(scene, impact, after, u, exact);
   if (exact) return static_cast<double>(said + u * N);
@@ -128,11 +139,19 @@ double impulse(const Scene& scene, const Impact& impact, const std::array<Veloci
     const ImpactBody& body = impact.bodies[i];
     const Real v = body.v_WBcm.norm(), w = body.w_WB.norm();
     const Facts off = facts(scene.bodies[i], body, precision);
-    if (!body.fixed) K += 2 * off.arm * std::sqrt(m / body.moments[0]) + off.inertia + off.mass;
-    du += std::sqrt(m) * (w * off.arm + 4 * u * (v + w * body.p_BcmC_W.norm()));
+    if (!body.fixed) K += of_arm(impact, body, off.arm) + off.inertia + off.mass;
+    du += w * off.arm + 4 * u * (v + w * body.p_BcmC_W.norm());
   }
-  const Real computed = (of_K + 2) * K * N + of_u * du + solver(impact) * u * N;
-  return static_cast<double>(crossing(impact, *scene.contact) * computed + said);
+  const Real solved = crossing(impact, *scene.contact) * solver(impact) * u * N;
+  return static_cast<double>(disturbed(scene, impact, K, du) + solved + said);
+}
+
+double of_input(const Scene& scene, const Impact& impact, const std::array<double, 2>& arms, double u) {
+  Real K = 0;
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (!impact.bodies[i].fixed) K += of_arm(impact, impact.bodies[i], arms[i]);
+  }
+  return static_cast<double>(disturbed(scene, impact, K, u));
 }
 
 // m v' rounds by u m|v'|. v' = v + P/m: the sum u|v'|, the quotient u|P|/m and the error of the mass. Twice that for

@@ -1,6 +1,8 @@
 // Error bounds of a careful computation of an impact, derived in oracle/tolerance/impulse.cpp.
 #pragma once
 
+#include <array>
+
 #include "model/answers.h"
 #include "oracle/subject.h"
 #include "oracle/truth/impact.h"
@@ -10,6 +12,10 @@ namespace touchstone::oracle::tolerance {
 /// √J: bound of the error of the change of velocities in the norm √(Σ m|v|² + wᵀ I w). For an impulse error dP this is
 /// √(dPᵀ K dP). The bound also holds for a stated impulse, and for u' in the K⁻¹ norm.
 double impulse(const Scene& scene, const Impact& impact, const std::array<Velocity, 2>& after, Precision precision);
+
+/// √J, in the same norm: effect of errors of what the impact is computed from. `arms` (m) bounds those of p_BcmC_W of A
+/// and B, `u` (m/s) that of the velocity at C.
+double of_input(const Scene& scene, const Impact& impact, const std::array<double, 2>& arms, double u);
 
 /// N s: |Σ m v' − Σ m v|, after an impulse of magnitude |P|.
 double momentum(const Scene& scene, const Impact& impact, const std::array<Velocity, 2>& after, Real impulse,

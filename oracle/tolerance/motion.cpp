@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "oracle/tolerance/impulse.h"
 #include "oracle/tolerance/precision.h"
 #include "oracle/tolerance/tolerance.h"
 #include "oracle/truth/truth.h"
@@ -173,19 +174,27 @@ double moving_distance(const Scene& scene, double time, Precision precision) {
   return distance(scene, precision) * (farthest / scale(scene)) + motions + 2 * u * time * speed;
 }
 
-// An error du of the velocity at C changes the impulse by at most 32 |du| in energy norms
-// (oracle/tolerance/impulse.cpp: of_u), and the K⁻¹ norm is at most √m* times the length. In addition the errors of the
-// velocities before remain in those after.
-double through_impact(const Impact& impact, const std::array<BallisticBound, 2>& before) {
-  const Real m = std::sqrt(impact.least_mass());
+// u is a difference of v + w × r.
+double at_contact(const Impact& impact, const std::array<BallisticBound, 2>& before,
+                  const std::array<double, 2>& arms) {
   Real sum = 0;
   for (std::size_t i = 0; i < 2; ++i) {
     const ImpactBody& body = impact.bodies[i];
-    const Real dv = before[i].velocity, dw = before[i].spin, place = before[i].place;
-    sum += 32 * m * (dv + dw * body.p_BcmC_W.norm() + body.w_WB.norm() * place);
-    if (!body.fixed) sum += std::sqrt(body.mass) * dv + std::sqrt(body.moments[2]) * dw;
+    sum += before[i].velocity + before[i].spin * body.p_BcmC_W.norm() + body.w_WB.norm() * arms[i];
   }
   return static_cast<double>(sum);
+}
+
+// The impulse depends on the arms and on the velocity at C (oracle/tolerance/impulse.cpp: of_input). In addition the
+// errors of the velocities before remain in those after.
+double through_impact(const Scene& scene, const Impact& impact, const std::array<BallisticBound, 2>& before,
+                      const std::array<double, 2>& arms) {
+  Real remain = 0;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const ImpactBody& body = impact.bodies[i];
+    if (!body.fixed) remain += std::sqrt(body.mass) * before[i].velocity + std::sqrt(body.moments[2]) * before[i].spin;
+  }
+  return of_input(scene, impact, arms, at_contact(impact, before, arms)) + static_cast<double>(remain);
 }
 
 // (p_WCa − p_WCb)/|…|: the errors of two witness points over their distance. If that is more than 1/1024, the two

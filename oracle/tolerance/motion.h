@@ -32,8 +32,12 @@ double turn(const Scene& scene, std::size_t body, double rate, double seconds, P
 /// m: error of the distance of bodies 0 and 1 at a computed time up to `time`.
 double moving_distance(const Scene& scene, double time, Precision precision);
 
-/// √J: effect of errors of the velocities before an impact on those after it.
-double through_impact(const Impact& impact, const std::array<BallisticBound, 2>& before);
+/// m/s: error of the relative velocity at C before an impact; `arms` (m) bounds the errors of p_BcmC_W of A and B.
+double at_contact(const Impact& impact, const std::array<BallisticBound, 2>& before, const std::array<double, 2>& arms);
+
+/// √J: effect of the same errors on the velocities after an impact.
+double through_impact(const Scene& scene, const Impact& impact, const std::array<BallisticBound, 2>& before,
+                      const std::array<double, 2>& arms);
 
 /// 1: sin of the angle error of a normal from witness points at a distance `apart` (m).
 double normal(const Scene& scene, double apart, Precision precision);

@@ -161,6 +161,42 @@ TEST_CASE("simulation: errors a few times beyond each allowance are caught") {
   }
 }
 
+// A ball of radius 1 after 2^20 m, with friction enough to stick: it rolls afterwards. Contact is reported 2^-31 m
+// early, C midway in the gap. Doubles do not hold its position better after that way. Its velocities are those of
+// an arm that ends on its surface.
+TEST_CASE("simulation: an arm may end on the body, as far from C as rounding moves it over a long way") {
+  constexpr double early = 0x1p-31, fall = 0x1p20, slip = 3.5 * 0x1p18, mass = 4 * std::numbers::pi / 3;
+  Scene scene = wall();
+  scene.bodies[0].X_WB.p_WB = {-slip, 0, fall};
+  scene.bodies[0].velocity.v_WBcm = {slip, 0, -fall};
+  for (Body& body : scene.bodies) body.material.friction = 1;
+  scene.motion->sample_times = {1};
+  Trajectory run = turned_back();
+  run.states.resize(1);
+  Event& impact = event_of(run);
+  impact.time = 1 - 0x1p-20 - early * 0x1p-20;
+  impact.p_WC = {slip * (impact.time - 1), 0, early / 2};
+  impact.P_A_W = {-mass * slip / 3.5, 0, 2 * mass * fall};
+  impact.after_a = ball_at({slip * (impact.time - 1), 0, 1 + early}, {slip * 5 / 7, 0, fall});
+  impact.after_a.velocity.w_WB = {0, slip * 5 / 7, 0};
+  const auto finding = [&](double error) {
+    Trajectory said = run;
+    event_of(said).after_a.velocity.v_WBcm.x() += error;
+    tests::FixedSubject subject;
+    subject.said_simulation = said;
+    return properties::find("simulation.impulses").check(scene, subject);
+  };
+  CHECK(finding(0).outcome == Outcome::holds);
+  CHECK(finding(0x1p-8).outcome == Outcome::fails);
+  CHECK(finding(0x1p-8).error < 100 * finding(0x1p-8).allowed);
+  // With C on the ball, and the ball on the wall, that error is no longer explained.
+  impact.time += early * 0x1p-20;
+  impact.p_WC = {-slip * 0x1p-20, 0, 0};
+  impact.after_a.X_WB.p_WB = {-slip * 0x1p-20, 0, 1};
+  CHECK(finding(0).outcome == Outcome::holds);
+  CHECK(finding(0x1p-16).outcome == Outcome::fails);
+}
+
 TEST_CASE("simulation: one subject's answers for the time of impact and the first impact are compared") {
   const auto both = [](TimeOfImpact::Status status, std::optional<double> time, const Trajectory& run) {
     tests::FixedSubject subject;
