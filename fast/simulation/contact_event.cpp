@@ -101,8 +101,7 @@ void resolve_contact(Run& run, const PairEvent& pair) {
     return run.guard.stop(world.now(), pair.a, pair.b, "a first contact takes more separation queries than allowed");
   if (run.islands.of(pair.a) || run.islands.of(pair.b)) return resolve_island_contact(run, pair);
   if (!positions_resolved(world.body(pair.a), world.body(pair.b), world.now()))
-    return run.guard.stop(world.now(), pair.a, pair.b,
-                          "rounding moves the two by more than a thousandth of the smaller one");
+    return run.stop_before_now(pair.a, pair.b, "rounding moves the two by more than a thousandth of the smaller one");
   const std::optional<Touch> touch = contact_of(run, pair);
   if (!touch) return recheck(run, pair.a, pair.b);
   respond(run, pair, *touch);

@@ -38,6 +38,7 @@ void Recorder::sample(double time) {
 
 void Recorder::record(const Event& event) {
   ++statistics_.count[static_cast<std::size_t>(event.kind)];
+  last_event_ = event.time;
   if (trajectory_.events) trajectory_.events->push_back(event);
 }
 
@@ -51,7 +52,7 @@ Simulated Recorder::take(const std::optional<Stopped>& stopped) {
                                       static_cast<int>(statistics_.unconverged), statistics_.residual};
   }
   if (stopped) {
-    done.trajectory.complete_until = world_->now();
+    done.trajectory.complete_until = stopped->time;
     done.trajectory.gave_up = reason(*stopped);
   }
   return done;

@@ -16,6 +16,7 @@ class Recorder {
   /// Also those at `time`, after its events.
   void sample_through(double time);
   void record(const Event& event);
+  double last_event() const { return last_event_; }  ///< s; 0 if there was none
 
   Statistics& statistics() { return statistics_; }
   const Statistics& statistics() const { return statistics_; }
@@ -28,6 +29,7 @@ class Recorder {
   const World* world_;
   const Islands* islands_;
   std::size_t sampled_ = 0;  ///< sample times so far
+  double last_event_ = 0;    ///< s
   Trajectory trajectory_;
   Statistics statistics_;
 };

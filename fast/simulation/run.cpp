@@ -1,6 +1,7 @@
 #include "fast/simulation/run.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace touchstone::fast::simulation {
 namespace {
@@ -30,7 +31,11 @@ void Run::advance_to(double time) {
 
 void Run::end_frame() {
   if (!stopped()) world.advance_to(schedule.frame_end());
-  recorder.sample_through(world.now());
+  recorder.sample_through(stopped() ? guard.stopped()->time : world.now());
+}
+
+void Run::stop_before_now(BodyId a, BodyId b, const char* why) {
+  guard.stop(std::max(recorder.last_event(), std::nextafter(world.now(), 0.0)), a, b, why);
 }
 
 Simulated Run::result() {

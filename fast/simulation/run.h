@@ -17,8 +17,11 @@ struct Run {
   bool is_over() const { return stopped() || !(world.now() < world.end()); }
   /// Samples up to a time, and makes it the current one. Time never goes back.
   void advance_to(double time);
-  /// Advances to the end of the frame, unless the run has stopped, and samples there.
+  /// Advances to the end of the frame, unless the run has stopped, and samples through that time.
   void end_frame();
+  /// Stops the run if the states at the current time are not known: it is complete until the double before that, or
+  /// until an event that is reported already.
+  void stop_before_now(BodyId a, BodyId b, const char* why);
   /// What has been recorded. The run is then used up.
   Simulated result();
 

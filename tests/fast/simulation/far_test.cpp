@@ -83,6 +83,19 @@ TEST_CASE("so are a ball and a wall, and two cubes") {
   }
 }
 
+// Halfway through, at 0.5 s, the computed position of the ball is the wall's. Its impact is 2^-60 s earlier.
+TEST_CASE("a run that stops since positions are too coarse shows no state at that time") {
+  Body wall = brick(Vec3(4, 2, 3), Vec3::Zero(), {0.5, 0.5});
+  wall.mass = Fixed{};
+  Scene scene = apart(wall, ball(3, Vec3::Zero(), Vec3::Zero(), {0.5, 0.5}), Vec3(0, 3 * 0x1p60, 0), Vec3(0.5, 0, 1));
+  scene.motion->sample_times = {0.25, 0.5, 1};
+  const Simulated done = simulate(scene);
+  REQUIRE(done.stopped);
+  CHECK(done.stopped->time == std::nextafter(0.5, 0.0));
+  CHECK(done.trajectory.complete_until == done.stopped->time);
+  CHECK(done.trajectory.states.size() == 1);
+}
+
 TEST_CASE("a ball that comes from far past another one misses it") {
   for (int k = 4; k <= 30; ++k) {
     INFO("2^" << k);
