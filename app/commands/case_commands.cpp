@@ -95,7 +95,7 @@ std::string smaller_name(const std::string& path) {
 Case cut_down(const Example& example, const Property& property, oracle::Subject& subject, std::uint64_t seed,
               int budget) {
   Progress progress("reducing", budget);
-  return smallest_case(example, property, subject, seed, budget, [&] { progress.step(""); });
+  return smallest_case(example, property, subject, seed, {.budget = budget, .asked = [&] { progress.step(""); }});
 }
 
 }  // namespace

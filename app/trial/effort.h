@@ -20,6 +20,10 @@ struct Effort {
   int constraints = 0;        ///< greatest number of drawn scenes of constraint
 };
 
+/// A subject that hung so often in a batch of scenes of one query is not asked about the query's later scenes, and so
+/// often is it asked at most to make a scene smaller on which it hangs. A hang costs the whole time limit.
+inline constexpr int most_hangs = 3;
+
 /// The standard effort tests one subject on 1,456,000 impacts. 5 of the 16 families of contacts are stiff (tiny_slip,
 /// on_the_cone, mass_ratios, levers, jamming): 455,000 impacts; the other 1,001,000 are not.
 inline const std::vector<Effort>& efforts() {

@@ -40,6 +40,12 @@ void ResultMatrix::merge(const ResultMatrix& later) {
   for (const Row& row : later.rows_) at(*row.property, *row.subject).merge(row);
 }
 
+void ResultMatrix::forget(const TestedSubject& subject) {
+  for (Row& row : rows_) {
+    if (row.subject == &subject) row.forget();
+  }
+}
+
 std::size_t ResultMatrix::first_row(const properties::Property& property) const {
   const auto found = std::ranges::find(properties_, &property);
   if (found == properties_.end()) throw std::out_of_range(property.id + " is not a property of this matrix");

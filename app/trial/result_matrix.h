@@ -33,6 +33,9 @@ class ResultMatrix {
   /// Adds a later part of the run: the same subjects, and some of the properties.
   void merge(const ResultMatrix& later);
 
+  /// As if the subject had not been asked.
+  void forget(const TestedSubject& subject);
+
  private:
   std::size_t first_row(const properties::Property& property) const;
 

@@ -109,6 +109,14 @@ void Row::merge(const Row& later) {
   if (later.smallest) keep(smallest, *later.smallest, handier);
 }
 
+void Row::forget() {
+  Row blank;
+  blank.property = property;
+  blank.subject = subject;
+  blank.not_asked = holds + fails + abstains + breaks + outside + not_asked;
+  *this = std::move(blank);
+}
+
 std::optional<Grade> Row::grade() const {
   for (std::size_t g = grades.size(); g-- > 0;) {
     if (grades[g] > 0) return static_cast<Grade>(g);

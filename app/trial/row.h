@@ -63,6 +63,10 @@ struct Row {
 
   /// Adds what later queries of the same property and subject found.
   void merge(const Row& later);
+
+  /// Counts every query as not asked.
+  void forget();
+
   bool failing() const { return fails + breaks > 0; }
   long answered() const { return holds + fails + breaks; }
   std::optional<oracle::Grade> grade() const;  ///< the worst; none if there is no answer

@@ -1,10 +1,14 @@
 #include "app/trial/smallest.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include "app/system/interruption.h"
 #include "app/system/progress.h"
+#include "app/trial/effort.h"
 #include "app/trial/fault_size.h"
 #include "app/trial/last_asked.h"
 #include "app/trial/parallel.h"
@@ -54,22 +58,27 @@ std::optional<oracle::ChangedScene> changed_scene(const Scene& scene, const Last
 }  // namespace
 
 oracle::Case smallest_case(const Example& example, const properties::Property& property, oracle::Subject& subject,
-                           std::uint64_t seed, int budget, const std::function<void()>& asked) {
+                           std::uint64_t seed, const Search& search) {
   oracle::Case result{property.id,   subject.card().name, example.family,  seed,
                       example.index, example.scene,       example.finding, ""};
   const oracle::Case interrupted_at_once = with_note(result, "interrupted: not reduced");
   if (interrupted()) return interrupted_at_once;
   start_afresh(subject);
   const oracle::Precision precision = subject.card().precision;
+  int hangs = 0;
   const auto still_fails = [&](const Scene& scene) {
-    if (interrupted()) return false;
+    if (interrupted() || hangs >= search.hangs) return false;
     const Finding finding = property.check(scene, subject);
-    if (asked) asked();
+    if (finding.defect == Defect::hung) ++hangs;
+    if (search.asked) search.asked();
     if (interrupted() || !shows_the_same(finding, scene, example, precision)) return false;
     result.finding = finding;
     return true;
   };
-  result.scene = oracle::minimise(example.scene, still_fails, affordable(budget, example.finding.defect));
+  result.scene = oracle::minimise(example.scene, still_fails, affordable(search.budget, example.finding.defect));
+  if (!interrupted() && hangs >= search.hangs) {
+    return with_note(result, fmt::format("not reduced further after {} hangs: a smaller scene may hang too", hangs));
+  }
   const oracle::Case as_far_as_it_came = with_note(result, "interrupted: a smaller scene may fail too");
   start_afresh(subject);
   LastAsked last_asked(subject);
@@ -93,17 +102,40 @@ oracle::Case smallest_case(const Example& example, const properties::Property& p
   return result;
 }
 
+namespace {
+
+/// The rows that would be minimised as hangs, except the first of each subject.
+std::set<const Row*> hang_like_another(const std::vector<Row*>& failing) {
+  std::set<const Row*> all;
+  std::set<const TestedSubject*> seen;
+  for (const Row* row : failing) {
+    if (row->smallest->finding.defect == Defect::hung && !seen.insert(row->subject).second) all.insert(row);
+  }
+  return all;
+}
+
+oracle::Case as_found(const Row& row, std::uint64_t seed) {
+  const Example& found = *row.smallest;
+  return {row.property->id, {},          found.family,  seed,
+          found.index,      found.scene, found.finding, "not reduced: it hangs like another row"};
+}
+
+}  // namespace
+
 void cut_down(Ledger& ledger, const std::vector<std::vector<std::unique_ptr<oracle::Subject>>>& workers, int budget) {
   std::vector<Row*> failing;
   for (Row& row : ledger.results.all()) {
     if (row.failing()) failing.push_back(&row);
   }
+  const std::set<const Row*> alike = hang_like_another(failing);
   Progress progress("reducing", static_cast<int>(failing.size()));
   in_parallel(failing.size(), static_cast<int>(workers.size()), [&](std::size_t f, std::size_t job) {
     Row& row = *failing[f];
     const TestedSubject& subject = *row.subject;
     row.size_found = oracle::size_of(row.smallest->scene);
-    row.smallest_case = smallest_case(*row.smallest, *row.property, *workers[job][subject.index], ledger.seed, budget);
+    row.smallest_case = alike.contains(&row) ? as_found(row, ledger.seed)
+                                             : smallest_case(*row.smallest, *row.property, *workers[job][subject.index],
+                                                             ledger.seed, {budget, most_hangs});
     row.smallest_case->subject = subject.connectable;
     row.case_file = "cases/" + row.property->id + "." + subject.file_name + ".json";
     progress.step(row.property->id + " of " + subject.card.name);

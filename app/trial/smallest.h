@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -11,16 +12,24 @@
 
 namespace touchstone::app {
 
+/// How long a smaller scene is searched for.
+struct Search {
+  int budget = 0;                               ///< queries
+  int hangs = std::numeric_limits<int>::max();  ///< ends after so many
+  std::function<void()> asked = {};             ///< called after each query
+};
+
 /// Minimises the row's `smallest` example, keeping its defect, a grade at least as bad, and a fault at least as large
 /// beside what is allowed and beside the scene (app/trial/fault_size.h). Checks the result once more in a fresh
 /// process. If the subject does not repeat itself, the scene stays as found, and the case's note says so; it also says
-/// if the search was interrupted. If the last question was about another scene, as in a law about two answers, the case
-/// has that scene too. The case names the subject by its card, since the caller knows how to connect to it. `asked` is
-/// called after each query of the search.
+/// if the search was interrupted, or ended by hangs. If the last question was about another scene, as in a law about
+/// two answers, the case has that scene too. The case names the subject by its card, since the caller knows how to
+/// connect to it.
 oracle::Case smallest_case(const Example& example, const properties::Property& property, oracle::Subject& subject,
-                           std::uint64_t seed, int budget, const std::function<void()>& asked = {});
+                           std::uint64_t seed, const Search& search);
 
-/// Minimises all failing rows, with one thread per entry of `workers` (each holds one object per subject).
+/// Minimises all failing rows, with one thread per entry of `workers` (each holds one object per subject). Of a
+/// subject's rows that show a hang only the first is minimised, with at most `most_hangs` hangs.
 void cut_down(Ledger& ledger, const std::vector<std::vector<std::unique_ptr<oracle::Subject>>>& workers, int budget);
 
 }  // namespace touchstone::app

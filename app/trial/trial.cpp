@@ -30,7 +30,6 @@ using properties::Property;
 using Subjects = std::vector<std::unique_ptr<oracle::Subject>>;
 
 constexpr std::size_t chunk_size = 24;
-constexpr int most_hangs = 3;  ///< after so many hangs in a unit, the subject is not asked any more in it
 
 struct Unit {
   std::size_t query = 0;
@@ -50,6 +49,7 @@ struct UnitResult {
   std::map<std::string, long> classes;
   std::map<std::string, long> mesh_scenes;
   long scenes = 0;
+  std::vector<int> hangs;  ///< by subject
 };
 
 using TestedSubjects = std::vector<TestedSubject>;
@@ -104,16 +104,17 @@ void ask(const Question& question, const Property& property, oracle::Subject& su
 }
 
 UnitResult nothing_of(const QueryTrial& query, const TestedSubjects& tested) {
-  return {ResultMatrix(query.properties, tested), {}, {}, 0};
+  return {ResultMatrix(query.properties, tested), {}, {}, 0, std::vector<int>(tested.size())};
 }
 
 bool any_failing(const UnitResult& result) { return std::ranges::any_of(result.results.all(), &Row::failing); }
 
+/// `hangs`: by subject, how many count against it at the start of the unit.
 UnitResult run_unit(const QueryTrial& query, const Unit& unit, const TestedSubjects& tested, const Subjects& subjects,
-                    bool first_failure) {
+                    std::vector<int> hangs, bool first_failure) {
   UnitResult result = nothing_of(query, tested);
+  result.hangs = std::move(hangs);
   for (const auto& subject : subjects) start_afresh(*subject);
-  std::vector<int> hangs(subjects.size());
   for (std::size_t q = unit.begin; q < unit.end && !interrupted(); ++q) {
     if (first_failure && any_failing(result)) break;
     const Question question = query.questions[q];
@@ -127,8 +128,8 @@ UnitResult run_unit(const QueryTrial& query, const Unit& unit, const TestedSubje
     for (const TestedSubject& subject : tested) {
       for (const Property* property : query.properties) {
         if (!question.asked_under(*property)) continue;
-        ask(question, *property, *subjects[subject.index], hangs[subject.index], result.results.at(*property, subject),
-            example);
+        ask(question, *property, *subjects[subject.index], result.hangs[subject.index],
+            result.results.at(*property, subject), example);
       }
     }
   }
@@ -184,28 +185,49 @@ void enter(Ledger& ledger, const QueryTrial& query, const UnitResult& result) {
 
 /// Merges units in order, whichever ends first, so the ledger does not depend on the threads. At most as many units
 /// wait as threads are at work. If the run ends with the first failure, units after that of the failure do not count.
+/// The same holds for a subject in the units of a query after one in which it hung `most_hangs` times.
 class Entry {
  public:
   Entry(Ledger& ledger, const std::vector<QueryTrial>& trials, const std::vector<Unit>& units, bool first_failure)
-      : ledger_(ledger), trials_(trials), units_(units), first_failure_(first_failure) {}
+      : ledger_(ledger),
+        trials_(trials),
+        units_(units),
+        first_failure_(first_failure),
+        given_up_(trials.size(), std::vector<bool>(ledger.subjects.size())) {}
 
   void add(std::size_t unit, UnitResult result) {
     const std::lock_guard lock(mutex_);
     waiting_.emplace(unit, std::move(result));
     for (auto it = waiting_.begin(); it != waiting_.end() && it->first == next_; it = waiting_.erase(it), ++next_) {
-      if (ended_) continue;
-      ended_ = first_failure_ && any_failing(it->second);
-      enter(ledger_, trials_[units_[next_].query], it->second);
+      if (!ended_) merge(units_[next_].query, it->second);
     }
+  }
+
+  /// By subject: `most_hangs` if it is known by now that it is not asked any more, else 0.
+  std::vector<int> hangs(std::size_t query) {
+    const std::lock_guard lock(mutex_);
+    std::vector<int> all;
+    for (const bool given_up : given_up_[query]) all.push_back(given_up ? most_hangs : 0);
+    return all;
   }
 
   bool ended() const { return ended_; }
 
  private:
+  void merge(std::size_t query, UnitResult& result) {
+    for (const TestedSubject& subject : ledger_.subjects) {
+      if (given_up_[query][subject.index]) result.results.forget(subject);
+      if (result.hangs[subject.index] >= most_hangs) given_up_[query][subject.index] = true;
+    }
+    ended_ = first_failure_ && any_failing(result);
+    enter(ledger_, trials_[query], result);
+  }
+
   Ledger& ledger_;
   const std::vector<QueryTrial>& trials_;
   const std::vector<Unit>& units_;
   bool first_failure_;
+  std::vector<std::vector<bool>> given_up_;  // by query and subject
   std::atomic<bool> ended_ = false;
   std::mutex mutex_;
   std::map<std::size_t, UnitResult> waiting_;
@@ -235,9 +257,9 @@ Ledger run(const TrialPlan& plan, const MeshSet& meshes) {
     Progress progress("asking", static_cast<int>(all_units.size()));
     in_parallel(all_units.size(), plan.jobs, [&](std::size_t u, std::size_t job) {
       const QueryTrial& query = all_trials[all_units[u].query];
-      entry.add(u, interrupted() || entry.ended()
-                       ? nothing_of(query, ledger.subjects)
-                       : run_unit(query, all_units[u], ledger.subjects, workers[job], plan.first_failure));
+      entry.add(u, interrupted() || entry.ended() ? nothing_of(query, ledger.subjects)
+                                                  : run_unit(query, all_units[u], ledger.subjects, workers[job],
+                                                             entry.hangs(all_units[u].query), plan.first_failure));
       progress.step(query.name);
     });
   }

@@ -1,4 +1,5 @@
-"""Usage: engine.py TRICK [NAME]. A subject that answers "1 m apart"; from its fifth query on it plays its trick."""
+"""Usage: engine.py TRICK [NAME [LOG]]. A subject that answers "1 m apart"; from its fifth query on it plays its trick,
+"always_hangs" from its first. LOG gets a line for each trick that is played."""
 
 import json
 import os
@@ -16,10 +17,13 @@ for line in sys.stdin:
                   "card": {"name": name, "version": "0", "precision": "binary64", "answers": ["distance"]}}
     else:
         asked += 1
-        if asked >= 5:
+        if asked >= (1 if trick == "always_hangs" else 5):
+            if len(sys.argv) > 3:
+                with open(sys.argv[3], "a") as log:
+                    print(trick, file=log)
             if trick == "dies":
                 os._exit(3)
-            while trick == "hangs":
+            while trick in ("hangs", "always_hangs"):
                 pass
             if trick == "garbles":
                 print("\x1b[31m<not json> & \"more\"", flush=True)

@@ -54,6 +54,21 @@ class OnAQuestion(Test):
                 suites = xml.etree.ElementTree.parse(self.folder / "r.xml").getroot()
                 self.assertEqual([suite.get("failures") for suite in suites], ["1", "0"])
 
+    def test_three_hangs_end_a_query_and_the_search_for_a_smaller_scene(self):
+        hangs = self.folder / "hangs.log"
+        for jobs, most in ((1, 3 + 3), (3, 3 * 3 + 3)):
+            hangs.unlink(missing_ok=True)
+            self.succeeds("check", "--subjects", f"{ENGINE} always_hangs trickster {hangs}", "--cases", 200,
+                          "--time-limit", 0.2, "--properties", "distance.survives,distance.repeats", "--jobs", jobs,
+                          "--json", f"{jobs}.json", code=1)
+            self.assertLessEqual(len(hangs.read_text().splitlines()), most)
+        self.assertEqual(self.json("1.json"), self.json("3.json"))
+        rows = self.json("1.json")["rows"]
+        self.assertEqual(sum(row["breaks"] for row in rows), 3)
+        for row in rows:
+            self.assertGreater(row["not_asked"], 200)
+            self.assertEqual(set(row["defects"]), {"hung"})
+
     def test_the_first_failure_ends_a_run(self):
         for jobs in (1, 3):
             self.succeeds("check", "--first-failure", "--subjects", f"{ENGINE} none", "--properties", "distance.value",

@@ -76,7 +76,7 @@ TEST_CASE("The minimiser does not cut the fault down with the scene") {
   REQUIRE(found.outcome == oracle::Outcome::fails);
   REQUIRE(property.check(balls(3), subject).outcome == oracle::Outcome::fails);
   REQUIRE(oracle::grade(found) == oracle::grade(property.check(balls(3), subject)));
-  const oracle::Case smallest = smallest_case({"family", 0, scene, found}, property, subject, 1, 200);
+  const oracle::Case smallest = smallest_case({"family", 0, scene, found}, property, subject, 1, {.budget = 200});
   CHECK(smallest.finding.outcome == oracle::Outcome::fails);
   CHECK(smallest.finding.error >= found.error);
   CHECK(oracle::size_of(smallest.scene).significant_bits_max < oracle::size_of(scene).significant_bits_max);

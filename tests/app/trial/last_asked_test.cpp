@@ -41,7 +41,7 @@ class Particular : public oracle::Subject {
 oracle::Case found(const std::string& property, bool throws = false) {
   Particular subject(throws);
   const properties::Property& law = properties::find(property);
-  return smallest_case({"family", 0, two_balls(), law.check(two_balls(), subject)}, law, subject, 1, 0);
+  return smallest_case({"family", 0, two_balls(), law.check(two_balls(), subject)}, law, subject, 1, {});
 }
 
 TEST_CASE("A case of a law has the second scene, and says how it was made") {
