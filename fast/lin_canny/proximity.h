@@ -22,7 +22,8 @@ struct Proximity {
   std::vector<int> closest_vertices_B;
 };
 
-/// `memory`: where the walk starts and, afterwards, where it ended; initially any features of the two.
+/// `memory`: where the walk starts and, afterwards, where it ended; initially {}, or any features of the two. From {}
+/// it starts at vertices that face each other.
 ///
 /// First the walk and its bracket, in doubles. If they leave the verdict open, or the enclosure is wider than rounding
 /// explains (the walk ended too early), or lengths do not fit doubles, exact arithmetic decides. It costs some hundred

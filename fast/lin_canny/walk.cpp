@@ -16,6 +16,22 @@ int steepest(const Hull& hull, int v, const Vec3& d) {
   return s->edge;
 }
 
+/// From v to ever higher neighbours along d (in the hull's frame), each the highest of its vertex's. Heights as
+/// computed rise strictly, so it ends.
+int climbed(const Hull& hull, int v, const Vec3& d) {
+  double height = d.dot(hull.vertex(v));
+  while (true) {
+    int next = v;
+    for (const Hull::Spoke* s = hull.spokes_begin(v); s != hull.spokes_end(v); ++s) {
+      const double other = d.dot(hull.vertex(s->other));
+      next = other > height ? s->other : next;
+      height = std::max(height, other);
+    }
+    if (next == v) return v;
+    v = next;
+  }
+}
+
 /// The face whose plane x is farthest outside of; -1 if x is behind all of them.
 int farthest_face(const Hull& hull, const Vec3& x) {
   int best = -1;
@@ -112,6 +128,17 @@ class Walk {
 
 Walked walk(const PosedHull& A, const PosedHull& B, const FeaturePair& start, std::vector<Closest>* visited) {
   return Walk(A, B, visited).from(start);
+}
+
+FeaturePair facing_vertices(const PosedHull& A, const PosedHull& B) {
+  int a = 0, b = 0;
+  Vec3 d = B.t - A.t;
+  for (int round = 0; round < 2; ++round) {
+    a = climbed(*A.hull, a, A.turned_in(d));
+    b = climbed(*B.hull, b, B.turned_in(-d));
+    d = B.vertex(b) - A.vertex(a);
+  }
+  return {{Kind::vertex, a}, {Kind::vertex, b}};
 }
 
 }  // namespace touchstone::fast::lin_canny

@@ -218,6 +218,30 @@ TEST_CASE("marks: ways from kind to kind") {
   CHECK(trail(cubes(Vec3(0.1, 0.2, 4)), {{Kind::edge, 0}, bottom}).substr(0, 2) != "EF");
 }
 
+TEST_CASE("facing vertices: walks of large hulls take less than half of the steps from there") {
+  Dice dice(29);
+  std::size_t from_first = 0, from_facing = 0;
+  for (int i = 0; i < 40; ++i) {
+    const Vec3 apart = 2.5 * dice.in_cube().normalized();
+    const Quaternion q = tests::integer_quaternion(dice);
+    const Scene scene = tests::pair_of({{tests::round_hull(dice, 300), apart, q}, {tests::round_hull(dice, 300)}});
+    const Pair pair(scene);
+    const PosedHull A = pair.placed_A(), B = pair.placed_B();
+    std::vector<Closest> visited;
+    walk(A, B, {}, &visited);
+    from_first += visited.size();
+    visited.clear();
+    walk(A, B, facing_vertices(A, B), &visited);
+    from_facing += visited.size();
+  }
+  CHECK(2 * from_facing < from_first);
+  // Origins that coincide define no direction: any vertices will do.
+  const Pair concentric(cubes(Vec3::Zero()));
+  const FeaturePair start = facing_vertices(concentric.placed_A(), concentric.placed_B());
+  CHECK(start.a.kind == Kind::vertex);
+  CHECK(start.b.kind == Kind::vertex);
+}
+
 TEST_CASE("marks: degenerate exits") {
   const FeatureId v0{Kind::vertex, 0};
   const Hull cube(Box{Vec3(1, 1, 1)});
