@@ -67,11 +67,12 @@ Case read_case_json(const Json& json, const std::string& place) {
   if (const std::string format = node.at("touchstone").text(); format != case_format) {
     node.at("touchstone").refuse("expected \"" + std::string(case_format) + "\", found " + Json(format).dump());
   }
-  node.expect_object(
-      {"touchstone", "property", "subject", "family", "seed", "index", "note", "finding", "scene", "changed"});
+  node.expect_object({"touchstone", "property", "subject", "folder", "family", "seed", "index", "note", "finding",
+                      "scene", "changed"});
   Case a_case;
   a_case.property = node.at("property").text();
   read_if_there(node, "subject", a_case.subject);
+  read_if_there(node, "folder", a_case.folder);
   read_if_there(node, "family", a_case.family);
   a_case.seed = read_uint64(json, "seed", node);
   a_case.index = read_uint64(json, "index", node);
@@ -135,6 +136,7 @@ Finding read_finding(const Json& json, const std::string& place) {
 Json json_of(const Case& a_case) {
   Json json = {{"touchstone", case_format}, {"property", a_case.property}};
   write_if_there(json, "subject", a_case.subject);
+  write_if_there(json, "folder", a_case.folder);
   write_if_there(json, "family", a_case.family);
   json["seed"] = a_case.seed;
   json["index"] = a_case.index;

@@ -31,6 +31,7 @@ struct Case {
   Finding finding;
   std::string note;
   std::optional<ChangedScene> changed = {};  ///< if the answer about this scene broke a law, or is missing
+  std::string folder = {};                   ///< of a subject "exec:...": the absolute path where its command ran
 
   bool operator==(const Case&) const = default;
 };

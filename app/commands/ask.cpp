@@ -270,6 +270,8 @@ Json with_pair(const std::string& query, const Scene& scene, const Json& answer)
 
 }  // namespace
 
+void print_answer(const Json& answer, const std::string& indent) { show(answer, indent); }
+
 const std::vector<std::string>& printed_queries() {
   static const std::vector<std::string> names = [] {
     std::vector<std::string> printed = oracle::query_names();
@@ -294,7 +296,7 @@ void ask(const std::string& query, const std::string& name_or_file, bool as_json
   if (as_json) {
     print_lines(touchstone::text_of(answer));
   } else {
-    show(answer, "");
+    print_answer(answer, "");
   }
 }
 

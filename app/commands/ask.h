@@ -16,6 +16,9 @@ const std::vector<std::string>& printed_queries();
 /// (reference/validity.h). Throws InputError.
 Json exact_answer(const std::string& query, const Scene& scene);
 
+/// Prints an exact answer in words, each line after `indent`.
+void print_answer(const Json& answer, const std::string& indent);
+
 /// Reads the scene (app/motion/given_scene.h), queries the reference, prints words or JSON to stdout. Throws
 /// InputError.
 void ask(const std::string& query, const std::string& name_or_file, bool as_json);

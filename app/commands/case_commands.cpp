@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <memory>
+#include <optional>
 #include <variant>
 
 #include "app/report/finding_words.h"
@@ -34,12 +36,21 @@ using oracle::Finding;
 using oracle::words::text;
 using properties::Property;
 
+/// The words of a command are relative to the folder where it ran, and the path of the case to the present one.
+std::string command_that_runs(const CaseCommand& command, const std::string& verb, const Case& a_case) {
+  const bool moves = !a_case.folder.empty() && command.path != "-";
+  const std::string path = moves ? std::filesystem::absolute(command.path).string() : command.path;
+  const std::string run = fmt::format("{} {} {} --subject {}", shell_word(program_file()), verb, shell_word(path),
+                                      shell_word(a_case.subject));
+  return moves ? fmt::format("(cd {} && {})", shell_word(a_case.folder), run) : run;
+}
+
 /// Prints what the file names. It may be any text, so it is escaped.
-[[noreturn]] void refuse_to_run(const CaseCommand& command, const std::string& verb, const std::string& subject) {
-  const bool is_plain = std::ranges::all_of(subject, [](char c) { return c >= ' ' && c <= '~'; });
-  const std::string how = is_plain ? fmt::format("to run it: {} {} {} --subject {}", shell_word(program_file()), verb,
-                                                 shell_word(command.path), shell_word(subject))
-                                   : "name it with --subject to run it";
+[[noreturn]] void refuse_to_run(const CaseCommand& command, const std::string& verb, const Case& a_case) {
+  const std::string& subject = a_case.subject;
+  const bool is_plain = std::ranges::all_of(subject + a_case.folder, [](char c) { return c >= ' ' && c <= '~'; });
+  const std::string how =
+      is_plain ? "to run it: " + command_that_runs(command, verb, a_case) : "name it with --subject to run it";
   throw InputError(command.path, fmt::format("the file names a command, which only --subject may do; not run: {}; {}",
                                              Json(subject).dump(-1, ' ', true, Json::error_handler_t::replace), how));
 }
@@ -47,8 +58,19 @@ using properties::Property;
 std::string name_of_subject(const CaseCommand& command, const std::string& verb, const Case& a_case) {
   if (!command.subject.empty()) return command.subject;
   if (a_case.subject.empty()) throw InputError(command.path, "names no subject: say which one with --subject");
-  if (a_case.subject.starts_with("exec:")) refuse_to_run(command, verb, a_case.subject);
+  if (a_case.subject.starts_with("exec:")) refuse_to_run(command, verb, a_case);
   return a_case.subject;
+}
+
+void print_exchanged(oracle::PipeLimits::Way way, std::string_view line) {
+  print("{} {}\n", way == oracle::PipeLimits::Way::sent ? ">" : "<", line);
+}
+
+auto print_traced(const std::string& connectable) {
+  if (connectable.starts_with("inproc:")) {
+    throw InputError("--trace", connectable + " answers within this process, so that no lines are exchanged");
+  }
+  return &print_exchanged;
 }
 
 bool failed(const Finding& finding) {
@@ -86,6 +108,19 @@ void print_words(const Case& a_case, const Property& property, const oracle::Car
   print_line("note", a_case.note);
 }
 
+struct Asked {
+  oracle::Card card;
+  Finding finding;
+  std::optional<Scene> last;  ///< the scene of the last question
+};
+
+/// Ends the subject, so that all lines are exchanged before the words.
+Asked ask(const Scene& scene, const Property& property, const std::unique_ptr<oracle::Subject> subject) {
+  LastAsked last_asked(*subject);
+  const Finding finding = property.check(scene, last_asked);
+  return {subject->card(), finding, last_asked.scene()};
+}
+
 /// A file beside the case; a case from stdin has no folder.
 std::string smaller_name(const std::string& path) {
   if (path == "-") return "smaller.json";
@@ -103,18 +138,19 @@ Case cut_down(const Example& example, const Property& property, oracle::Subject&
 int replay(const CaseCommand& command) {
   const Case a_case = oracle::read_case(command.path);
   const Property& property = properties::find(a_case.property);
-  const auto subject = connect(name_of_subject(command, "replay", a_case), limits_of(command.time_limit));
-  LastAsked last_asked(*subject);
-  const Finding finding = property.check(a_case.scene, last_asked);
+  const std::string connectable = name_of_subject(command, "replay", a_case);
+  oracle::PipeLimits limits = limits_of(command.time_limit);
+  if (command.trace) limits.trace = print_traced(connectable);
+  const Asked asked = ask(a_case.scene, property, connect(connectable, limits));
   if (command.json) {
-    print_lines(text_of(oracle::json_of(finding)));
+    print_lines(text_of(oracle::json_of(asked.finding)));
   } else {
-    print_words(a_case, property, subject->card(), finding);
-    if (failed(finding) && last_asked.scene() && *last_asked.scene() != a_case.scene) {
-      print_line("asked of", properties::name_of_change(a_case.scene, *last_asked.scene()));
+    print_words(a_case, property, asked.card, asked.finding);
+    if (failed(asked.finding) && asked.last && *asked.last != a_case.scene) {
+      print_line("asked of", properties::name_of_change(a_case.scene, *asked.last));
     }
   }
-  return failed(finding) ? 1 : 0;
+  return failed(asked.finding) ? 1 : 0;
 }
 
 int minimise(const CaseCommand& command) {
@@ -136,6 +172,7 @@ int minimise(const CaseCommand& command) {
   }
   Case smaller = cut_down(example, property, *subject, a_case.seed, command.budget);
   smaller.subject = connectable;
+  smaller.folder = folder_of(connectable);
   oracle::write_case(smaller, out);
   print("{}: {}{}\n", out, text_of(oracle::size_of(smaller.scene)), interrupted() ? "; interrupted" : "");
   return interrupted() ? interrupted_exit_code() : 0;

@@ -11,6 +11,7 @@ struct CaseCommand {
   std::string out;  ///< of minimise: the smaller case; if empty, a file beside the old one, or smaller.json for stdin
   int budget = 1500;
   bool json = false;
+  bool trace = false;     ///< of replay: print the lines that are exchanged with the subject, before all else
   double time_limit = 2;  ///< as in RunOptions
 };
 

@@ -18,6 +18,7 @@
 #include "app/commands/completion.h"
 #include "app/commands/help_texts.h"
 #include "app/commands/import.h"
+#include "app/commands/judge.h"
 #include "app/commands/list.h"
 #include "app/commands/option_values.h"
 #include "app/commands/plan.h"
@@ -69,6 +70,7 @@ struct Options {
   CaseCommand replay;
   CaseCommand minimise;
   Asked ask;
+  JudgeOptions judge;
   Planned plan;
   SimulateCommand simulate;
   Imported import;
@@ -129,12 +131,16 @@ CLI::Option* add_argument(CLI::App& command, const std::string& name, std::strin
   return command.add_option(name, word, description)->type_name("");
 }
 
-void add_run_options(CLI::App& command, RunOptions& options) {
+void add_subjects(CLI::App& command, std::vector<std::string>& subjects) {
   command
-      .add_option("--subjects", options.subjects,
+      .add_option("--subjects", subjects,
                   "What to test: names of `touchstone list subjects`, \"exec:COMMAND LINE\" for a program of your own, "
                   "inproc:reference, inproc:fast. Default: all subjects that were built")
       ->type_name("SUBJECT");
+}
+
+void add_run_options(CLI::App& command, RunOptions& options) {
+  add_subjects(command, options.subjects);
   command
       .add_option("--queries", options.queries,
                   fmt::format("The queries to ask: {}; and {}, which are asked only if they are named",
@@ -166,6 +172,7 @@ void add_run_options(CLI::App& command, RunOptions& options) {
   if (!options.out.empty()) out->capture_default_str();
   add_file(command, "--json", options.json, "Write report.json to this file too");
   add_file(command, "--junit", options.junit, "Write JUnit XML to this file too");
+  add_file(command, "--sarif", options.sarif, "Write SARIF 2.1.0, for code scanning, to this file too");
   add_folder(command, "--meshes", options.meshes,
              "Ask about the STL and OBJ meshes in this folder. Default: report takes those of Debian's dart-doc, check "
              "takes none");
@@ -183,8 +190,22 @@ void add_report(CLI::App& program, Options& options) {
 void add_check(CLI::App& program, Options& options) {
   auto* command = program.add_subcommand("check", "The same for CI: short output, and exit code 1 if a property fails");
   add_run_options(*command, options.check);
-  command->add_flag("--first-failure", options.check.first_failure,
-                    "Stop at the first scene on which a property fails, and do not make it smaller");
+  CLI::Option* first =
+      command->add_flag("--first-failure", options.check.first_failure,
+                        "Stop at the first scene on which a property fails, and do not make it smaller");
+  CLI::Option* baseline =
+      add_file(*command, "--baseline", options.check.baseline,
+               "Accept the failures that this file has: exit code 1 only if one is new, worse or no longer waived, or "
+               "does not occur any more")
+          ->excludes(first);
+  add_file(*command, "--write-baseline", options.check.write_baseline,
+           "Write the failures of this run to this file, and keep its waivers; they are then no reason for exit code 1")
+      ->excludes(first);
+  command
+      ->add_option("--today", options.check.today,
+                   "The date with which the baseline's waivers are compared. Default: the date in UTC")
+      ->type_name("DATE")
+      ->needs(baseline);
   command->add_flag("--require-answers", options.check.require_answers,
                     "Exit code 1 also if a subject answers none of the scenes of a query that is asked");
   command->footer(help::check);
@@ -204,7 +225,10 @@ void add_replay(CLI::App& program, Options& options) {
   auto* command =
       program.add_subcommand("replay", "Ask a case again: the clause, the exact truth and the engine's answer");
   add_case_options(*command, options.replay);
-  command->add_flag("--json", options.replay.json, "Print the finding as JSON");
+  CLI::Option* json = command->add_flag("--json", options.replay.json, "Print the finding as JSON");
+  command
+      ->add_flag("--trace", options.replay.trace, "First print the lines of the protocol: > to the subject, < from it")
+      ->excludes(json);
   command->footer(help::replay);
   command->callback([&options] { options.chosen = [&] { return replay(options.replay); }; });
 }
@@ -242,6 +266,21 @@ void add_serve(CLI::App& program, Options& options) {
   auto* command = program.add_subcommand("serve", "Answer exact queries of another program, over JSON lines");
   command->footer(help::serve);
   command->callback([&options] { options.chosen = serve; });
+}
+
+void add_judge(CLI::App& program, Options& options) {
+  auto* command =
+      program.add_subcommand("judge", "Judge subjects on a scene of your own, by each property that applies");
+  JudgeOptions& words = options.judge;
+  add_argument(*command, "SCENE", words.scene, scene_help)->required();
+  add_subjects(*command, words.subjects);
+  command->add_option("--queries", words.queries, "The queries to ask. Default: all that the scene has the parts for")
+      ->delimiter(',')
+      ->type_name("QUERIES");
+  command->add_flag("--json", words.json, "Print JSON");
+  add_limit_of_a_question(*command, words.time_limit);
+  command->footer(help::judge);
+  command->callback([&options] { options.chosen = [&] { return judge(options.judge); }; });
 }
 
 void add_plan(CLI::App& program, Options& options) {
@@ -486,8 +525,8 @@ int run_command(int argc, const char* const* argv) {
                    "touchstone");
   Options options;
   for (const auto add :
-       {add_report, add_check, add_replay, add_minimise, add_ask, add_serve, add_plan, add_simulate, add_import,
-        add_list, add_soak, add_bench, add_test, add_package, add_mutate, add_completion, add_help}) {
+       {add_report, add_check, add_replay, add_minimise, add_ask, add_serve, add_judge, add_plan, add_simulate,
+        add_import, add_list, add_soak, add_bench, add_test, add_package, add_mutate, add_completion, add_help}) {
     add(program, options);
   }
   refuse_empty_words(program);

@@ -16,7 +16,7 @@ Where a command reads a scene, a case or a mesh, - stands for stdin.
 
 Exit codes:
   0    done; check: every property holds; replay: the case does not fail
-  1    check or replay saw a failure; simulate: the engine broke or gave up
+  1    check, judge or replay saw a failure; simulate: the engine broke or gave up
   2    bad input or usage
   3    a fault of Touchstone itself; or a full disk, or a closed stdout
   130  interrupted: what was asked until then is written, and says that it is partial (SIGHUP: 129, SIGTERM: 143)
@@ -42,10 +42,12 @@ Examples:
   touchstone check --subjects bullet.double --queries distance,penetration --seed 7
   touchstone check --properties distance.symmetric --cases 5000 --junit junit.xml
   touchstone check --subjects "exec:my_engine --flag a,b" --subjects inproc:reference
+  touchstone check --subjects bullet.double --write-baseline known.json     accepts today's failures
+  touchstone check --subjects bullet.double --baseline known.json           fails on what is new, worse or gone
 
 Exit codes:
-  0    every property holds, or the subject abstains
-  1    a property fails
+  0    every property holds, or the subject abstains; with --baseline: the run fails exactly as it says
+  1    a property fails; with --baseline: the run departs from it
   2    bad input or usage; nothing was asked
   3    a fault of Touchstone itself; or a full disk, or a closed stdout
   130  interrupted (SIGHUP: 129, SIGTERM: 143); what was asked until then is written)";
@@ -55,6 +57,7 @@ Examples:
   touchstone replay docs/counterexample.json
   touchstone replay report/cases/distance.value.bullet.float.json --subject fcl.libccd
   touchstone replay - --json <case.json
+  touchstone replay docs/counterexample.json --trace      also prints what is said to the engine, and what it says
 
 A case file holds a scene, a property, a subject and what was found. The subject is asked again in a new process, and
 its answer is compared with the exact truth.
@@ -106,6 +109,21 @@ Exit codes:
   2    bad usage
   3    a fault of Touchstone itself; or a full disk, or a closed stdout
   141  nothing reads stdout any more)";
+
+inline constexpr const char* judge = R"(
+Examples:
+  touchstone judge scene.json --subjects bullet.double,fcl.libccd
+  touchstone judge scene.json --subjects "exec:python3 my_engine.py" --queries distance
+  touchstone judge docs/scenes/impact/painleve.json --subjects ode.step --json
+
+Prints for each query the exact truth, and for each subject its answer, and whether each property that applies to the
+scene holds: the error beside what is allowed.
+
+Exit codes:
+  0  no property fails
+  1  a property fails, or a subject breaks
+  2  bad input or usage
+  3  a fault of Touchstone itself; or a full disk, or a closed stdout)";
 
 inline constexpr const char* plan = R"(
 Examples:

@@ -9,11 +9,13 @@
 #include <optional>
 #include <thread>
 
+#include "app/baseline/comparison.h"
 #include "app/report/finding_words.h"
 #include "app/report/replay_command.h"
 #include "app/report/report_html.h"
 #include "app/report/report_json.h"
 #include "app/report/report_junit.h"
+#include "app/report/report_sarif.h"
 #include "app/system/interruption.h"
 #include "app/system/terminal.h"
 #include "app/system/writable.h"
@@ -94,7 +96,7 @@ void prepare_places(const RunOptions& options) {
     require_writable_folder(cases, options.out);
     require_writable_folder(options.out, options.out);
   }
-  for (const std::string& file : {options.json, options.junit}) {
+  for (const std::string& file : {options.json, options.junit, options.sarif, options.write_baseline}) {
     if (!file.empty()) require_writable_file(file);
   }
 }
@@ -134,6 +136,7 @@ void write_report(const fs::path& folder, const Ledger& ledger) {
 void write_extras(const RunOptions& options, const Ledger& ledger) {
   if (!options.json.empty()) write_text(options.json, text_of(report_json(ledger)));
   if (!options.junit.empty()) write_text(options.junit, report_junit(ledger));
+  if (!options.sarif.empty()) write_text(options.sarif, text_of(report_sarif(ledger, options.out)));
 }
 
 long failing_rows(const Ledger& ledger) { return std::ranges::count_if(ledger.results.all(), &Row::failing); }
@@ -142,13 +145,15 @@ long failing_rows(const Ledger& ledger) { return std::ranges::count_if(ledger.re
 std::string name_of(const Row& row) { return row.subject->card.name + ' ' + row.property->id; }
 
 std::string verdict_on(const Row& row) {
-  return fmt::format("{}: {} of {} fail, grade {}", name_of(row), row.fails + row.breaks, row.answered(),
-                     oracle::name_of(*row.grade()));
+  return fmt::format("{}: {}, grade {}", name_of(row), share_of(row), oracle::name_of(*row.grade()));
 }
 
-/// Of a cause, the words once, and then only the names of the other rows that it breaks.
+/// Of a cause, the words once, and then only the names of the other rows that it breaks. Rows that fail as a baseline
+/// says are left out.
 void print_failing(const Ledger& ledger) {
-  for (const Cause& cause : causes(ledger)) {
+  for (Cause& cause : causes(ledger)) {
+    std::erase_if(cause.rows, [](const Row* row) { return !row->known.empty(); });
+    if (cause.rows.empty()) continue;
     const Row& first = *cause.rows.front();
     print("{}\n", verdict_on(first));
     for (const auto& [label, words] : lines_of(shown_finding(first))) print("    {:<9} {}\n", label, words);
@@ -186,7 +191,8 @@ void print_closest(const Ledger& ledger, const std::string& out) {
     const oracle::Case as_case{row.property->id, row.subject->connectable,
                                closest.family,   ledger.seed,
                                closest.index,    closest.scene,
-                               finding,          ""};
+                               finding,          "",
+                               std::nullopt,     folder_of(row.subject->connectable)};
     if (out.empty()) {
       const Json json = oracle::json_of(as_case);
       print("    {}\n", json.dump(-1, ' ', false, Json::error_handler_t::replace));
@@ -196,6 +202,18 @@ void print_closest(const Ledger& ledger, const std::string& out) {
       print("    {}\n", replay_command(file, as_case.subject));
     }
   }
+}
+
+void print_departures(const Ledger& ledger) {
+  for (const Row& row : ledger.results.all()) {
+    for (const std::string& departure : row.departures) print("{}: {}\n", name_of(row), departure);
+  }
+}
+
+void print_comparison(const std::string& file, const Comparison& counts) {
+  print("{}: {} known ({} waived), {} new, {} worse, {} with an expired waiver, {} passing\n", file, counts.known,
+        counts.waived, counts.fresh, counts.worse, counts.expired, counts.passing);
+  if (counts.not_asked > 0) print("{}: {} not asked or not answered\n", file, counts.not_asked);
 }
 
 void print_impacts(const Ledger& ledger) {
@@ -226,6 +244,41 @@ bool print_unanswered(const Ledger& ledger) {
   for (const auto& [subject, query] : all)
     print("{} {}: no answer, and answers are required\n", subject->card.name, query);
   return !all.empty();
+}
+
+struct Baselines {
+  std::optional<Baseline> expected;
+  std::optional<Baseline> overwritten;  ///< its waivers are kept
+  Date today;
+};
+
+Date date_of_today(const std::string& word) {
+  if (word.empty()) return today();
+  const std::optional<Date> date = date_of(word);
+  if (!date) throw InputError("--today", "expected a date as 2027-03-31, found \"" + word + '"');
+  return *date;
+}
+
+/// Reads them before a run of minutes, not after it.
+Baselines baselines_of(const RunOptions& options) {
+  Baselines all{{}, {}, date_of_today(options.today)};
+  if (!options.baseline.empty()) all.expected = read_baseline(options.baseline);
+  if (fs::is_regular_file(options.write_baseline)) all.overwritten = read_baseline(options.write_baseline);
+  return all;
+}
+
+void warn_of_another_run(const std::string& file, const Baseline& baseline, const Ledger& ledger) {
+  if (baseline.seed == ledger.seed && baseline.effort == ledger.effort && baseline.cases == ledger.cases) return;
+  complain(
+      "{}: written of other scenes: --seed {}, --effort {}, {} scenes of each query; now --seed {}, --effort {}, {}",
+      file, baseline.seed, baseline.effort, baseline.cases, ledger.seed, ledger.effort, ledger.cases);
+}
+
+void write_new_baseline(const std::string& file, const Baselines& baselines, const Ledger& ledger) {
+  Baseline baseline = baseline_of(ledger);
+  if (baselines.overwritten) keep_waivers(baseline, *baselines.overwritten);
+  write_baseline(baseline, file);
+  print("{}: {} known\n", file, baseline.failures.size());
 }
 
 }  // namespace
@@ -259,10 +312,16 @@ int report(const RunOptions& options) {
 
 int check(const RunOptions& options) {
   const TrialPlan plan = plan_of(options);
+  const Baselines baselines = baselines_of(options);
   prepare_places(options);
   watch_for_interruption();
   const MeshSet meshes = options.meshes.empty() ? MeshSet{} : meshes_of(options);
   Ledger ledger = run(plan, meshes);
+  std::optional<Comparison> comparison;
+  if (baselines.expected && !ledger.interrupted) {
+    warn_of_another_run(options.baseline, *baselines.expected, ledger);
+    comparison = compare(*baselines.expected, baselines.today, ledger);
+  }
   if (!options.out.empty()) {
     name_replay_commands(ledger, plan, options.out);
     write_report(options.out, ledger);
@@ -271,10 +330,14 @@ int check(const RunOptions& options) {
   print_failing(ledger);
   if (ledger.subjects.size() == 1) print_closest(ledger, options.out);
   print_impacts(ledger);
+  print_departures(ledger);
   print_summary(ledger);
   if (ledger.interrupted) return interrupted_exit_code();
+  if (comparison) print_comparison(options.baseline, *comparison);
+  if (!options.write_baseline.empty()) write_new_baseline(options.write_baseline, baselines, ledger);
   const bool silent = options.require_answers && print_unanswered(ledger);
-  return silent || failing_rows(ledger) > 0 ? 1 : 0;
+  const bool red = comparison ? !comparison->green() : options.write_baseline.empty() && failing_rows(ledger) > 0;
+  return silent || red ? 1 : 0;
 }
 
 }  // namespace touchstone::app

@@ -19,9 +19,13 @@ struct RunOptions {
   std::string out;        ///< folder of the report; if empty, check writes none
   std::string json;       ///< other files, also without a report
   std::string junit;
+  std::string sarif;
   std::string meshes;  ///< folder; if empty, the known ones
   bool first_failure = false;
   bool require_answers = false;
+  std::string baseline;        ///< the known failures (app/baseline/baseline.h); if empty, none are
+  std::string write_baseline;  ///< a file for the failures of this run
+  std::string today;           ///< the date that waivers are compared with; if empty, the machine's
 };
 
 /// The queries that a run asks if `queries` is empty, and those that it asks only if they are named.
@@ -32,7 +36,9 @@ std::vector<std::string> queries_on_demand();
 int report(const RunOptions& options);
 
 /// Prints one line per failing row and, for a single subject, the largest error of each query and its case. Returns 0
-/// if every property holds, 1 if one fails or breaks or a required answer is missing, 130 if interrupted.
+/// if every property holds, 1 if one fails or breaks or a required answer is missing, 130 if interrupted. With a
+/// baseline a run is compared with it: 0 if no failure is new or worse, or has an expired waiver, and none that it has
+/// is gone. If a baseline is only written, failures are no reason for 1.
 int check(const RunOptions& options);
 
 }  // namespace touchstone::app

@@ -51,11 +51,10 @@ std::string drawings(const oracle::Case& a_case) {
 std::string failing_row(const Row& row) {
   const std::string drawing = row.smallest_case ? drawings(*row.smallest_case) : "";
   return fmt::format(
-      "<details class=\"row\" id=\"{}\"><summary>{}<b>{}</b> <span class=\"soft\">{}, {} of {}</span></summary>"
+      "<details class=\"row\" id=\"{}\"><summary>{}<b>{}</b> <span class=\"soft\">{}, {}</span></summary>"
       "<p class=\"soft\">Must hold: {}.</p><div class=\"{}\">{}<dl>{}</dl></div></details>",
       anchor(row), badge(*row.grade()), escaped(row.property->id), escaped(oracle::name_of(shown_finding(row).defect)),
-      row.fails + row.breaks, row.answered(), escaped(row.property->says), drawing.empty() ? "plain" : "drawn", drawing,
-      facts(row));
+      share_of(row), escaped(row.property->says), drawing.empty() ? "plain" : "drawn", drawing, facts(row));
 }
 
 std::string failures_of(const Ledger& ledger, const TestedSubject& subject) {

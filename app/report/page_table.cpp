@@ -22,9 +22,9 @@ std::string cell(const Row& row) {
   const auto grade = row.grade();
   if (!grade) return fmt::format("<td class=\"none\" title=\"{}\">{}</td>", counts_of(row), silence_of(row));
   const std::string name = oracle::name_of(*grade);
-  const std::string words = row.failing() ? fmt::format("<a href=\"#{}\"><b>{}</b> {} of {} fail</a>", anchor(row),
-                                                        name, row.fails + row.breaks, row.answered())
-                                          : fmt::format("<b>{}</b> {} hold", name, row.holds);
+  const std::string words = row.failing()
+                                ? fmt::format("<a href=\"#{}\"><b>{}</b> {}</a>", anchor(row), name, share_of(row))
+                                : fmt::format("<b>{}</b> {} hold", name, row.holds);
   return fmt::format("<td class=\"{}\" title=\"{}\">{}</td>", name, counts_of(row), words);
 }
 

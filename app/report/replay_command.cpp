@@ -24,14 +24,18 @@ std::string shell_word(const std::string& word) {
   return quoted + '\'';
 }
 
+std::string folder_of(const std::string& connectable) {
+  return connectable.starts_with("exec:") ? fs::current_path().string() : "";
+}
+
 std::string replay_command(const std::string& case_file, const std::string& connectable,
                            std::optional<double> time_limit) {
   std::string command =
       fmt::format("{} replay {}", shell_word(program_file()), shell_word(fs::absolute(case_file).string()));
   if (time_limit) command += fmt::format(" --time-limit {}", *time_limit);
-  if (!connectable.starts_with("exec:")) return command;
-  return fmt::format("(cd {} && {} --subject {})", shell_word(fs::current_path().string()), command,
-                     shell_word(connectable));
+  const std::string folder = folder_of(connectable);
+  if (folder.empty()) return command;
+  return fmt::format("(cd {} && {} --subject {})", shell_word(folder), command, shell_word(connectable));
 }
 
 }  // namespace touchstone::app

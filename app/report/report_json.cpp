@@ -52,6 +52,7 @@ Json json_of(const Row& row) {
   if (row.errors.total() > 0) json["errors"] = json_of(row.errors);
   if (!row.why_abstains.empty()) json["why_abstains"] = row.why_abstains;
   if (!row.failing()) return json;
+  json["share"] = static_cast<double>(row.failures()) / static_cast<double>(row.answered());
   for (const auto& [defect, count] : row.defects) json["defects"][oracle::name_of(defect)] = count;
   json["worst"] = json_of(*row.worst);
   if (row.smallest_case) {

@@ -8,8 +8,11 @@
 namespace touchstone::app {
 namespace {
 
-/// No answer of the row either holds or fails.
-bool skipped(const Row& row) { return row.answered() == 0; }
+/// No answer of the row either holds or fails, or a baseline has its failures.
+bool skipped(const Row& row) { return row.answered() == 0 || !row.known.empty(); }
+
+/// A row that fails without being known to, or that departs from a baseline: a failure that it has does not occur.
+bool red(const Row& row) { return !row.departures.empty() || (row.failing() && row.known.empty()); }
 
 std::string counts(const Row& row) {
   return fmt::format("holds {}, fails {}, breaks {}, abstains {}, outside {}", row.holds, row.fails, row.breaks,
@@ -19,20 +22,37 @@ std::string counts(const Row& row) {
 std::string failure(const Row& row) {
   const oracle::Finding& finding = shown_finding(row);
   std::string words;
+  for (const std::string& departure : row.departures) words += departure + '\n';
   for (const auto& [label, text] : lines_of(finding)) words += label + ": " + text + '\n';
   if (!row.case_file.empty()) words += "case: " + row.case_file + '\n';
   if (!row.replay_command.empty()) words += "replay: " + row.replay_command + '\n';
+  if (row.smallest_case) {
+    words += "scene: " + touchstone::json_of(row.smallest_case->scene).dump() + '\n';
+    if (const auto& changed = row.smallest_case->changed) {
+      words += fmt::format("asked of {}: {}\n", changed->how, touchstone::json_of(changed->scene).dump());
+    }
+  }
   return fmt::format("<failure type=\"{}\" message=\"{}\">{}</failure>", oracle::name_of(finding.defect),
                      escaped(counts(row)), escaped(words));
 }
 
+std::string departure(const Row& row) {
+  std::string words;
+  for (const std::string& one : row.departures) words += one + '\n';
+  return fmt::format("<failure type=\"passes\" message=\"{}\">{}</failure>", escaped(counts(row)), escaped(words));
+}
+
+std::string why_skipped(const Row& row) {
+  if (!row.known.empty()) return "known: " + row.known;
+  return row.why_abstains.empty() ? "no scene in the property's domain" : row.why_abstains;
+}
+
 std::string test_case(const Row& row) {
   std::string inside;
-  if (row.failing()) {
-    inside = failure(row);
+  if (red(row)) {
+    inside = row.failing() ? failure(row) : departure(row);
   } else if (skipped(row)) {
-    inside = fmt::format("<skipped message=\"{}\"/>",
-                         escaped(row.why_abstains.empty() ? "no scene in the property's domain" : row.why_abstains));
+    inside = fmt::format("<skipped message=\"{}\"/>", escaped(why_skipped(row)));
   }
   return fmt::format("    <testcase classname=\"{}\" name=\"{}\">{}</testcase>\n", escaped(row.subject->card.name),
                      escaped(row.property->id), inside);
@@ -49,7 +69,7 @@ std::string report_junit(const Ledger& ledger) {
     int skips = 0;
     for (const Row* row : ledger.results.of(subject)) {
       ++tests;
-      failures += row->failing() ? 1 : 0;
+      failures += red(*row) ? 1 : 0;
       skips += skipped(*row) ? 1 : 0;
       cases += test_case(*row);
     }

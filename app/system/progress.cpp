@@ -18,11 +18,6 @@ constexpr int longest_bar = 30;
 constexpr int shortest_bar = 5;
 constexpr int usual_columns = 80;  // if the terminal does not say
 
-bool draws_bars() {
-  const char* terminal = std::getenv("TERM");
-  return isatty(STDERR_FILENO) == 1 && (terminal == nullptr || std::string_view(terminal) != "dumb");
-}
-
 int columns_of_terminal() {
   winsize size{};
   return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : usual_columns;
@@ -47,20 +42,24 @@ std::string cut(std::string_view text, int columns) {
   return std::string(text.substr(0, end));
 }
 
-/// 0:07, 12:30, 3:05:00
-std::string clock_time(double seconds) {
-  const auto all = static_cast<long>(std::clamp(seconds, 0.0, 3.6e9));
-  const long hours = all / 3600, minutes = all / 60 % 60;
-  return hours > 0 ? fmt::format("{}:{:02}:{:02}", hours, minutes, all % 60)
-                   : fmt::format("{}:{:02}", minutes, all % 60);
-}
-
 std::string times(int done, int steps, double seconds) {
   if (done == 0) return clock_time(seconds);
   return fmt::format("{}, {} left", clock_time(seconds), clock_time(seconds / done * (steps - done)));
 }
 
 }  // namespace
+
+bool draws_bars() {
+  const char* terminal = std::getenv("TERM");
+  return isatty(STDERR_FILENO) == 1 && (terminal == nullptr || std::string_view(terminal) != "dumb");
+}
+
+std::string clock_time(double seconds) {
+  const auto all = static_cast<long>(std::clamp(seconds, 0.0, 3.6e9));
+  const long hours = all / 3600, minutes = all / 60 % 60;
+  return hours > 0 ? fmt::format("{}:{:02}:{:02}", hours, minutes, all % 60)
+                   : fmt::format("{}:{:02}", minutes, all % 60);
+}
 
 std::string bar_line(std::string_view what, int done, int steps, double seconds, std::string_view doing, int columns) {
   const std::string first = printable(what);

@@ -14,6 +14,12 @@ namespace touchstone::app {
 /// `columns` columns: first the text at the end is cut, then the bar.
 std::string bar_line(std::string_view what, int done, int steps, double seconds, std::string_view doing, int columns);
 
+/// "0:07", "12:30", "3:05:00"
+std::string clock_time(double seconds);
+
+/// Is stderr a terminal on which a bar can be drawn?
+bool draws_bars();
+
 /// Several threads may call step. The bar is also redrawn every second, because time passes and the window's width may
 /// change.
 class Progress {

@@ -59,6 +59,17 @@ void widen(double& largest_error, std::string& unit, double error, const std::st
   unit = error_unit;
 }
 
+/// "0.36 %", "43 %"; "100 %" only of all.
+std::string percent(long some, long all) {
+  const double share = 100 * static_cast<double>(some) / static_cast<double>(all);
+  return share < 1 ? fmt::format("{:.2g} %", share) : fmt::format("{:.0f} %", some < all ? std::min(share, 99.0) : 100);
+}
+
+void worsen(std::map<oracle::Defect, Grade>& worst, oracle::Defect defect, Grade grade) {
+  Grade& known = worst.try_emplace(defect, grade).first->second;
+  known = std::max(known, grade);
+}
+
 void keep(std::optional<Example>& kept, const Example& candidate, bool (*better)(const Example&, const Example&)) {
   if (!kept || better(candidate, *kept)) kept = candidate;
 }
@@ -86,6 +97,7 @@ void Row::count(const Example& example) {
   }
   ++(outcome == Outcome::fails ? fails : breaks);
   ++defects[example.finding.defect];
+  worsen(worst_grades, example.finding.defect, oracle::grade(example.finding));
   widen(largest_error, unit, example.finding.error, example.finding.unit);
   keep(worst, example, worse);
   keep(smallest, example, handier);
@@ -101,6 +113,7 @@ void Row::merge(const Row& later) {
   impacts += later.impacts;
   for (std::size_t g = 0; g < grades.size(); ++g) grades[g] += later.grades[g];
   for (const auto& [defect, count] : later.defects) defects[defect] += count;
+  for (const auto& [defect, grade] : later.worst_grades) worsen(worst_grades, defect, grade);
   if (why_abstains.empty()) why_abstains = later.why_abstains;
   errors.merge(later.errors);
   widen(largest_error, unit, later.largest_error, later.unit);
@@ -126,6 +139,10 @@ std::optional<Grade> Row::grade() const {
 
 const oracle::Finding& shown_finding(const Row& row) {
   return row.smallest_case ? row.smallest_case->finding : row.worst->finding;
+}
+
+std::string share_of(const Row& row) {
+  return fmt::format("{} of {} fail ({})", row.failures(), row.answered(), percent(row.failures(), row.answered()));
 }
 
 std::string text_of(const oracle::Size& size) {

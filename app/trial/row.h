@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/report/error_histogram.h"
 #include "model/scene.h"
@@ -42,21 +43,24 @@ struct Row {
   long abstains = 0;
   long breaks = 0;
   long outside = 0;
-  long not_asked = 0;                              ///< skipped because the subject hung too often
-  std::array<long, oracle::grade_count> grades{};  ///< of the answers
-  std::map<oracle::Defect, long> defects;          ///< of the answers that fail or break
-  long impacts = 0;                                ///< of simulations: each one compared with the reference by itself
-  std::string why_abstains;                        ///< the first reason
-  double largest_error = 0;                        ///< among the wrong answers whose error has a size
-  std::string unit;                                ///< of largest_error; empty if there is none
-  ErrorHistogram errors;                           ///< of all answers
-  std::optional<Example> closest;                  ///< the correct answer with the largest error / allowed error
-  std::optional<Example> worst;                    ///< by the worst grade, then the largest error, then the first
+  long not_asked = 0;                                    ///< skipped because the subject hung too often
+  std::array<long, oracle::grade_count> grades{};        ///< of the answers
+  std::map<oracle::Defect, long> defects;                ///< of the answers that fail or break
+  std::map<oracle::Defect, oracle::Grade> worst_grades;  ///< likewise: the worst of each defect
+  long impacts = 0;                           ///< of simulations: each one compared with the reference by itself
+  std::string why_abstains;                   ///< the first reason
+  double largest_error = 0;                   ///< among the wrong answers whose error has a size
+  std::string unit;                           ///< of largest_error; empty if there is none
+  ErrorHistogram errors;                      ///< of all answers
+  std::optional<Example> closest;             ///< the correct answer with the largest error / allowed error
+  std::optional<Example> worst;               ///< by the worst grade, then the largest error, then the first
   std::optional<Example> smallest;            ///< by usual units, then the worst grade, then size: start of minimising
   std::optional<oracle::Case> smallest_case;  ///< after minimising
   oracle::Size size_found;                    ///< of `smallest`, before minimising
   std::string case_file;                      ///< relative to the report's folder
   std::string replay_command;                 ///< for the case as written; empty if it was not written
+  std::string known;                          ///< why check accepts a failing row (app/baseline); empty: it does not
+  std::vector<std::string> departures;        ///< what differs from the baseline, and has to be looked at
 
   /// Counts the finding of one more query.
   void count(const Example& example);
@@ -67,13 +71,17 @@ struct Row {
   /// Counts every query as not asked.
   void forget();
 
-  bool failing() const { return fails + breaks > 0; }
-  long answered() const { return holds + fails + breaks; }
+  bool failing() const { return failures() > 0; }
+  long failures() const { return fails + breaks; }
+  long answered() const { return holds + failures(); }
   std::optional<oracle::Grade> grade() const;  ///< the worst; none if there is no answer
 };
 
 /// The finding shown for a failing row: that of the minimised scene, else the worst one.
 const oracle::Finding& shown_finding(const Row& row);
+
+/// "1 of 281 fail (0.36 %)", "7 of 7 fail (100 %)". Requires a failing row.
+std::string share_of(const Row& row);
 
 /// "2 bodies, at most 4 vertices a body and 3 significant bits"
 std::string text_of(const oracle::Size& size);

@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "app/report/replay_command.h"
 #include "app/system/interruption.h"
 #include "app/system/progress.h"
 #include "app/trial/effort.h"
@@ -137,6 +138,7 @@ void cut_down(Ledger& ledger, const std::vector<std::vector<std::unique_ptr<orac
                                              : smallest_case(*row.smallest, *row.property, *workers[job][subject.index],
                                                              ledger.seed, {budget, most_hangs});
     row.smallest_case->subject = subject.connectable;
+    row.smallest_case->folder = folder_of(subject.connectable);
     row.case_file = "cases/" + row.property->id + "." + subject.file_name + ".json";
     progress.step(row.property->id + " of " + subject.card.name);
   });

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -14,7 +15,9 @@
 #include "app/system/file_names.h"
 #include "app/system/interruption.h"
 #include "app/system/progress.h"
+#include "app/system/terminal.h"
 #include "app/trial/parallel.h"
+#include "app/trial/query_lines.h"
 #include "app/trial/questions.h"
 #include "app/trial/smallest.h"
 #include "app/trial/subject_list.h"
@@ -30,6 +33,7 @@ using properties::Property;
 using Subjects = std::vector<std::unique_ptr<oracle::Subject>>;
 
 constexpr std::size_t chunk_size = 24;
+constexpr std::chrono::seconds seconds_without_line{60};  ///< a shorter run says nothing on stderr
 
 struct Unit {
   std::size_t query = 0;
@@ -80,6 +84,17 @@ std::vector<Unit> units(const std::vector<QueryTrial>& trials) {
     }
   }
   return all;
+}
+
+std::map<std::string, std::size_t> units_of_queries(const std::vector<QueryTrial>& trials,
+                                                    const std::vector<Unit>& units) {
+  std::map<std::string, std::size_t> counts;
+  for (const Unit& unit : units) ++counts[trials[unit.query].name];
+  return counts;
+}
+
+void print_unless_bars(const std::string& line) {
+  if (!draws_bars()) complain("{}", line);
 }
 
 /// If a property throws, that is a fault of Touchstone: the error names the place, so that it can be reproduced.
@@ -255,12 +270,17 @@ Ledger run(const TrialPlan& plan, const MeshSet& meshes) {
   {
     Entry entry(ledger, all_trials, all_units, plan.first_failure);
     Progress progress("asking", static_cast<int>(all_units.size()));
+    QueryLines lines(units_of_queries(all_trials, all_units), seconds_without_line, print_unless_bars);
     in_parallel(all_units.size(), plan.jobs, [&](std::size_t u, std::size_t job) {
       const QueryTrial& query = all_trials[all_units[u].query];
-      entry.add(u, interrupted() || entry.ended() ? nothing_of(query, ledger.subjects)
-                                                  : run_unit(query, all_units[u], ledger.subjects, workers[job],
-                                                             entry.hangs(all_units[u].query), plan.first_failure));
+      UnitResult result = interrupted() || entry.ended()
+                              ? nothing_of(query, ledger.subjects)
+                              : run_unit(query, all_units[u], ledger.subjects, workers[job],
+                                         entry.hangs(all_units[u].query), plan.first_failure);
+      const long scenes = result.scenes;
+      entry.add(u, std::move(result));
       progress.step(query.name);
+      lines.step(query.name, scenes);
     });
   }
   if (!plan.first_failure) name_empty_classes(ledger, all_trials);

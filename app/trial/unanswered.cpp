@@ -38,6 +38,7 @@ void count_as_abstentions(const Rows& rows) {
     row->abstains += std::exchange(row->breaks, 0);
     row->grades = {};
     row->defects.clear();
+    row->worst_grades.clear();
     row->worst.reset();
     row->smallest.reset();
   }

@@ -69,8 +69,24 @@ Answer<TimeOfImpact> PipeSubject::time_of_impact(const Scene& scene) {
 Answer<Trajectory> PipeSubject::simulation(const Scene& scene) { return ask<Trajectory>("simulation", scene); }
 Answer<Trajectory> PipeSubject::constraint(const Scene& scene) { return ask<Trajectory>("constraint", scene); }
 
+void PipeSubject::report_line(PipeLimits::Way way, std::string_view line) const {
+  if (limits_.trace != nullptr) limits_.trace(way, line.ends_with('\n') ? line.substr(0, line.size() - 1) : line);
+}
+
+std::variant<std::string, Breaks> PipeSubject::exchange(const std::string& line, double cpu_seconds,
+                                                        double wall_seconds) {
+  report_line(PipeLimits::Way::sent, line);
+  auto said = child_->exchange(line, {cpu_seconds, wall_seconds, limits_.longest_line, limits_.given_up});
+  if (const std::string* answer = std::get_if<std::string>(&said)) report_line(PipeLimits::Way::received, *answer);
+  return said;
+}
+
 void PipeSubject::restart() {
-  if (child_) child_->say(protocol::stop(++seq_));
+  if (child_) {
+    const std::string line = protocol::stop(++seq_);
+    report_line(PipeLimits::Way::sent, line);
+    child_->say(line);
+  }
   child_.reset();
   memory = {};
 }
@@ -81,8 +97,7 @@ Card PipeSubject::start() try {
   seq_ = 0;
   asked_ = 0;
   child_ = std::make_unique<ChildProcess>(command_);
-  const auto said = child_->exchange(
-      protocol::start(++seq_), {limits_.wall_seconds, limits_.wall_seconds, limits_.longest_line, limits_.given_up});
+  const auto said = exchange(protocol::start(++seq_), limits_.wall_seconds, limits_.wall_seconds);
   if (const Breaks* breaks = std::get_if<Breaks>(&said)) {
     throw InputError("", "did not introduce itself: " + breaks->how);
   }
@@ -112,9 +127,8 @@ Answer<T> PipeSubject::ask(const std::string& query, const Scene& scene) {
   }
   ++asked_;
   const double times = std::same_as<T, Trajectory> ? limits_.simulation_factor : 1;
-  const auto said = child_->exchange(
-      protocol::ask(++seq_, query, text_of(scene)),
-      {times * limits_.cpu_seconds, times * limits_.wall_seconds, limits_.longest_line, limits_.given_up});
+  const auto said =
+      exchange(protocol::ask(++seq_, query, text_of(scene)), times * limits_.cpu_seconds, times * limits_.wall_seconds);
   if (const Breaks* breaks = std::get_if<Breaks>(&said)) {
     child_.reset();
     return *breaks;

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <string_view>
+#include <variant>
 #include <vector>
 
 #include "oracle/process/child_process.h"
@@ -18,6 +20,9 @@ struct PipeLimits {
   int recycle_after = 0;                             ///< queries until a fresh process is started; 0: never
   std::size_t longest_line = std::size_t{64} << 20;  ///< bytes; a longer answer is garbage
   bool (*given_up)() = nullptr;                      ///< polled; true: the answer is no longer needed
+
+  enum class Way { sent, received };
+  void (*trace)(Way way, std::string_view line) = nullptr;  ///< called with each line, without its \n
 };
 
 /// Each object owns its process. Several threads may each use objects of their own.
@@ -50,6 +55,8 @@ class PipeSubject : public Subject {
   template <class T>
   Answer<T> ask(const std::string& query, const Scene& scene);
   Card start();
+  void report_line(PipeLimits::Way way, std::string_view line) const;
+  std::variant<std::string, Breaks> exchange(const std::string& line, double cpu_seconds, double wall_seconds);
 
   std::vector<std::string> command_;
   PipeLimits limits_;

@@ -14,6 +14,12 @@ MISBEHAVING = os.environ["TOUCHSTONE_MISBEHAVING"]
 CANARY = os.environ["TOUCHSTONE_CANARY"]
 ENGINE = f"exec:/usr/bin/python3 {SOURCE / 'tests/app/engine.py'}"
 
+
+def altered(factor):
+    """A subject named mine: its distances are those of fast times the factor."""
+    return f"exec:/usr/bin/python3 {SOURCE / 'tests/app/altered.py'} {factor}"
+
+
 NO_TURN = {"w": 1, "x": 0, "y": 0, "z": 0}
 TETRAHEDRON = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]
 

@@ -31,6 +31,13 @@ TEST_CASE("Abstaining is skipped, failing fails, holding is neither") {
   CHECK_THAT(xml, Catch::Contains("name=\"&lt;engine&gt;\" tests=\"3\" failures=\"1\" errors=\"0\" skipped=\"1\""));
   CHECK_THAT(xml, Catch::Contains("<skipped message=\"a &amp; b\"/>"));
   CHECK_THAT(xml, Catch::Contains("&lt;1&gt;"));
+
+  failing.known = "wrong_mass, in the baseline";
+  holding.departures = {"passes, though a failure is expected"};
+  const std::string with_baseline = report_junit(ledger);
+  CHECK_THAT(with_baseline, Catch::Contains("failures=\"1\" errors=\"0\" skipped=\"2\""));
+  CHECK_THAT(with_baseline, Catch::Contains("<skipped message=\"known: wrong_mass, in the baseline\"/>"));
+  CHECK_THAT(with_baseline, Catch::Contains("<failure type=\"passes\""));
 }
 
 }  // namespace

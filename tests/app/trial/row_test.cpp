@@ -57,6 +57,28 @@ TEST_CASE("The largest error is kept, and of equal ones the first") {
   CHECK(row.largest_error == 9);
 }
 
+TEST_CASE("Each defect has the worst grade of its own") {
+  Row row;
+  row.count(example(Outcome::fails, Defect::too_far, 0x1p11));
+  row.count(example(Outcome::fails, Defect::too_far, 2));
+  row.count(example(Outcome::fails, Defect::too_near, 3));
+  row.count(example(Outcome::holds));
+  CHECK(row.worst_grades == std::map<Defect, Grade>{{Defect::too_far, Grade::C}, {Defect::too_near, Grade::B}});
+}
+
+TEST_CASE("The share of failures: small ones keep two digits, and 100 % is all") {
+  const auto share = [](long holds, long fails) {
+    Row row;
+    row.holds = holds;
+    row.fails = fails;
+    return share_of(row);
+  };
+  CHECK(share(280, 1) == "1 of 281 fail (0.36 %)");
+  CHECK(share(14, 243) == "243 of 257 fail (95 %)");
+  CHECK(share(1, 999) == "999 of 1000 fail (99 %)");
+  CHECK(share(0, 7) == "7 of 7 fail (100 %)");
+}
+
 TEST_CASE("Errors are counted by powers of two, of right answers too, in one unit") {
   Row row;
   for (const double error : {0.0, 0.5, 0.51, 1.0, 45.0}) row.count(example(Outcome::holds, Defect::none, error));
@@ -90,6 +112,7 @@ TEST_CASE("Counting in two halves and merging is counting at once") {
     CHECK(first.answered() == at_once.answered());
     CHECK(first.grades == at_once.grades);
     CHECK(first.defects == at_once.defects);
+    CHECK(first.worst_grades == at_once.worst_grades);
     CHECK(first.largest_error == at_once.largest_error);
     CHECK(first.worst->index == at_once.worst->index);
     CHECK(first.smallest->index == at_once.smallest->index);
