@@ -118,14 +118,17 @@ Bracket bracket(const PosedHull& A, const PosedHull& B, const Simplex& nearest, 
   return found;
 }
 
-std::vector<int> highest_vertices(const PosedHull& P, const Vec3& n) {
+std::vector<int> closest_vertices(const PosedHull& P, const Vec3& n, const Simplex& nearest,
+                                  int VertexDifference::*side) {
   const Hull& hull = *P.hull;
   const Vec3 direction = P.turned_in(n);
   const double level = height_of_all(hull, direction) - 2 * (P.turn_error + 7 * u) * hull.radius();
   std::vector<int> vertices;
   vertices.reserve(4);
   for (int v = 0; v < hull.vertex_count(); ++v) {
-    if (direction.dot(hull.vertex(v)) >= level) vertices.push_back(v);
+    const bool is_held = std::any_of(nearest.points.begin(), nearest.points.begin() + nearest.size,
+                                     [&](const VertexDifference& point) { return point.*side == v; });
+    if (is_held || direction.dot(hull.vertex(v)) >= level) vertices.push_back(v);
   }
   return vertices;
 }

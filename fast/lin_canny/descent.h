@@ -22,7 +22,9 @@ Simplex descend(const PosedHull& A, const PosedHull& B, double rounding_error);
 Bracket bracket(const PosedHull& A, const PosedHull& B, const Simplex& nearest, double rounding_error);
 
 /// The vertices of a hull that are highest along n (of length 1, in the pair's frame), as far as rounding can tell: a
-/// vertex, the ends of an edge, or the corners of a face.
-std::vector<int> highest_vertices(const PosedHull& P, const Vec3& n);
+/// vertex, the ends of an edge, or the corners of a face. And those of the simplex (`side`: A's or B's), whose hull has
+/// the witness: where edges are almost parallel, n has an error that lifts another vertex above them.
+std::vector<int> closest_vertices(const PosedHull& P, const Vec3& n, const Simplex& nearest,
+                                  int VertexDifference::*side);
 
 }  // namespace touchstone::fast::lin_canny

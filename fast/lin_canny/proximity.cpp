@@ -111,8 +111,8 @@ Proximity proximity(const Convex& A, const CachedPose& body_A, const Convex& B, 
     return exact_proximity(A, body_A, B, body_B, pairs_of(nearest));
   }
   if (answer.verdict == Verdict::separated) {
-    answer.closest_vertices_A = highest_vertices(placed_A, cores.n);
-    answer.closest_vertices_B = highest_vertices(placed_B, -cores.n);
+    answer.closest_vertices_A = closest_vertices(placed_A, cores.n, nearest, &VertexDifference::a);
+    answer.closest_vertices_B = closest_vertices(placed_B, -cores.n, nearest, &VertexDifference::b);
   }
   add_witnesses(cores, A.radius, B.radius, p_WO, answer);
   return answer;

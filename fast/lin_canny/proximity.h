@@ -36,7 +36,7 @@ Proximity proximity(const Convex& A, const CachedPose& body_A, const Convex& B, 
 /// Gilbert, Johnson & Keerthi's descent over B − A finds the vertices whose hulls are closest; its end needs no proof.
 /// The enclosure is that of bracket.h, with all vertices tested along the direction; and likewise exact arithmetic
 /// decides what it leaves open. The closest features are all the vertices that are highest along the direction, within
-/// rounding.
+/// rounding, and those that were found.
 Proximity proximity(const Convex& A, const CachedPose& body_A, const Convex& B, const CachedPose& body_B);
 
 }  // namespace touchstone::fast::lin_canny
