@@ -156,9 +156,9 @@ void add_run_options(CLI::App& command, RunOptions& options) {
       .add_option("--effort", options.effort,
                   "quick, standard or soak: how many scenes are asked, and how long a failing one is made smaller. "
                   "standard asks 4,000 scenes of each query. One subject by itself is asked 100,000, and 1,456,000 "
-                  "impacts for the properties that need one answer each. Of simulation and constraint, quick asks at "
-                  "most 30 scenes, standard 1,000 and soak 10,000; of simulation of one subject by itself, standard "
-                  "and soak ask four times as many")
+                  "impacts for the properties that need one answer each. Of simulation, quick draws at most 60 "
+                  "scenes, of constraint 40; of either standard draws 1,000 and soak 10,000; of simulation of one "
+                  "subject by itself, standard and soak draw four times as many")
       ->check(one_of(effort_names()))
       ->type_name("EFFORT")
       ->capture_default_str();
