@@ -12,6 +12,8 @@
 #include <string>
 #include <vector>
 
+#include "app/adapter/adapter_command.h"
+#include "app/adapter/skeletons.h"
 #include "app/commands/ask.h"
 #include "app/commands/bench.h"
 #include "app/commands/case_commands.h"
@@ -34,6 +36,7 @@
 #include "model/input_error.h"
 #include "model/near_names.h"
 #include "oracle/process/pipe.h"
+#include "oracle/query.h"
 #include "properties/property.h"
 
 namespace touchstone::app {
@@ -69,6 +72,7 @@ struct Options {
   RunOptions check;
   CaseCommand replay;
   CaseCommand minimise;
+  AdapterCommand adapter;
   Asked ask;
   JudgeOptions judge;
   Planned plan;
@@ -244,6 +248,26 @@ void add_minimise(CLI::App& program, Options& options) {
       "Write the smaller case to this file. Default: CASE with the ending .smaller.json; smaller.json if CASE is -");
   command->footer(help::minimise);
   command->callback([&options] { options.chosen = [&] { return minimise(options.minimise); }; });
+}
+
+void add_adapter(CLI::App& program, Options& options) {
+  auto* command = program.add_subcommand("adapter", "Write the skeleton of an adapter, or check an adapter");
+  AdapterCommand& words = options.adapter;
+  add_argument(*command, "ACTION", words.action, listed(adapter_actions()))
+      ->required()
+      ->check(one_of(adapter_actions()));
+  add_argument(*command, "NAME", words.name,
+               "new: the adapter's name, also of its folder (default: my_engine). check: what to check, as under "
+               "--subjects of `touchstone help check`");
+  auto* language = command->add_option("--lang", words.language, "new: the language, " + listed(adapter_languages()));
+  language->check(one_of(adapter_languages()))->type_name("LANGUAGE");
+  auto* queries = command->add_option("--queries", words.queries, "check: these only. Default: all that it answers");
+  queries->delimiter(',')->check(one_of(oracle::query_names()))->type_name("QUERIES");
+  auto* json = command->add_flag("--json", words.json, "check: print JSON");
+  language->excludes(queries)->excludes(json);
+  add_limit_of_a_question(*command, words.time_limit);
+  command->footer(help::adapter);
+  command->callback([&options] { options.chosen = [&] { return adapter(options.adapter); }; });
 }
 
 void add_ask(CLI::App& program, Options& options) {
@@ -452,10 +476,12 @@ ValueWords words_of_values(const CLI::App& program) {
   std::vector<std::string> properties, motions;
   for (const properties::Property& property : properties::all()) properties.push_back(property.id);
   for (const MotionScene& motion : motion_scenes()) motions.push_back(motion.scene.name);
-  return {{"COMMAND", command_names(program)},
+  return {{"ACTION", adapter_actions()},
+          {"COMMAND", command_names(program)},
           {"COMPARISON", benches()},
           {"EFFORT", effort_names()},
           {"ENGINE", engine_names()},
+          {"LANGUAGE", adapter_languages()},
           {"LIST", listable()},
           {"PROPERTY", properties},
           {"QUERIES", properties::tested_queries()},
@@ -524,9 +550,9 @@ int run_command(int argc, const char* const* argv) {
   CLI::App program("Touchstone: the reference that collision detection and impact code is tested against.",
                    "touchstone");
   Options options;
-  for (const auto add :
-       {add_report, add_check, add_replay, add_minimise, add_ask, add_serve, add_judge, add_plan, add_simulate,
-        add_import, add_list, add_soak, add_bench, add_test, add_package, add_mutate, add_completion, add_help}) {
+  for (const auto add : {add_report, add_check, add_replay, add_minimise, add_adapter, add_ask, add_serve, add_judge,
+                         add_plan, add_simulate, add_import, add_list, add_soak, add_bench, add_test, add_package,
+                         add_mutate, add_completion, add_help}) {
     add(program, options);
   }
   refuse_empty_words(program);

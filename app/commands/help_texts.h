@@ -80,6 +80,22 @@ Exit codes:
   3    a fault of Touchstone itself; or a full disk, or a closed stdout
   130  interrupted (SIGHUP: 129, SIGTERM: 143); the smallest scene so far that fails is written)";
 
+inline constexpr const char* adapter = R"(
+Examples:
+  touchstone adapter new --lang python my_engine
+  touchstone adapter check "exec:python3 my_engine/my_engine.py"
+  touchstone adapter check bullet.double --queries distance,penetration --json
+
+new writes a folder with an adapter that answers the distance of two balls, and the library that speaks the protocol
+for it. check asks scenes that are solved on paper, allows what any engine's errors explain, and says which typical
+mistake an adapter makes: a normal that is reversed, half extents taken for extents, another order of a quaternion.
+
+Exit codes:
+  0  new: the folder is written; check: no fault of the adapter was found
+  1  check: the adapter has a fault
+  2  bad input or usage; new: the folder exists already
+  3  a fault of Touchstone itself; or a full disk, or a closed stdout)";
+
 inline constexpr const char* ask = R"(
 Examples:
   touchstone ask distance scene.json
