@@ -19,6 +19,7 @@
 #include "app/trial/parallel.h"
 #include "app/trial/query_lines.h"
 #include "app/trial/questions.h"
+#include "app/trial/remembered_answers.h"
 #include "app/trial/smallest.h"
 #include "app/trial/subject_list.h"
 #include "app/trial/unanswered.h"
@@ -122,6 +123,9 @@ UnitResult nothing_of(const QueryTrial& query, const TestedSubjects& tested) {
   return {ResultMatrix(query.properties, tested), {}, {}, 0, std::vector<int>(tested.size())};
 }
 
+/// The first answer to the question must not be that of an earlier property.
+bool asks_twice(const Property& property) { return property.id.ends_with(".repeats"); }
+
 bool any_failing(const UnitResult& result) { return std::ranges::any_of(result.results.all(), &Row::failing); }
 
 /// `hangs`: by subject, how many count against it at the start of the unit.
@@ -141,9 +145,11 @@ UnitResult run_unit(const QueryTrial& query, const Unit& unit, const TestedSubje
       for (const std::string& name : properties::classes_of(scene, query.name)) ++result.classes[name];
     }
     for (const TestedSubject& subject : tested) {
+      oracle::Subject& itself = *subjects[subject.index];
+      RememberedAnswers remembered(itself);
       for (const Property* property : query.properties) {
         if (!question.asked_under(*property)) continue;
-        ask(question, *property, *subjects[subject.index], result.hangs[subject.index],
+        ask(question, *property, asks_twice(*property) ? itself : remembered, result.hangs[subject.index],
             result.results.at(*property, subject), example);
       }
     }
