@@ -342,6 +342,7 @@ std::optional<double> effect_of_gaps(const ImpactCase& impact, const LawfulImpac
 Finding impulses(const Scene& scene, Subject& subject) {
   return of_struck_pairs(
       scene, subject, [&](const TrajectoryCase& asked, const Event& event, const Scene& pair, const Scene&) {
+        if (acts_together(asked, event)) return judge::outside(together_with_others);
         if (!is_decisive(pair, tolerance::moving_distance(pair, event.time, asked.precision))) {
           return judge::outside(too_far_to_decide);
         }

@@ -50,6 +50,7 @@ Finding lockstep(const Scene& scene, Subject& subject) {
   long impacts = 0;
   Finding worst = of_impacts(
       scene, subject, [&](const TrajectoryCase& asked, const Event& event, const std::vector<Segment>& segments) {
+        if (acts_together(asked, event)) return judge::outside(together_with_others);
         const Scene ballistic_scene = segment_scene(scene, segments, asked.end);
         const std::optional<MotionCase> pair = motion_case(ballistic_scene, asked.precision);
         if (!pair) return judge::outside("a pair overlaps where its segments begin");

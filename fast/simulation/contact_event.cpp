@@ -8,6 +8,7 @@
 #include "fast/simulation/range.h"
 #include "fast/simulation/response.h"
 #include "fast/simulation/rest/rest_event.h"
+#include "fast/simulation/simultaneous_impact.h"
 
 namespace touchstone::fast::simulation {
 namespace {
@@ -71,8 +72,9 @@ void respond(Run& run, const PairEvent& pair, const Touch& touch) {
   if (c.restitution < 1 && collides_endlessly(run, pair.a, pair.b, speeds.u_n) && merge_islands(run, pair.a, pair.b))
     return;
   const double rebound = c.restitution * -speeds.u_n, presses = pressing_acceleration(a, b, touch);
-  apply_impulse(run, Event::Kind::impact, pair.a, pair.b, touch, impact(a, at_a, b, at_b, touch, c));
-  if (!in_contact && rebound <= speeds.bounce_speed && c.restitution < 1)
+  const std::vector<PairPoints> together = acting_with(run, pair.a, pair.b, touch);
+  resolve_impacts(run, together);
+  if (!in_contact && together.size() == 1 && rebound <= speeds.bounce_speed && c.restitution < 1)
     complete_bounces(run, pair, touch, rebound, presses, c.restitution);
 }
 

@@ -121,6 +121,12 @@ ImpactResult impact(const BodyMotion& a, const State& at_a, const BodyMotion& b,
   return with_loss(result, a, at_a, b, at_b, touch, u);
 }
 
+ImpactResult impulse_at(const BodyMotion& a, const State& at_a, const BodyMotion& b, const State& at_b,
+                        const Touch& touch, const Vec3& P) {
+  const Vec3 u = velocity_at(a, at_a, touch.p_WC) - velocity_at(b, at_b, touch.p_WC);
+  return with_loss(others_after(a, at_a, b, at_b, touch, P), a, at_a, b, at_b, touch, u);
+}
+
 ImpactResult micro_collision(const BodyMotion& a, const State& at_a, const BodyMotion& b, const State& at_b,
                              const Touch& touch, Coefficients c, double speed) {
   const Vec3 n = touch.nhat_BA_W, u = velocity_at(a, at_a, touch.p_WC) - velocity_at(b, at_b, touch.p_WC);
@@ -139,7 +145,7 @@ ImpactResult micro_collision(const BodyMotion& a, const State& at_a, const BodyM
     shifted.velocity.v_WBcm += shift;
     P = others_impact(a, shifted, b, at_b, touch, c).P_A_W;
   }
-  return with_loss(others_after(a, at_a, b, at_b, touch, P), a, at_a, b, at_b, touch, u);
+  return impulse_at(a, at_a, b, at_b, touch, P);
 }
 
 }  // namespace touchstone::fast::simulation

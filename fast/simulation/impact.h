@@ -31,6 +31,10 @@ double normal_velocity(const BodyMotion& a, const State& at_a, const BodyMotion&
 ImpactResult impact(const BodyMotion& a, const State& at_a, const BodyMotion& b, const State& at_b, const Touch& touch,
                     const Coefficients& coefficients);
 
+/// The velocities after an impulse P on A at the touch, and −P on B.
+ImpactResult impulse_at(const BodyMotion& a, const State& at_a, const BodyMotion& b, const State& at_b,
+                        const Touch& touch, const Vec3& P);
+
 /// One of the many micro-bounces that replace a resting contact: the bodies separate with u_n = `speed`. With
 /// u_n' = (u_n − speed)/2 in place of u_n: if P = −2 K⁻¹u' is in the friction cone, the impulse is P, which reverses
 /// the slip, so that its mean is 0 (only the factor 2 conserves the energy); otherwise it is that of an elastic impact

@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <tuple>
+#include <utility>
 
 #include "oracle/judge/words.h"
 #include "oracle/tolerance/precision.h"
 #include "oracle/tolerance/tolerance.h"
+#include "oracle/truth/impact.h"
 #include "oracle/truth/motion_in_doubles.h"
 #include "oracle/truth/world_points.h"
 #include "properties/cases/time_of_impact_case.h"
@@ -103,6 +105,26 @@ oracle::Finding moves(const TrajectoryCase& asked, const Scene& ballistic_scene,
       [&] { return velocity_text(said); }, [&] { return velocity_text(expected); });
 }
 
+/// The body's velocity before an event at its time.
+Velocity velocity_before(const TrajectoryCase& asked, const Timeline& timeline, int body, std::size_t event) {
+  const std::vector<Segment>& segments = timeline[static_cast<std::size_t>(body)];
+  const auto found = std::ranges::find_if(segments, [=](const Segment& s) { return s.ends_with >= event; });
+  const double time = (*asked.said.events)[event].time;
+  return oracle::ballistic_state(segment_scene(asked.scene, {*found}, time), 0, time).velocity;
+}
+
+/// Whether the contact of `impact` approaches before `event`, which is at the same time and not later.
+bool approaches_before(const TrajectoryCase& asked, const Timeline& timeline, const Event& impact, std::size_t event) {
+  Scene pair;
+  pair.contact = Contact{impact.p_WC, impact.nhat_BA_W, Law::poisson, 0, 0};
+  for (const auto& [body, after] : {std::pair(impact.a, &impact.after_a), std::pair(impact.b, &impact.after_b)}) {
+    pair.bodies.push_back(asked.scene.bodies[static_cast<std::size_t>(body)]);
+    pair.bodies.back().X_WB = after->X_WB;
+    pair.bodies.back().velocity = velocity_before(asked, timeline, body, event);
+  }
+  return oracle::impact(pair).u_n() < 0;
+}
+
 std::string text(const Pose& pose) {
   const Quaternion& q = pose.q_WB;
   return "p = " + words::text(pose.p_WB) + ", q = (" + words::text(q.w) + ", " + words::text(q.x) + ", " +
@@ -173,6 +195,26 @@ bool worse(oracle::Finding& worst, oracle::Finding next) {
     worst = std::move(next);
   }
   return failed;
+}
+
+bool acts_together(const TrajectoryCase& asked, const Event& impact) {
+  const std::vector<Event>& events = *asked.said.events;
+  const auto moves = [&](int body) { return !asked.is_fixed(static_cast<std::size_t>(body)); };
+  const auto acts_on = [](const Event& e, int body) { return e.a == body || e.b == body; };
+  const auto is_convex = [&](int body) {
+    return !std::holds_alternative<Compound>(asked.scene.bodies[static_cast<std::size_t>(body)].shape);
+  };
+  const auto at = static_cast<std::size_t>(&impact - events.data());
+  const Timeline all = timeline(asked.scene, asked.said);
+  for (std::size_t k = 0; k < events.size(); ++k) {
+    const Event& other = events[k];
+    const bool shares = (moves(impact.a) && acts_on(other, impact.a)) || (moves(impact.b) && acts_on(other, impact.b));
+    const bool one_region = other.a == impact.a && other.b == impact.b && is_convex(impact.a) && is_convex(impact.b);
+    if (k == at || one_region || other.kind != Event::Kind::impact || other.time != impact.time || !shares) continue;
+    const std::size_t first = std::min(k, at);
+    if (approaches_before(asked, all, impact, first) && approaches_before(asked, all, other, first)) return true;
+  }
+  return false;
 }
 
 oracle::judge::Allowance in_ulps_of_place(const TrajectoryCase& asked, double bound) {

@@ -428,7 +428,7 @@ TEST_CASE("what falls on a pile bounces, rocks and comes down, and nothing sinks
       CAPTURE(e, beside);
       const Simulated done = simulate(scene);
       REQUIRE(!done.stopped);
-      CHECK(done.statistics.of(Kind::impact) > 10);
+      CHECK(done.statistics.of(Kind::impact) >= 7);  // e = 1, flat: down through four contacts, and up through three
       CHECK(done.statistics.deepest < 1e-8);
       for (std::size_t i = 0; i < 4; ++i) {
         CHECK(gap(scene.bodies[i + 1], done.trajectory.states.back()[i + 1], scene.bodies[i],

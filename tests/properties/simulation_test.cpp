@@ -116,6 +116,91 @@ struct Mistaken : tests::FixedSubject {
   }
 };
 
+// Impacts that act together are outside of the law of one contact; one that another impact causes is not.
+struct Run {
+  Scene scene;
+  Trajectory said;
+};
+
+Body ball(const Vec3& p, const Vec3& v) {
+  Body body;
+  body.shape = Sphere{0.5};
+  body.X_WB.p_WB = p;
+  body.velocity.v_WBcm = v;
+  body.material = {1, 0};
+  body.mass = MassProperties{1, Vec3::Zero(), 0.1 * Mat3::Identity()};
+  return body;
+}
+
+State at(const Vec3& p, const Vec3& v) { return {{p, {}}, {v, Vec3::Zero()}}; }
+
+Event impact(double time, int a, int b, const Vec3& p_WC, const Vec3& nhat_BA_W, double p, const State& after_a,
+             const State& after_b) {
+  Event event;
+  event.time = time;
+  event.a = a;
+  event.b = b;
+  event.p_WC = p_WC;
+  event.nhat_BA_W = nhat_BA_W;
+  event.P_A_W = p * nhat_BA_W;
+  event.after_a = after_a;
+  event.after_b = after_b;
+  return event;
+}
+
+// The ball hits two at rest with normals (4/5, ±3/5): 1 = v + 2 (4/5) p and 1 = v² + 2 p² give p = 40/57.
+Run symmetric_break() {
+  const Vec3 up(0.8, 0.6, 0), down(0.8, -0.6, 0), still = Vec3::Zero(), to(1, 0, 0);
+  const double p = 40.0 / 57;
+  Run run;
+  run.scene.bodies = {ball({-2, 0, 0}, to), ball(up, still), ball(down, still)};
+  run.scene.motion.emplace();
+  run.scene.motion->sample_times = {1, 3};
+  const Vec3 between = to - p * up, after = between - p * down;
+  run.said.events = {impact(2, 0, 1, up / 2, -up, p, at(still, between), at(up, p * up)),
+                     impact(2, 0, 2, down / 2, -down, p, at(still, after), at(down, p * down))};
+  run.said.states = {{at({-1, 0, 0}, to), at(up, still), at(down, still)},
+                     {at(after, after), at(up + p * up, p * up), at(down + p * down, p * down)}};
+  return run;
+}
+
+// The first ball stops, the second passes its velocity on to the third at the same time: `share` of it.
+Run cradle(double share) {
+  const Vec3 still = Vec3::Zero(), to(1, 0, 0);
+  Run run;
+  run.scene.bodies = {ball({-2, 0, 0}, to), ball(still, still), ball(to, still)};
+  run.scene.motion.emplace();
+  run.scene.motion->sample_times = {0.5, 2};
+  run.said.events = {impact(1, 0, 1, -to / 2, -to, 1, at(-to, still), at(still, to)),
+                     impact(1, 1, 2, to / 2, -to, share, at(still, (1 - share) * to), at(to, share * to))};
+  run.said.states = {{at(-1.5 * to, to), at(still, still), at(to, still)},
+                     {at(-to, still), at((1 - share) * to, (1 - share) * to), at((1 + share) * to, share * to)}};
+  return run;
+}
+
+Outcome judged(const std::string& property, const Run& run) {
+  tests::FixedSubject subject;
+  subject.said_simulation = run.said;
+  return properties::find("simulation." + property).check(run.scene, subject).outcome;
+}
+
+TEST_CASE("impacts that act together are outside of the law of one contact, and judged by the laws of all impulses") {
+  Run run = symmetric_break();
+  for (const char* property : {"impulses", "lockstep"}) CHECK(judged(property, run) == Outcome::outside);
+  for (const char* property : {"ordered", "flights", "event_states", "contacts", "impulses_apply", "elastic_energy"}) {
+    CAPTURE(property);
+    CHECK(judged(property, run) == Outcome::holds);
+  }
+  run.said.events->back().after_a.velocity.v_WBcm.x() += 1e-9;
+  CHECK(judged("impulses_apply", run) == Outcome::fails);
+}
+
+TEST_CASE("an impact that another one causes at the same time obeys the law of one contact") {
+  CHECK(judged("impulses", cradle(1)) == Outcome::holds);
+  CHECK(judged("lockstep", cradle(1)) == Outcome::holds);
+  CHECK(judged("impulses", cradle(0.5)) == Outcome::fails);
+}
+
 }  // namespace
 
 TEST_CASE("simulation: the trajectory on paper holds") {

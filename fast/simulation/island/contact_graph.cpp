@@ -109,12 +109,21 @@ std::vector<ContactPair> ContactGraph::take_out_separating(const std::function<d
   return out;
 }
 
+std::vector<PairPoints> ContactGraph::points() const {
+  std::vector<PairPoints> all;
+  for (const ContactPair& pair : contact_pairs_) {
+    PairPoints points;
+    for (const contact::ContactPoint& point : pair.contact_points)
+      points.push_back(candidate_at(pair, point, bodies_[index(pair.a)], bodies_[index(pair.b)]));
+    if (!points.empty()) all.push_back(std::move(points));
+  }
+  return all;
+}
+
 std::optional<ImpactCandidate> ContactGraph::fastest_approach() const {
   std::optional<ImpactCandidate> most;
-  for (const ContactPair& contact_pair : contact_pairs_) {
-    const IslandBody &A = bodies_[index(contact_pair.a)], &B = bodies_[index(contact_pair.b)];
-    for (const contact::ContactPoint& contact_point : contact_pair.contact_points) {
-      const ImpactCandidate found = candidate_at(contact_pair, contact_point, A, B);
+  for (const PairPoints& points : this->points()) {
+    for (const ImpactCandidate& found : points) {
       if (!most || found.u_n < most->u_n) most = found;
     }
   }

@@ -39,6 +39,8 @@ class ContactGraph {
   /// Recomputes the contact points. Releases a body when all its contacts separate faster than `release_speed(a, b)`
   /// (m/s) and none overlaps. Removes the contact pairs of released bodies, and returns those that have touched.
   std::vector<ContactPair> take_out_separating(const std::function<double(BodyId, BodyId)>& release_speed);
+  /// The contact points of each contact pair that has any, at the bodies' current states.
+  std::vector<PairPoints> points() const;
   /// The contact point that approaches fastest; none without contact points.
   std::optional<ImpactCandidate> fastest_approach() const;
   /// Marks the body's contact pairs, so that their contact events are emitted again.

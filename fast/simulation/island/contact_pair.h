@@ -36,6 +36,9 @@ struct ImpactCandidate {
   double u_n = 0;
 };
 
+/// The contact points of two convex parts, or of two bodies that touch in one point. All have one normal.
+using PairPoints = std::vector<ImpactCandidate>;
+
 /// Recomputes the normal and the contact points from the current states of A and B. Parts touch up to a distance of
 /// `near` (m). Returns false, and leaves the contact points as they are, if they are farther apart than `reach` (m).
 ///

@@ -6,6 +6,7 @@
 #include "fast/simulation/island/island_rest.h"
 #include "fast/simulation/response.h"
 #include "fast/simulation/rest/rest_event.h"
+#include "fast/simulation/simultaneous_impact.h"
 #include "fast/simulation/trajectory.h"
 
 namespace touchstone::fast::simulation {
@@ -20,6 +21,15 @@ IslandBody island_body(const Run& run, BodyId id) {
   const BodyMotion& body = run.world.body(id);
   const Vec3 acceleration = body.fixed() ? Vec3(Vec3::Zero()) : run.world.acceleration(id);
   return {id, &body, {&body.model(), run.islands.state(id), acceleration}};
+}
+
+/// The contact pairs of two bodies whose parts are within the envelope.
+ContactGraph graph_of_pair(const Run& run, BodyId a, BodyId b) {
+  ContactGraph pair(run.world.envelope(), run.world.envelope());
+  pair.add(island_body(run, a));
+  pair.add(island_body(run, b));
+  pair.link(a, b);
+  return pair;
 }
 
 double rebound_speed(const Run& run, BodyId a, BodyId b) { return rebound_speed(run.world, run.islands, a, b); }
@@ -49,13 +59,11 @@ void release_from_island(Run& run, const IslandBody& island_body, const std::vec
   run.schedule.predict_all(id);
 }
 
-/// An impact of the pair at one contact point.
-void impact_in_island(Run& run, const ImpactCandidate& found) {
-  const World& world = run.world;
-  if (!run.guard.makes_progress(world.now(), found.a, found.b)) return;
-  apply_impulse(run, Event::Kind::impact, found.a, found.b, found.touch,
-                impact(world.body(found.a), run.islands.state(found.a), world.body(found.b), run.islands.state(found.b),
-                       found.touch, world.coefficients(found.a, found.b)));
+/// One round of impacts: of the contact pairs that approach faster than an impact must.
+void impacts_in_island(Run& run, const ContactGraph& graph, const ImpactCandidate& fastest) {
+  if (!run.guard.makes_progress(run.world.now(), fastest.a, fastest.b)) return;
+  resolve_impacts(
+      run, acting(graph.points(), [&](BodyId a, BodyId b) { return collides_above * rebound_speed(run, a, b); }));
 }
 
 /// Turns an island of one body on a fixed one into a resting contact, if that has a closed form.
@@ -123,7 +131,7 @@ void resolve_island(Run& run, Island& island) {
   ContactGraph& graph = island.graph();
   const std::optional<ImpactCandidate> found = graph.fastest_approach();
   const bool collides = found && found->u_n < -collides_above * rebound_speed(run, found->a, found->b);
-  if (collides && island.allows_impact()) return impact_in_island(run, *found);
+  if (collides && island.allows_impact()) return impacts_in_island(run, graph, *found);
   if (try_closed_form(run, graph)) return;
   const double before = energy(graph);
   const bool begins = collides || std::ranges::any_of(graph.contact_pairs(), [](const ContactPair& pair) {
@@ -146,12 +154,12 @@ void resolve_island(Run& run, Island& island) {
 
 }  // namespace
 
+std::vector<PairPoints> contact_points_of(const Run& run, BodyId a, BodyId b) {
+  return graph_of_pair(run, a, b).points();
+}
+
 std::optional<Touch> fastest_approach(const Run& run, BodyId a, BodyId b) {
-  ContactGraph pair(run.world.envelope(), run.world.envelope());
-  pair.add(island_body(run, a));
-  pair.add(island_body(run, b));
-  if (!pair.link(a, b)) return {};
-  const std::optional<ImpactCandidate> found = pair.fastest_approach();
+  const std::optional<ImpactCandidate> found = graph_of_pair(run, a, b).fastest_approach();
   return found ? std::optional(found->touch) : std::nullopt;
 }
 

@@ -92,7 +92,6 @@ void CollisionSchedule::update_proxy(BodyId id) {
                                   world_->envelope() + (island ? island->margin() + world_->reach() / 4 : 0)));
 }
 
-/// Returns the bodies whose boxes intersect that of the body, and prefetches their trajectories.
 std::span<const BodyId> CollisionSchedule::neighbours(BodyId id) {
   const std::span<const BodyId> found = grid_.neighbours(id);
   for (const BodyId other : found) __builtin_prefetch(&world_->body(other));

@@ -37,6 +37,10 @@ class CollisionSchedule {
   /// Predicts the first contact of a pair from a time on, if it may be within the frame. Requires a < b.
   void predict(BodyId a, BodyId b, double from);
 
+  /// The bodies whose boxes intersect that of the body, in an unspecified order. Valid until the next call. Prefetches
+  /// their trajectories.
+  std::span<const BodyId> neighbours(BodyId id);
+
   /// The nearest points of a pair at time t, which must not be before the start of both trajectories. Requires a < b.
   Touch nearest_points(BodyId a, BodyId b, double t);
   /// Whether the last search of the pair ended by its limit of queries, before it found a contact. Requires a < b.
@@ -49,7 +53,6 @@ class CollisionSchedule {
 
   bool moves(BodyId id) const;
   void update_proxy(BodyId id);
-  std::span<const BodyId> neighbours(BodyId id);
   std::optional<Search> search_of(BodyId a, BodyId b, double from);
   PairMemory& search_memory(BodyId a, BodyId b);
   void refuse_overlap(BodyId a, BodyId b, const Touch& touch) const;

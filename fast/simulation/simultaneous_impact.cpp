@@ -1,0 +1,354 @@
+#include "fast/simulation/simultaneous_impact.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <optional>
+#include <tuple>
+
+#include "fast/simulation/impact_event.h"
+#include "fast/simulation/island/island_event.h"
+#include "fast/simulation/response.h"
+#include "fast/simultaneous/round.h"
+
+namespace touchstone::fast::simulation {
+namespace {
+
+constexpr double acts_above = 2;         // rebound speeds: a slower approach is not an impact, as in islands
+constexpr double acts_beside = 0x1p-40;  // of the pair's approach: a slower one is rounding
+constexpr double one_normal = 0x1p-20;   // difference of the normals of one region
+constexpr int most_centre_iterations = 24;
+constexpr double centre_tolerance = 0x1p-44;  // of the approach
+constexpr double least_relaxation = 0x1p-4;
+
+double fastest(const PairPoints& points) {
+  double least = points.front().u_n;
+  for (const ImpactCandidate& point : points) least = std::min(least, point.u_n);
+  return least;
+}
+
+bool is_one_region(const PairPoints& p, const PairPoints& q) {
+  const ImpactCandidate &at = p.front(), &by = q.front();
+  return at.a == by.a && at.b == by.b && (at.touch.nhat_BA_W - by.touch.nhat_BA_W).norm() <= one_normal;
+}
+
+/// Two bodies and their contact points, in the form that the laws of several points take.
+struct Bodies {
+  std::vector<BodyId> ids;
+  std::vector<contact::Mobility> mobilities;
+  std::vector<contact::Twist> twists;
+  std::vector<Vec3> centres;
+
+  int index(const Run& run, BodyId id) {
+    const auto found = std::ranges::find(ids, id);
+    if (found != ids.end()) return static_cast<int>(found - ids.begin());
+    const contact::StepBody body{&run.world.body(id).model(), run.islands.state(id), Vec3::Zero()};
+    ids.push_back(id);
+    mobilities.push_back(body.mobility());
+    twists.push_back({body.state.velocity.v_WBcm, body.state.velocity.w_WB});
+    centres.push_back(body.transform().centre);
+    return static_cast<int>(ids.size()) - 1;
+  }
+
+  contact::ContactRow row(const Run& run, const ImpactCandidate& point) {
+    contact::ContactRow row;
+    row.a = index(run, point.a);
+    row.b = index(run, point.b);
+    row.n = point.touch.nhat_BA_W;
+    row.arm_A = point.touch.p_WC - centres[contact::index(row.a)];
+    row.arm_B = point.touch.p_WC - centres[contact::index(row.b)];
+    row.friction = run.world.coefficients(point.a, point.b).friction;
+    contact::prepare(row, mobilities);
+    return row;
+  }
+};
+
+/// The mean of the points, weighted with p ≥ 0: a point itself if it alone has a weight, and none if none has.
+template <class Weight>
+std::optional<Touch> weighted_mean(const PairPoints& points, const Weight& weight) {
+  std::optional<Touch> mean;
+  double sum = 0;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const double p = weight(k);
+    if (!(p > 0)) continue;
+    sum += p;
+    if (!mean) {
+      mean = points[k].touch;
+      continue;
+    }
+    mean->gap += p / sum * (points[k].touch.gap - mean->gap);
+    mean->p_WC += p / sum * (points[k].touch.p_WC - mean->p_WC);
+  }
+  return mean;
+}
+
+/// The search for the centre of pressure of one region.
+class PressureCentre {
+ public:
+  PressureCentre(const Run& run, const PairPoints& points)
+      : run_(&run),
+        points_(&points),
+        a_(points.front().a),
+        b_(points.front().b),
+        at_a_(run.islands.state(a_)),
+        at_b_(run.islands.state(b_)),
+        coefficients_(run.world.coefficients(a_, b_)) {
+    for (const ImpactCandidate& point : points) rows_.push_back(bodies_.row(run, point));
+  }
+
+  /// Where a compression presses that has the velocities `twists` and ends with the normal velocity `least`.
+  std::optional<Touch> pressed(const std::vector<contact::Twist>& twists, double least) const {
+    const Eigen::VectorXd p = simultaneous::compression(rows_, bodies_.mobilities, twists, least);
+    return weighted_mean(*points_, [&](std::size_t k) { return p[static_cast<Eigen::Index>(k)]; });
+  }
+  std::optional<Touch> without_friction() const { return pressed(bodies_.twists, 0); }
+
+  /// Relaxation towards the fixed point C = pressed(friction at C), with Aitken's factor.
+  Touch with_friction(const Touch& start) const {
+    Touch at = start, best = start;
+    double least_miss = never, relaxation = 1;
+    Vec3 step_before = Vec3::Zero();
+    for (int k = 0; k < most_centre_iterations; ++k) {
+      const std::optional<Mean> mean = mean_after(at);
+      if (!mean) break;
+      if (mean->miss < least_miss) least_miss = mean->miss, best = at;
+      if (mean->miss <= -centre_tolerance * mean->u_n) break;
+      const std::optional<Touch> next = pressed(mean->with_friction, mean->at_centre);
+      if (!next) break;
+      const Vec3 step = next->p_WC - at.p_WC, change = step - step_before;
+      if (k > 0 && !change.isZero(0)) {
+        relaxation = std::clamp(-relaxation * step_before.dot(change) / change.squaredNorm(), least_relaxation, 1.0);
+      }
+      at.p_WC += relaxation * step;
+      at.gap += relaxation * (next->gap - at.gap);
+      step_before = step;
+    }
+    return best;
+  }
+
+ private:
+  /// The mean (u_n' + e u_n)/(1 + e) of an impact at one point.
+  struct Mean {
+    double u_n = 0;                             ///< m/s; before, at the point
+    double at_centre = 0;                       ///< m/s
+    double miss = 0;                            ///< m/s; by how much it is less elsewhere in the region
+    std::vector<contact::Twist> with_friction;  ///< the velocities before, and those that friction adds to the mean
+  };
+
+  std::optional<Mean> mean_after(const Touch& at) const {
+    const BodyMotion &a = run_->world.body(a_), &b = run_->world.body(b_);
+    const ImpactResult result = impact(a, at_a_, b, at_b_, at, coefficients_);
+    if (!(result.u_n < 0)) return {};
+    Mean mean;
+    mean.u_n = result.u_n;
+    mean.with_friction = bodies_.twists;
+    contact::ContactRow row = rows_.front();
+    row.arm_A += at.p_WC - points_->front().touch.p_WC;
+    row.arm_B += at.p_WC - points_->front().touch.p_WC;
+    const Vec3 P = result.P_A_W / (1 + coefficients_.restitution), P_n = row.n.dot(P) * row.n;
+    apply_impulse(row, P - P_n, bodies_.mobilities, mean.with_friction);
+    std::vector<contact::Twist> twists = mean.with_friction;
+    apply_impulse(row, P_n, bodies_.mobilities, twists);
+    mean.at_centre = row.n.dot(relative_velocity(row, twists));
+    for (const contact::ContactRow& point : rows_)
+      mean.miss = std::max(mean.miss, mean.at_centre - point.n.dot(relative_velocity(point, twists)));
+    return mean;
+  }
+
+  const Run* run_;
+  const PairPoints* points_;
+  BodyId a_, b_;
+  State at_a_, at_b_;
+  Coefficients coefficients_;
+  Bodies bodies_;
+  std::vector<contact::ContactRow> rows_;
+};
+
+/// Of one contact. Without P it is that of the law of impact at the touch.
+struct ContactImpulse {
+  BodyId a = 0, b = 0;
+  Touch touch;
+  std::optional<Vec3> P_A_W;
+};
+
+/// The impulses of contacts that share bodies which move.
+void act_together(const Run& run, const std::vector<PairPoints>& contacts, std::vector<ContactImpulse>& impulses) {
+  Bodies bodies;
+  std::vector<simultaneous::Region> regions;
+  std::vector<std::size_t> region_of, first_of;  // indexed by contact: its region, and the first of its points there
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const PairPoints& points = contacts[i];
+    std::size_t region = regions.size();
+    for (std::size_t j = 0; j < i; ++j) {
+      if (is_one_region(points, contacts[j])) region = region_of[j];
+    }
+    if (region == regions.size())
+      regions.push_back({run.world.coefficients(points.front().a, points.front().b).restitution, {}});
+    region_of.push_back(region);
+    first_of.push_back(regions[region].points.size());
+    for (const ImpactCandidate& point : points) regions[region].points.push_back(bodies.row(run, point));
+  }
+  simultaneous::act(regions, bodies.mobilities, bodies.twists);
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const PairPoints& points = contacts[i];
+    const auto row = [&](std::size_t k) -> const contact::ContactRow& {
+      return regions[region_of[i]].points[first_of[i] + k];
+    };
+    if (row(0).friction > 0) {
+      for (std::size_t k = 0; k < points.size(); ++k) {
+        if (!row(k).P.isZero(0)) impulses.push_back({points[k].a, points[k].b, points[k].touch, row(k).P});
+      }
+      continue;
+    }
+    const std::optional<Touch> centre = weighted_mean(points, [&](std::size_t k) { return row(k).n.dot(row(k).P); });
+    if (!centre) continue;
+    Vec3 P = Vec3::Zero();
+    for (std::size_t k = 0; k < points.size(); ++k) P += row(k).P;
+    impulses.push_back({points.front().a, points.front().b, *centre, P});
+  }
+}
+
+/// The contacts, in components that share no body which moves.
+std::vector<std::vector<PairPoints>> separate(const Run& run, const std::vector<PairPoints>& contacts) {
+  Bodies bodies;
+  std::vector<simultaneous::Region> regions;
+  for (const PairPoints& points : contacts) regions.push_back({0, {bodies.row(run, points.front())}});
+  std::vector<std::vector<PairPoints>> parts;
+  for (const std::vector<std::size_t>& part : simultaneous::components(regions, bodies.mobilities)) {
+    std::vector<PairPoints>& some = parts.emplace_back();
+    for (const std::size_t i : part) some.push_back(contacts[i]);
+  }
+  return parts;
+}
+
+/// Of several contacts that are one region: those that press without friction. Parts of a body may touch at one point.
+std::vector<PairPoints> pressing(const Run& run, const std::vector<PairPoints>& contacts) {
+  Bodies bodies;
+  std::vector<contact::ContactRow> rows;
+  for (const PairPoints& points : contacts) {
+    for (const ImpactCandidate& point : points) rows.push_back(bodies.row(run, point));
+  }
+  const Eigen::VectorXd p = simultaneous::compression(rows, bodies.mobilities, bodies.twists, 0);
+  std::vector<PairPoints> some;
+  Eigen::Index first = 0;
+  for (const PairPoints& points : contacts) {
+    const auto count = static_cast<Eigen::Index>(points.size());
+    if (p.segment(first, count).sum() > 0) some.push_back(points);
+    first += count;
+  }
+  return some;
+}
+
+/// The contacts of a pair in ballistic motion or in an island; none if the two are farther apart than the envelope.
+std::vector<PairPoints> contacts_of(Run& run, BodyId a, BodyId b) {
+  const World& world = run.world;
+  const BodyMotion &A = world.body(a), &B = world.body(b);
+  if (has_closed_form(A, B) && !run.islands.of(a) && !run.islands.of(b)) {
+    const Touch touch = run.schedule.nearest_points(a, b, world.now());
+    if (touch.gap > world.envelope()) return {};
+    return {{{a, b, touch, normal_velocity(A, run.islands.state(a), B, run.islands.state(b), touch)}}};
+  }
+  return contact_points_of(run, a, b);
+}
+
+/// Whether the boxes of two bodies at the current time are within the envelope of each other.
+bool is_near(const Run& run, const BodyPair& pair) {
+  const auto box = [&](BodyId id, double margin) {
+    const BodyMotion& body = run.world.body(id);
+    const double now = std::max(run.world.now(), body.path().since);
+    return body.box(now, now, margin);
+  };
+  return overlap(box(pair.a, run.world.envelope()), box(pair.b, 0));
+}
+
+/// Whether the body's state is known at the current time without the end of a step.
+bool is_current(const Run& run, BodyId id) {
+  const Island* island = run.islands.of(id);
+  return !island || (island->waits() && island->since() == run.world.now());
+}
+
+}  // namespace
+
+std::vector<PairPoints> acting(const std::vector<PairPoints>& contacts,
+                               const std::function<double(BodyId, BodyId)>& slow) {
+  std::vector<PairPoints> some;
+  for (const PairPoints& points : contacts) {
+    const double least = slow(points.front().a, points.front().b);
+    const auto acts = [&](const PairPoints& other) {
+      return fastest(other) < -least && (&other == &points || is_one_region(other, points));
+    };
+    if (std::ranges::any_of(contacts, acts)) some.push_back(points);
+  }
+  return some;
+}
+
+std::vector<PairPoints> acting_with(Run& run, BodyId a, BodyId b, const Touch& touch) {
+  const World& world = run.world;
+  const BodyMotion &A = world.body(a), &B = world.body(b);
+  const double u_n = normal_velocity(A, run.islands.state(a), B, run.islands.state(b), touch);
+  const bool is_point = has_closed_form(A, B) && !run.islands.of(a) && !run.islands.of(b);
+  std::vector<PairPoints> own = is_point ? std::vector<PairPoints>{} : contact_points_of(run, a, b);
+  own = acting(own, [&](BodyId, BodyId) { return -acts_beside * u_n; });
+  if (own.empty()) own = {{{a, b, touch, u_n}}};
+  std::vector<PairPoints> all = std::move(own);
+  std::vector<BodyPair> asked{{a, b}};
+  std::vector<BodyId> reached;
+  const auto reach = [&](BodyId id) {
+    if (!world.body(id).fixed() && std::ranges::count(reached, id) == 0) reached.push_back(id);
+  };
+  reach(a);
+  reach(b);
+  for (std::size_t i = 0; i < reached.size(); ++i) {
+    const std::span<const BodyId> found = run.schedule.neighbours(reached[i]);
+    std::vector<BodyId> others(found.begin(), found.end());
+    std::ranges::sort(others);
+    for (const BodyId other : others) {
+      const BodyPair pair{std::min(reached[i], other), std::max(reached[i], other)};
+      if (std::ranges::count(asked, pair) > 0 || !is_current(run, other) || !is_near(run, pair)) continue;
+      asked.push_back(pair);
+      const std::vector<PairPoints> fast = acting(contacts_of(run, pair.a, pair.b), [&](BodyId p, BodyId q) {
+        return std::max(acts_above * rebound_speed(world, run.islands, p, q), -acts_beside * u_n);
+      });
+      if (fast.empty()) continue;
+      all.insert(all.end(), fast.begin(), fast.end());
+      reach(other);
+    }
+  }
+  return all;
+}
+
+Touch centre_of_pressure(const Run& run, const PairPoints& points) {
+  const auto approach = [](const ImpactCandidate& point) { return point.u_n; };
+  if (points.size() == 1) return points.front().touch;
+  const PressureCentre centre(run, points);
+  const std::optional<Touch> pressed = centre.without_friction();
+  if (!pressed) return std::ranges::min_element(points, {}, approach)->touch;
+  const bool is_rough = run.world.coefficients(points.front().a, points.front().b).friction > 0;
+  return is_rough ? centre.with_friction(*pressed) : *pressed;
+}
+
+void resolve_impacts(Run& run, const std::vector<PairPoints>& contacts) {
+  std::vector<ContactImpulse> impulses;
+  for (std::vector<PairPoints>& part : separate(run, contacts)) {
+    if (part.size() > 1 &&
+        std::ranges::all_of(part, [&](const PairPoints& p) { return is_one_region(p, part.front()); }))
+      part = pressing(run, part);
+    if (part.size() == 1) {
+      const ImpactCandidate& first = part.front().front();
+      impulses.push_back({first.a, first.b, centre_of_pressure(run, part.front()), {}});
+    } else {
+      act_together(run, part, impulses);
+    }
+  }
+  std::ranges::stable_sort(impulses, {},
+                           [](const ContactImpulse& impulse) { return std::tuple(impulse.a, impulse.b); });
+  for (const ContactImpulse& impulse : impulses) {
+    const BodyMotion &a = run.world.body(impulse.a), &b = run.world.body(impulse.b);
+    const State at_a = run.islands.state(impulse.a), at_b = run.islands.state(impulse.b);
+    apply_impulse(run, Event::Kind::impact, impulse.a, impulse.b, impulse.touch,
+                  impulse.P_A_W
+                      ? impulse_at(a, at_a, b, at_b, impulse.touch, *impulse.P_A_W)
+                      : impact(a, at_a, b, at_b, impulse.touch, run.world.coefficients(impulse.a, impulse.b)));
+  }
+}
+
+}  // namespace touchstone::fast::simulation

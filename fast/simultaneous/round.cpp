@@ -1,0 +1,226 @@
+#include "fast/simultaneous/round.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "fast/contact/solver.h"
+#include "fast/simultaneous/nonnegative.h"
+
+namespace touchstone::fast::simultaneous {
+namespace {
+
+using contact::ContactRow;
+using contact::Mobility;
+using contact::Twist;
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr int most_friction_sweeps = 400;
+constexpr double friction_convergence = 0x1p-44;  // of the greatest change of velocity, as in contact/solver.h
+constexpr double weight = 0x1p20;                 // of the condition that impulses keep their effect (`shared`)
+
+bool moves(const Mobility& body) { return body.inverse_mass > 0; }
+
+double normal_velocity(const ContactRow& row, const std::vector<Twist>& twists) {
+  return row.n.dot(relative_velocity(row, twists));
+}
+
+/// S with S Sᵀ = M⁻¹, for the angular velocity of a body.
+Mat3 root(const Mobility& body) { return body.inverse_inertia.llt().matrixL(); }
+
+/// Adds Sᵀ Nᵀ of one side of a point to its column.
+void add_side(MatrixXd& A, Index row, Index column, const Mobility& body, const Vec3& arm, const Vec3& n) {
+  if (!moves(body)) return;
+  A.block<3, 1>(row, column) += std::sqrt(body.inverse_mass) * n;
+  A.block<3, 1>(row + 3, column) += root(body).transpose() * arm.cross(n);
+}
+
+/// A with AᵀA = N M⁻¹ Nᵀ: velocities per normal impulse, in units of the root of energy.
+MatrixXd responses(const std::vector<ContactRow>& points, const std::vector<Mobility>& bodies) {
+  std::vector<Index> row_of(bodies.size(), -1);
+  Index rows = 0;
+  for (const ContactRow& point : points) {
+    for (const int body : {point.a, point.b}) {
+      Index& row = row_of[contact::index(body)];
+      if (row < 0 && moves(bodies[contact::index(body)])) row = rows, rows += 6;
+    }
+  }
+  MatrixXd A = MatrixXd::Zero(rows, static_cast<Index>(points.size()));
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const ContactRow& point = points[k];
+    const std::size_t a = contact::index(point.a), b = contact::index(point.b);
+    add_side(A, row_of[a], static_cast<Index>(k), bodies[a], point.arm_A, point.n);
+    add_side(A, row_of[b], static_cast<Index>(k), bodies[b], point.arm_B, -point.n);
+  }
+  return A;
+}
+
+/// The same for the wrenches of the regions one by one, as if each acted alone on its two bodies.
+MatrixXd separate_responses(const std::vector<Region>& regions, const std::vector<Mobility>& bodies, Index points) {
+  MatrixXd A = MatrixXd::Zero(12 * static_cast<Index>(regions.size()), points);
+  Index column = 0;
+  for (std::size_t r = 0; r < regions.size(); ++r) {
+    const Index row = 12 * static_cast<Index>(r);
+    for (const ContactRow& point : regions[r].points) {
+      add_side(A, row, column, bodies[contact::index(point.a)], point.arm_A, point.n);
+      add_side(A, row + 6, column++, bodies[contact::index(point.b)], point.arm_B, -point.n);
+    }
+  }
+  return A;
+}
+
+/// The impulses with the effect of p that have the least sum of energies of the regions' wrenches.
+VectorXd shared(const std::vector<Region>& regions, const std::vector<ContactRow>& points,
+                const std::vector<Mobility>& bodies, const VectorXd& p) {
+  const MatrixXd A = responses(points, bodies), D = separate_responses(regions, bodies, p.size());
+  MatrixXd both(A.rows() + D.rows(), p.size());
+  both << weight * A, D;
+  VectorXd goal = VectorXd::Zero(both.rows());
+  goal.head(A.rows()) = weight * (A * p);
+  VectorXd split = nonnegative_least_squares(both, goal);
+  // The weight is finite: what it lets pass is removed over the points that press.
+  MatrixXd pressing = A;
+  for (Index k = 0; k < p.size(); ++k) {
+    if (!(split[k] > 0)) pressing.col(k).setZero();
+  }
+  split += pressing.completeOrthogonalDecomposition().solve(A * (p - split));
+  return split.cwiseMax(0.0);
+}
+
+std::vector<ContactRow> points_of(const std::vector<Region>& regions, const std::vector<Mobility>& bodies) {
+  std::vector<ContactRow> all;
+  for (const Region& region : regions) {
+    for (const ContactRow& point : region.points) {
+      ContactRow& row = all.emplace_back(point);
+      row.P.setZero();
+      row.least_u_n = 0;
+      prepare(row, bodies);
+    }
+  }
+  return all;
+}
+
+/// Friction at given normal impulses: against the slip that is left, in the disc μ P_n, at all points at once.
+void add_friction(std::vector<ContactRow>& rows, const std::vector<Mobility>& bodies, std::vector<Twist>& twists) {
+  double greatest = 0;
+  for (int sweep = 0; sweep < most_friction_sweeps; ++sweep) {
+    double change = 0;
+    for (ContactRow& row : rows) {
+      const double P_n = row.n.dot(row.P);
+      const Vec3 u = relative_velocity(row, twists), slip = u - row.n.dot(u) * row.n;
+      Vec3 P_t = row.P - P_n * row.n - slip / row.K_tt;
+      const double size = P_t.norm(), most = row.friction * P_n;
+      if (size > most) P_t *= most / size;
+      const Vec3 added = P_n * row.n + P_t - row.P;
+      apply_impulse(row, added, bodies, twists);
+      row.P += added;
+      change = std::max(change, added.norm() * row.K_tt);
+    }
+    greatest = std::max(greatest, change);
+    if (change <= friction_convergence * greatest) return;
+  }
+}
+
+/// The greatest s ≤ 1 with s b + s² c ≤ most, where b ≤ most.
+double greatest_share(double b, double c, double most) {
+  if (b + c <= most) return 1;
+  const double root = std::sqrt(b * b + 4 * c * most);
+  return std::clamp(b > 0 ? 2 * most / (b + root) : (root - b) / (2 * c), 0.0, 1.0);
+}
+
+}  // namespace
+
+double least_normal_velocity(const Region& region, const std::vector<Twist>& twists) {
+  double least = normal_velocity(region.points.front(), twists);
+  for (const ContactRow& point : region.points) least = std::min(least, normal_velocity(point, twists));
+  return least;
+}
+
+std::vector<std::vector<std::size_t>> components(const std::vector<Region>& regions,
+                                                 const std::vector<Mobility>& bodies) {
+  std::vector<std::size_t> root(bodies.size());
+  std::iota(root.begin(), root.end(), std::size_t{0});
+  const auto find = [&](std::size_t i) {
+    while (root[i] != i) i = root[i];
+    return i;
+  };
+  const auto body_of = [&](const Region& region) {
+    const std::size_t a = contact::index(region.points.front().a), b = contact::index(region.points.front().b);
+    return moves(bodies[a]) ? a : b;
+  };
+  for (const Region& region : regions) {
+    const std::size_t a = contact::index(region.points.front().a), b = contact::index(region.points.front().b);
+    if (moves(bodies[a]) && moves(bodies[b])) root[find(a)] = find(b);
+  }
+  std::vector<std::vector<std::size_t>> found;
+  for (std::size_t i = 0; i < regions.size(); ++i) {
+    const auto same = std::ranges::find_if(
+        found, [&](const auto& part) { return find(body_of(regions[part.front()])) == find(body_of(regions[i])); });
+    (same == found.end() ? found.emplace_back() : *same).push_back(i);
+  }
+  return found;
+}
+
+VectorXd compression(const std::vector<ContactRow>& points, const std::vector<Mobility>& bodies,
+                     const std::vector<Twist>& twists, double least_u_n) {
+  const MatrixXd A = responses(points, bodies);
+  VectorXd missing(A.cols());
+  for (std::size_t k = 0; k < points.size(); ++k)
+    missing[static_cast<Index>(k)] = least_u_n - normal_velocity(points[k], twists);
+  // With Aᵀb = missing, the least |A p − b| over p ≥ 0 is the projection.
+  return nonnegative_least_squares(A, A.transpose().completeOrthogonalDecomposition().solve(missing));
+}
+
+void act(std::vector<Region>& regions, const std::vector<Mobility>& bodies, std::vector<Twist>& twists) {
+  const std::vector<Twist> before = twists;
+  std::vector<ContactRow> rows = points_of(regions, bodies);
+  const bool is_rough = std::ranges::any_of(rows, [](const ContactRow& row) { return row.friction > 0; });
+  const bool one_e = std::ranges::all_of(
+      regions, [&](const Region& region) { return region.restitution == regions.front().restitution; });
+  VectorXd p = compression(rows, bodies, twists, 0);
+  if (regions.size() > 1) p = shared(regions, rows, bodies, p);
+  for (std::size_t k = 0; k < rows.size(); ++k) rows[k].P = p[static_cast<Index>(k)] * rows[k].n;
+  if (is_rough) {
+    contact::solve(rows, bodies, twists, {});  // from the impulses without friction
+  } else {
+    for (const ContactRow& row : rows) apply_impulse(row, row.P, bodies, twists);
+  }
+  std::vector<ContactRow> back = rows;
+  std::vector<Twist> after = twists;
+  double returned = 0;  // Σ e² w
+  std::size_t k = 0;
+  for (const Region& region : regions) {
+    for (std::size_t i = 0; i < region.points.size(); ++i, ++k) {
+      const double P_n = rows[k].n.dot(rows[k].P), e = region.restitution;
+      returned += e * e * P_n * -normal_velocity(rows[k], before) / 2;
+      back[k].P = e * P_n * rows[k].n;
+      apply_impulse(back[k], back[k].P, bodies, after);
+    }
+  }
+  double share = 1;
+  if (is_rough) add_friction(back, bodies, after);
+  if (is_rough || !one_e) {
+    double b = 0, c = 0;
+    for (const ContactRow& row : back) {
+      const Vec3 u = relative_velocity(row, twists);
+      b += row.P.dot(u);
+      c += row.P.dot(relative_velocity(row, after) - u) / 2;
+    }
+    share = greatest_share(b, c, std::max(0.0, returned));
+  }
+  twists = before;
+  k = 0;
+  for (Region& region : regions) {
+    for (ContactRow& point : region.points) {
+      point.P = rows[k].P + share * back[k].P;
+      apply_impulse(point, point.P, bodies, twists);
+      ++k;
+    }
+  }
+}
+
+}  // namespace touchstone::fast::simultaneous
