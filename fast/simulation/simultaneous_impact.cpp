@@ -209,6 +209,7 @@ void act_together(const Run& run, const std::vector<PairPoints>& contacts, std::
 
 /// The contacts, in components that share no body which moves.
 std::vector<std::vector<PairPoints>> separate(const Run& run, const std::vector<PairPoints>& contacts) {
+  if (contacts.size() == 1) return {contacts};
   Bodies bodies;
   std::vector<simultaneous::Region> regions;
   for (const PairPoints& points : contacts) regions.push_back({0, {bodies.row(run, points.front())}});
@@ -250,20 +251,30 @@ std::vector<PairPoints> contacts_of(Run& run, BodyId a, BodyId b) {
   return contact_points_of(run, a, b);
 }
 
-/// Whether the boxes of two bodies at the current time are within the envelope of each other.
+/// Whether the boxes of two bodies that have started are within the envelope of each other.
 bool is_near(const Run& run, const BodyPair& pair) {
-  const auto box = [&](BodyId id, double margin) {
-    const BodyMotion& body = run.world.body(id);
-    const double now = std::max(run.world.now(), body.path().since);
-    return body.box(now, now, margin);
-  };
-  return overlap(box(pair.a, run.world.envelope()), box(pair.b, 0));
+  const World& world = run.world;
+  const BodyMotion &a = world.body(pair.a), &b = world.body(pair.b);
+  const double reach = a.radius() + b.radius() + world.envelope();
+  if ((a.path().place(world.now()) - b.path().place(world.now())).squaredNorm() > reach * reach) return false;
+  return overlap(a.box(world.now(), world.now(), world.envelope()), b.box(world.now(), world.now(), 0));
 }
 
-/// Whether the body's state is known at the current time without the end of a step.
+/// Whether the body has started, and its state is known at the current time without the end of a step.
 bool is_current(const Run& run, BodyId id) {
+  if (run.world.start_time(id) > run.world.now()) return false;
   const Island* island = run.islands.of(id);
   return !island || (island->waits() && island->since() == run.world.now());
+}
+
+/// The bodies whose contacts with a body are to be looked at, sorted.
+std::vector<BodyId> near_bodies(Run& run, BodyId id) {
+  std::vector<BodyId> near;
+  for (const BodyId other : run.schedule.neighbours(id)) {
+    if (is_current(run, other) && is_near(run, {id, other})) near.push_back(other);
+  }
+  std::ranges::sort(near);
+  return near;
 }
 
 }  // namespace
@@ -286,10 +297,9 @@ std::vector<PairPoints> acting_with(Run& run, BodyId a, BodyId b, const Touch& t
   const BodyMotion &A = world.body(a), &B = world.body(b);
   const double u_n = normal_velocity(A, run.islands.state(a), B, run.islands.state(b), touch);
   const bool is_point = has_closed_form(A, B) && !run.islands.of(a) && !run.islands.of(b);
-  std::vector<PairPoints> own = is_point ? std::vector<PairPoints>{} : contact_points_of(run, a, b);
-  own = acting(own, [&](BodyId, BodyId) { return -acts_beside * u_n; });
-  if (own.empty()) own = {{{a, b, touch, u_n}}};
-  std::vector<PairPoints> all = std::move(own);
+  std::vector<PairPoints> all;
+  if (!is_point) all = acting(contact_points_of(run, a, b), [&](BodyId, BodyId) { return -acts_beside * u_n; });
+  if (all.empty()) all = {{{a, b, touch, u_n}}};
   std::vector<BodyPair> asked{{a, b}};
   std::vector<BodyId> reached;
   const auto reach = [&](BodyId id) {
@@ -298,12 +308,9 @@ std::vector<PairPoints> acting_with(Run& run, BodyId a, BodyId b, const Touch& t
   reach(a);
   reach(b);
   for (std::size_t i = 0; i < reached.size(); ++i) {
-    const std::span<const BodyId> found = run.schedule.neighbours(reached[i]);
-    std::vector<BodyId> others(found.begin(), found.end());
-    std::ranges::sort(others);
-    for (const BodyId other : others) {
+    for (const BodyId other : near_bodies(run, reached[i])) {
       const BodyPair pair{std::min(reached[i], other), std::max(reached[i], other)};
-      if (std::ranges::count(asked, pair) > 0 || !is_current(run, other) || !is_near(run, pair)) continue;
+      if (std::ranges::count(asked, pair) > 0) continue;
       asked.push_back(pair);
       const std::vector<PairPoints> fast = acting(contacts_of(run, pair.a, pair.b), [&](BodyId p, BodyId q) {
         return std::max(acts_above * rebound_speed(world, run.islands, p, q), -acts_beside * u_n);

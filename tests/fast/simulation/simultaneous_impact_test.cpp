@@ -123,6 +123,17 @@ TEST_CASE("simultaneous impact: a ball breaks two symmetrically, at any numbers 
   }
 }
 
+TEST_CASE("simultaneous impact: a body that starts later takes no part") {
+  const Body late = ball(0.5, {1, 0, 0}, {-1, 0, 0}, {1, 0});
+  Scene scene =
+      moving_scene({ball(0.5, {-2, 0, 0}, {1, 0, 0}, {1, 0}), ball(0.5, none, none, {1, 0}), late}, none, {1.25});
+  scene.motion->start_times = {0, 0, 2};
+  scene.motion->sample_times = {1.25};
+  const Simulated done = simulate(scene);
+  CHECK(is_near(done.trajectory.states.back()[0].velocity, none));
+  CHECK(is_near(done.trajectory.states.back()[1].velocity, {1, 0, 0}));
+}
+
 TEST_CASE("simultaneous impact: Newton's cradle, and a row that is hit from both sides") {
   const auto row = [](const std::vector<double>& x, const std::vector<double>& v) {
     std::vector<Body> bodies;
