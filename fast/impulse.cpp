@@ -3,11 +3,11 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "fast/lin_canny/rotation.h"
 #include "fast/mass.h"
 #include "fast/rounding.h"
+#include "model/infinity.h"
 #include "model/input_error.h"
 
 namespace touchstone::fast {
@@ -116,7 +116,7 @@ Velocity pushed(const Body& body, const Side& side, const Vec3& P) {
 double error_of(const Stated& stated, const Vec3& velocity, const Vec3& P) {
   const Eigen::SelfAdjointEigenSolver<Mat3> eigen(stated.K);
   const double least = eigen.eigenvalues()[0], greatest = eigen.eigenvalues()[2];
-  if (!(least > 0)) return std::numeric_limits<double>::infinity();
+  if (!(least > 0)) return infinity;
   const Vec3 parts = eigen.eigenvectors().transpose() * velocity;
   const Vec3 pushes = eigen.eigenvectors().transpose() * P;
   const double norm = std::max(std::sqrt((parts.array().square() / eigen.eigenvalues().array()).sum()),

@@ -1,8 +1,8 @@
 // Scenes as JSON; implements docs/scene.schema.json.
 #include <array>
 #include <cmath>
-#include <limits>
 
+#include "model/infinity.h"
 #include "model/json_node.h"
 #include "model/limits.h"
 #include "model/source_text.h"
@@ -214,7 +214,7 @@ Law read_law(const Node& node) {
 double read_friction(const Node& node) {
   if (!node.is_text()) return node.number();
   if (node.text() != sticking) node.refuse("expected a number or \"sticking\", found " + Json(node.text()).dump());
-  return std::numeric_limits<double>::infinity();
+  return infinity;
 }
 
 Contact read_contact(const Node& node) {

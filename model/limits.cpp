@@ -5,10 +5,10 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <set>
 
+#include "model/infinity.h"
 #include "model/input_error.h"
 
 namespace touchstone {
@@ -233,7 +233,7 @@ double size_of(const Polytope& polytope) {
 }
 
 double size_of(const Compound& compound) {
-  double least = std::numeric_limits<double>::infinity();
+  double least = infinity;
   for (const Part& part : compound.parts) {
     least = std::min(least, std::visit([](const auto& shape) { return size_of(shape); }, part.shape));
   }
@@ -241,7 +241,7 @@ double size_of(const Compound& compound) {
 }
 
 double least_moving_size(const Scene& scene) {
-  double least = std::numeric_limits<double>::infinity();
+  double least = infinity;
   for (const Body& body : scene.bodies) {
     if (!is_fixed(body)) least = std::min(least, size(body.shape));
   }

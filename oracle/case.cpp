@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "model/infinity.h"
 #include "model/json_node.h"
 #include "model/limits.h"
 #include "model/source_text.h"
@@ -19,11 +20,10 @@ Json number(double x) {
 }
 
 double read_number(const Json& json, const Node& node) {
-  constexpr double inf = std::numeric_limits<double>::infinity();
   if (!json.is_string()) return node.number();
   const std::string word = json.get<std::string>();
-  if (word == "inf") return inf;
-  if (word == "-inf") return -inf;
+  if (word == "inf") return infinity;
+  if (word == "-inf") return -infinity;
   if (word == "nan") return std::numeric_limits<double>::quiet_NaN();
   node.refuse("expected a number, \"inf\", \"-inf\" or \"nan\", found " + json.dump());
 }

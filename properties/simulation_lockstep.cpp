@@ -1,8 +1,8 @@
 // The clause of docs/spec/simulation.md that compares each impact with the reference, restarted from the states that
 // the last events reported.
 #include <cmath>
-#include <limits>
 
+#include "model/infinity.h"
 #include "model/limits.h"
 #include "oracle/judge/words.h"
 #include "properties/cases/time_of_impact_case.h"
@@ -19,21 +19,19 @@ using Status = TimeOfImpact::Status;
 namespace judge = oracle::judge;
 namespace truth = oracle::truth;
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
-
 /// s: the earliest time at which the pair comes within `near` (m). A pair that starts this near has usually just had an
 /// impact. If it is farther apart half-way to the next one, the search starts there.
 double comes_within(const MotionCase& pair, double near, double impact) {
   const double half_way = pair.start + (impact - pair.start) / 2;
   const bool again = pair.gap(pair.start) <= near && pair.gap(half_way) > near;
   const auto first = truth::time_of_distance(pair.scene, near, again ? half_way : pair.start);
-  return first.status == Status::miss ? infinite : first.time.lo;
+  return first.status == Status::miss ? infinity : first.time.lo;
 }
 
 /// Judges how far the event lies outside the enclosure (s), against the part that rounding explains.
 Finding in_enclosure(const MotionCase& pair, double eps, const Event& event) {
   const double from = comes_within(pair, eps, event.time);
-  const double to = pair.truth.status == Status::hit ? pair.truth.time.hi : infinite;
+  const double to = pair.truth.status == Status::hit ? pair.truth.time.hi : infinity;
   if (from <= event.time && event.time <= to) return judge::holds();
   const bool early = event.time < from;
   const double allowed =

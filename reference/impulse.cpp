@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "model/infinity.h"
 #include "model/input_error.h"
 #include "reference/exact/double_double.h"
 #include "reference/exact/float.h"
@@ -215,7 +216,7 @@ double stated_error(const ImpactProblem<Float>& problem, const Triple& exact_P, 
   const bool rises_little = problem.law == Law::stronge && problem.e > 0;
   const Float relative = ldexp(Float(1), many ? -150 : -75) + condition(problem) * bits_left +
                          (rises_little ? std::min(Float(bits_left / problem.e), Float(sqrt(bits_left))) : Float(0));
-  return std::max(std::nextafter(static_cast<double>(Float(size * relative)), std::numeric_limits<double>::infinity()),
+  return std::max(std::nextafter(static_cast<double>(Float(size * relative)), infinity),
                   std::numeric_limits<double>::denorm_min());
 }
 

@@ -5,6 +5,7 @@
 #include <optional>
 #include <variant>
 
+#include "model/box_vertices.h"
 #include "model/input_error.h"
 #include "reference/distance/balls.h"
 #include "reference/distance/common_points.h"
@@ -67,13 +68,7 @@ PosedPart posed_part(const Polytope& polytope, const Motion& X_WP, const Grid& g
 }
 
 PosedPart posed_part(const Box& box, const Motion& X_WP, const Grid& grid) {
-  Polytope same;
-  same.faces = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
-  for (int i = 0; i < 8; ++i) {
-    const Vec3 signs((i & 1) != 0 ? 1 : -1, (i & 2) != 0 ? 1 : -1, (i & 4) != 0 ? 1 : -1);
-    same.vertices.emplace_back(signs.cwiseProduct(box.half_extents));
-  }
-  return posed_part(same, X_WP, grid);
+  return posed_part(as_polytope(box), X_WP, grid);
 }
 
 std::vector<PosedPart> parts_of(const Body& body, const Grid& grid) {

@@ -1,7 +1,8 @@
 #include "fast/broad_phase/bsp.h"
 
 #include <algorithm>
-#include <limits>
+
+#include "model/infinity.h"
 
 namespace touchstone::fast {
 namespace {
@@ -19,7 +20,6 @@ bool holds(const Aabb& half_open, const Vec3& p) {
 void Bsp::refresh() {
   drop_ended();
   list_present(list_);
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   split(0, {Vec3::Constant(-infinity), Vec3::Constant(infinity)});
 }
 

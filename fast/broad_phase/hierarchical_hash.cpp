@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "model/infinity.h"
 
 namespace touchstone::fast {
 namespace {
@@ -10,7 +11,7 @@ namespace {
 /// The greatest extent, rounded up: then a box is exactly no longer than a cell of at least that computed size.
 double extent(const Aabb& box) {
   const double rounded = (box.hi - box.lo).maxCoeff();
-  return rounded == 0 ? 0 : std::nextafter(rounded, std::numeric_limits<double>::infinity());
+  return rounded == 0 ? 0 : std::nextafter(rounded, infinity);
 }
 
 double power_of_two_from(double x) {
@@ -37,7 +38,7 @@ void HierarchicalHash::refresh() {
 }
 
 void HierarchicalHash::choose_levels() {
-  double least = std::numeric_limits<double>::infinity();
+  double least = infinity;
   double greatest = 0;
   double farthest = 0;
   for (const BodyId id : ids_) {

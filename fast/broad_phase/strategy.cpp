@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 
+#include "model/infinity.h"
 #include "model/input_error.h"
 
 namespace touchstone::fast {
@@ -15,8 +15,6 @@ constexpr BodyId id_limit = BodyId{1} << 24U;
 
 // So that differences of two coordinates, and their sums with an extent, stay finite.
 constexpr double greatest_coordinate = 0x1p1000;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 Aabb nothing() { return {Vec3::Constant(infinity), Vec3::Constant(-infinity)}; }
 

@@ -1,13 +1,14 @@
 #include "fast/broad_phase/sweep_2d.h"
 
 #include <algorithm>
-#include <limits>
 #include <tuple>
+
+#include "model/infinity.h"
 
 namespace touchstone::fast {
 namespace {
 
-constexpr double never = -std::numeric_limits<double>::infinity();
+constexpr double never = -infinity;
 
 }  // namespace
 

@@ -1,7 +1,6 @@
 #include "fast/broad_phase/wrapped_cells.h"
 
 #include <bit>
-#include <limits>
 
 namespace touchstone::fast {
 namespace {

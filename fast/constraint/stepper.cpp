@@ -4,7 +4,6 @@
 #include <string>
 
 #include "fast/contact/solver.h"
-#include "model/input_error.h"
 #include "model/limits.h"
 
 namespace touchstone::fast::constraint {
@@ -23,14 +22,6 @@ std::vector<StepperBody> bodies_of(const Scene& scene) {
   return bodies;
 }
 
-/// Where an impulse acts, in gaps from the middle towards A. If one body is fixed, at the point of the moving body,
-/// which is where contact will be once the gap is closed. If both move, midway, so that equal impulses have opposite
-/// moments.
-double from_middle(const StepperBody& A, const StepperBody& B) {
-  if (A.is_fixed()) return -0.5;
-  return B.is_fixed() ? 0.5 : 0;
-}
-
 }  // namespace
 
 Stepper::Stepper(const Scene& scene, double longest_step, int sweeps)
@@ -38,112 +29,29 @@ Stepper::Stepper(const Scene& scene, double longest_step, int sweeps)
       sweeps_(sweeps),
       skin_(envelope(scene) / 2),
       bodies_(bodies_of(scene)),
-      margin_(skin_ + 2 * longest_step * greatest_speed(scene.motion->sample_times.back())) {
-  for (std::size_t i = 0; i < bodies_.size(); ++i) boxes_.insert(static_cast<BodyId>(i), around(bodies_[i]));
-}
-
-Aabb Stepper::around(const StepperBody& body) const {
-  const Vec3 reach = Vec3::Constant(body.reach() + margin_);
-  return {body.centre() - reach, body.centre() + reach};
-}
-
-/// An upper bound of any point's speed, unless forces or impacts add energy from elsewhere; contacts are then detected
-/// late.
-double Stepper::greatest_speed(double duration) const {
-  double greatest = 0, push = 0;
-  for (const StepperBody& body : bodies_) {
-    greatest = std::max(greatest, body.twist().v.norm() + body.reach() * body.twist().w.norm());
-    push = std::max(push, scene_.motion->force_bound * body.inverse_mass());
-  }
-  return 2 * greatest + duration * (scene_.gravity.norm() + push);
-}
-
-/// Approximately how far a point of the body may move in a step.
-double Stepper::span(const StepperBody& body, double h) const {
-  const double speed = body.twist().v.norm() + body.reach() * body.twist().w.norm();
-  const double acceleration =
-      body.is_fixed() ? 0 : scene_.gravity.norm() + scene_.motion->force_bound * body.inverse_mass();
-  return h * (speed + h * acceleration);
-}
-
-void Stepper::find_contacts(int a, int b, double h) {
-  const StepperBody &A = bodies_[index(a)], &B = bodies_[index(b)];
-  if (A.is_fixed() && B.is_fixed()) return;
-  const double reach = skin_ + span(A, h) + span(B, h);
-  Pair& pair = pairs_[{a, b}];
-  const lin_canny::Proximity proximity =
-      nearest_parts(A.solid(), lin_canny::CachedPose(A.pose()), B.solid(), lin_canny::CachedPose(B.pose()), pair.walk)
-          .proximity;
-  if (first_step_ && proximity.verdict == Verdict::overlapping) {
-    throw InputError("bodies[" + std::to_string(b) + "]", "overlaps bodies[" + std::to_string(a) + "] at the start");
-  }
-  if (proximity.distance > reach) return;
-  const contact::GapManifold found = gap_manifold(A.part(), B.part(), proximity, pair.nhat_BA_W);
-  pair.seen = true;
-  pair.nhat_BA_W = found.nhat_BA_W;
-  const Material &of_A = scene_.bodies[index(a)].material, &of_B = scene_.bodies[index(b)].material;
-  ContactPair contact_pair{&pair, rows_.size(), 0, a, b};
-  for (contact::GapPoint point : found.points) {
-    if (point.gap > reach) continue;
-    point.p_WC += from_middle(A, B) * point.gap * found.nhat_BA_W;
-    contact::ContactRow row;
-    row.a = a;
-    row.b = b;
-    row.n = found.nhat_BA_W;
-    row.arm_A = point.p_WC - A.centre();
-    row.arm_B = point.p_WC - B.centre();
-    row.friction = std::min(of_A.friction, of_B.friction);
-    row.least_u_n = -std::max(point.gap - skin_, 0.0) / h;
-    prepare(row, mobilities_);
-    rows_.push_back(row);
-    points_.push_back(point);
-  }
-  contact_pair.count = rows_.size() - contact_pair.first;
-  if (contact_pair.count > 0) guess(contact_pair);
-  contact_pairs_.push_back(contact_pair);
-}
-
-/// Assigns each impulse of the last step to the nearest contact point of this one. The corners of a common face come in
-/// any order and number, and under a heavy body a guess with the load at the wrong points is worse than none.
-void Stepper::guess(const ContactPair& contact_pair) {
-  for (const Pushed& before : contact_pair.pair->pushed) {
-    std::size_t nearest = contact_pair.first;
-    const auto apart = [&](std::size_t i) { return (points_[i].p_WC - before.p_WC).squaredNorm(); };
-    for (std::size_t i = contact_pair.first; i < contact_pair.first + contact_pair.count; ++i) {
-      if (apart(i) < apart(nearest)) nearest = i;
-    }
-    rows_[nearest].P += before.P;
-  }
-}
+      search_(scene, bodies_, skin_, longest_step) {}
 
 void Stepper::find_contacts(double h) {
-  rows_.clear();
-  points_.clear();
-  contact_pairs_.clear();
   mobilities_.clear();
   for (const StepperBody& body : bodies_) mobilities_.push_back(body.mobility());
-  for (auto& [bodies, pair] : pairs_) pair.seen = false;
-  boxes_.update();
-  near_ = boxes_.pairs();
-  std::ranges::sort(near_);
-  for (const BodyPair& pair : near_) find_contacts(static_cast<int>(pair.a), static_cast<int>(pair.b), h);
-  first_step_ = false;
+  contacts_ = search_.find(bodies_, h);
+  for (contact::ContactRow& row : contacts_.rows) prepare(row, mobilities_);
 }
 
 /// A force acts from the first step that does not begin before it. One that acts from the start emits no event.
 void Stepper::emit_forces(double time) {
-  const std::vector<AppliedForce>& pushes = scene_.motion->forces;
-  for (; begun_ < pushes.size() && pushes[begun_].time <= time; ++begun_) {
-    const AppliedForce& push = pushes[begun_];
-    if (push.time <= 0) continue;
+  const std::vector<AppliedForce>& forces = scene_.motion->forces;
+  for (; begun_ < forces.size() && forces[begun_].time <= time; ++begun_) {
+    const AppliedForce& force = forces[begun_];
+    if (force.time <= 0) continue;
     events_.push_back({Event::Kind::force,
                        time,
-                       push.body,
+                       force.body,
                        -1,
                        Vec3::Zero(),
                        Vec3::Zero(),
                        Vec3::Zero(),
-                       bodies_[index(push.body)].state(),
+                       bodies_[index(force.body)].state(),
                        {}});
   }
 }
@@ -154,22 +62,22 @@ std::vector<contact::Twist> Stepper::free_twists(double time, double h) const {
     twists.push_back(body.twist());
     if (!body.is_fixed()) twists.back().v += h * scene_.gravity;
   }
-  std::vector<Vec3> force(bodies_.size(), Vec3::Zero());
-  for (const AppliedForce& push : scene_.motion->forces) {
-    if (push.time <= time) force[index(push.body)] = push.force_W;
+  std::vector<Vec3> force_W(bodies_.size(), Vec3::Zero());
+  for (const AppliedForce& force : scene_.motion->forces) {
+    if (force.time <= time) force_W[index(force.body)] = force.force_W;
   }
-  for (std::size_t i = 0; i < bodies_.size(); ++i) twists[i].v += h * bodies_[i].inverse_mass() * force[i];
+  for (std::size_t i = 0; i < bodies_.size(); ++i) twists[i].v += h * bodies_[i].inverse_mass() * force_W[i];
   return twists;
 }
 
 /// Solves without restitution to find which contacts are impacts; if there are any, solves again with restitution. A
 /// resting contact must not bounce: it would do so for ever, with the velocity that weight adds in a step.
-void Stepper::push(std::vector<contact::Twist>& twists, double weight) {
+void Stepper::solve_contacts(std::vector<contact::Twist>& twists, double weight) {
   const std::vector<contact::Twist> free = twists;
-  solve(rows_, mobilities_, twists, {.sweeps = sweeps_});
+  solve(contacts_.rows, mobilities_, twists, {.sweeps = sweeps_});
   bool bounces = false;
-  for (std::size_t i = 0; i < rows_.size(); ++i) {
-    contact::ContactRow& row = rows_[i];
+  for (std::size_t i = 0; i < contacts_.rows.size(); ++i) {
+    contact::ContactRow& row = contacts_.rows[i];
     const double e =
         std::min(scene_.bodies[index(row.a)].material.restitution, scene_.bodies[index(row.b)].material.restitution);
     const double parting = -e * u_n_[i];
@@ -179,19 +87,19 @@ void Stepper::push(std::vector<contact::Twist>& twists, double weight) {
   }
   if (!bounces) return;
   twists = free;
-  solve(rows_, mobilities_, twists, {.sweeps = sweeps_});
+  solve(contacts_.rows, mobilities_, twists, {.sweeps = sweeps_});
 }
 
 /// The step's position correction: moves apart what is nearer than half the skin, without adding velocity.
 std::vector<contact::Twist> Stepper::apart(double h) {
   std::vector<contact::Twist> shift(bodies_.size());
   std::vector<contact::ContactRow> near;
-  for (std::size_t i = 0; i < rows_.size(); ++i) {
-    if (points_[i].gap > skin_ / 2) continue;
-    near.push_back(rows_[i]);
+  for (std::size_t i = 0; i < contacts_.rows.size(); ++i) {
+    if (contacts_.points[i].gap > skin_ / 2) continue;
+    near.push_back(contacts_.rows[i]);
     near.back().friction = 0;
     near.back().P.setZero();
-    near.back().least_u_n = (skin_ - points_[i].gap) / h;
+    near.back().least_u_n = (skin_ - contacts_.points[i].gap) / h;
   }
   if (!near.empty()) solve(near, mobilities_, shift, {.sweeps = sweeps_});
   return shift;
@@ -199,14 +107,14 @@ std::vector<contact::Twist> Stepper::apart(double h) {
 
 PairStep Stepper::pair_step(const ContactPair& contact_pair, double slow) const {
   PairStep step;
-  step.nhat_BA_W = *contact_pair.pair->nhat_BA_W;
+  step.nhat_BA_W = *contact_pair.tracked->nhat_BA_W;
   double weight = 0;
   for (std::size_t i = contact_pair.first; i < contact_pair.first + contact_pair.count; ++i) {
-    const contact::ContactRow& row = rows_[i];
+    const contact::ContactRow& row = contacts_.rows[i];
     const double P_n = row.n.dot(row.P);
     if (!(P_n > 0)) continue;
     step.P_A_W += row.P;
-    step.p_WC += P_n * points_[i].p_WC;
+    step.p_WC += P_n * contacts_.points[i].p_WC;
     weight += P_n;
     step.approach = std::max(step.approach, -u_n_[i]);
     step.slips = step.slips || slip_[i] > slow;
@@ -222,26 +130,22 @@ void Stepper::emit(double weight, double until) {
     events_.push_back({*kind, until, a, b, step.p_WC, step.nhat_BA_W, step.P_A_W, bodies_[index(a)].state(),
                        bodies_[index(b)].state()});
   };
-  for (const ContactPair& contact_pair : contact_pairs_) {
-    contact_pair.pair->pushed.clear();
+  for (const ContactPair& contact_pair : contacts_.pairs) {
+    contact_pair.tracked->loaded.clear();
     for (std::size_t i = contact_pair.first; i < contact_pair.first + contact_pair.count; ++i) {
-      contact_pair.pair->pushed.push_back({points_[i].p_WC, rows_[i].P});
+      contact_pair.tracked->loaded.push_back({contacts_.points[i].p_WC, contacts_.rows[i].P});
     }
-    emit_event(contact_pair.a, contact_pair.b, contact_pair.pair->pair_events,
+    emit_event(contact_pair.a, contact_pair.b, contact_pair.tracked->pair_events,
                pair_step(contact_pair, slip_counts * weight));
   }
-  for (auto& [bodies, pair] : pairs_) {
-    if (pair.seen || !pair.nhat_BA_W) continue;
+  for (auto& [bodies, tracked] : search_.tracked()) {
+    if (tracked.seen || !tracked.nhat_BA_W) continue;
     PairStep parted;
-    parted.nhat_BA_W = *pair.nhat_BA_W;
-    pair.pushed.clear();
-    emit_event(bodies.first, bodies.second, pair.pair_events, parted);
+    parted.nhat_BA_W = *tracked.nhat_BA_W;
+    tracked.loaded.clear();
+    emit_event(bodies.first, bodies.second, tracked.pair_events, parted);
   }
-  // Forgets pairs whose boxes no longer overlap.
-  std::erase_if(pairs_, [&](const auto& entry) {
-    const BodyPair bodies{static_cast<BodyId>(entry.first.first), static_cast<BodyId>(entry.first.second)};
-    return !std::ranges::binary_search(near_, bodies);
-  });
+  search_.forget_distant();
 }
 
 void Stepper::step(double time, double h, double until) {
@@ -251,21 +155,21 @@ void Stepper::step(double time, double h, double until) {
   std::vector<contact::Twist> now, twists = free_twists(time, h);
   for (const StepperBody& body : bodies_) now.push_back(body.twist());
   u_n_.clear();
-  for (const contact::ContactRow& row : rows_) u_n_.push_back(row.n.dot(relative_velocity(row, now)));
-  push(twists, weight);
+  for (const contact::ContactRow& row : contacts_.rows) u_n_.push_back(row.n.dot(relative_velocity(row, now)));
+  solve_contacts(twists, weight);
   const std::vector<contact::Twist> shift = apart(h);
   slip_.clear();
-  for (const contact::ContactRow& row : rows_) {
+  for (const contact::ContactRow& row : contacts_.rows) {
     const Vec3 u = relative_velocity(row, twists);
     slip_.push_back((u - row.n.dot(u) * row.n).norm());
   }
   std::vector<bool> touched(bodies_.size(), false);
-  for (const contact::ContactRow& row : rows_) {
+  for (const contact::ContactRow& row : contacts_.rows) {
     if (!row.P.isZero(0)) touched[index(row.a)] = touched[index(row.b)] = true;
   }
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     bodies_[i].advance(h, twists[i], touched[i], shift[i]);
-    if (!bodies_[i].is_fixed() || bodies_[i].moves()) boxes_.move(static_cast<BodyId>(i), around(bodies_[i]));
+    if (!bodies_[i].is_fixed() || bodies_[i].moves()) search_.move(i, bodies_[i]);
   }
   emit(weight, until);
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "fast/motion/ballistic_motion.h"
+#include "fast/motion/quaternion.h"
 #include "model/input_error.h"
 
 namespace touchstone::fast::constraint {
@@ -13,16 +14,6 @@ namespace {
 motion::RigidBodyModel model_of(const Body& body, const std::string& place) {
   if (std::holds_alternative<Compound>(body.shape)) throw InputError(place + ".shape", "a compound; not stepped");
   return motion::RigidBodyModel(body);
-}
-
-Quaternion product(const Quaternion& a, const Quaternion& b) {
-  return {a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z, a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y,
-          a.w * b.y - a.x * b.z + a.y * b.w + a.z * b.x, a.w * b.z + a.x * b.y - a.y * b.x + a.z * b.w};
-}
-
-Quaternion normalised(const Quaternion& q) {
-  const double s = 1 / std::sqrt(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
-  return {s * q.w, s * q.x, s * q.y, s * q.z};
 }
 
 /// The quaternion times a power of two: exactly the same rotation, and squares stay in range.
@@ -53,7 +44,7 @@ contact::Part StepperBody::part() const {
 
 /// Rotates by the quaternion (1, angle/2). Its rotation angle equals |angle| to second order, and no sine is needed.
 void StepperBody::turn(const Vec3& angle) {
-  q_WB_ = normalised(product({1, angle.x() / 2, angle.y() / 2, angle.z() / 2}, q_WB_));
+  q_WB_ = motion::unit(motion::product({1, angle.x() / 2, angle.y() / 2, angle.z() / 2}, q_WB_));
 }
 
 void StepperBody::refresh() {

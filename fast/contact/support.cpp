@@ -1,12 +1,13 @@
 #include "fast/contact/support.h"
 
 #include <algorithm>
-#include <limits>
+
+#include "model/infinity.h"
 
 namespace touchstone::fast::contact {
 
 double lowest(const lin_canny::PosedHull& hull, const Vec3& n) {
-  double low = std::numeric_limits<double>::infinity();
+  double low = infinity;
   for (int v = 0; v < hull.hull->vertex_count(); ++v) low = std::min(low, n.dot(hull.vertex(v)));
   return low;
 }

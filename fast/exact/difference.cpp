@@ -1,10 +1,10 @@
 #include "fast/exact/difference.h"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 #include "fast/lin_canny/rotation.h"
+#include "model/infinity.h"
 
 namespace touchstone::fast::exact {
 namespace {
@@ -82,7 +82,7 @@ std::vector<double> Difference::Posed::heights(const Vector& n, double& error) c
   const Vec3 n_B = R_.transpose() * direction(n);
   std::vector<double> heights(points_.size());
   for (std::size_t i = 0; i < points_.size(); ++i) heights[i] = n_B.dot(points_[i]);
-  error = radius_ < 0x1p1000 ? 128 * u * radius_ + 0x1p-1000 : std::numeric_limits<double>::infinity();
+  error = radius_ < 0x1p1000 ? 128 * u * radius_ + 0x1p-1000 : infinity;
   return heights;
 }
 

@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "model/infinity.h"
 
 namespace touchstone::fast::impulse {
 namespace {
 
-constexpr double never = std::numeric_limits<double>::infinity();
+constexpr double never = infinity;
 
 /// The x ≥ 0 with u x + h x²/2 = left, in a form without cancellation.
 double left_for_work(double left, double u, double h) {

@@ -1,8 +1,9 @@
 #include "fast/lin_canny/closest.h"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
+
+#include "model/infinity.h"
 
 namespace touchstone::fast::lin_canny {
 namespace {
@@ -19,7 +20,7 @@ Closest swapped(const Closest& c) { return {{c.features.b, c.features.a}, c.b, c
 
 Closest none() {
   Closest c;
-  c.squared = std::numeric_limits<double>::infinity();
+  c.squared = infinity;
   return c;
 }
 

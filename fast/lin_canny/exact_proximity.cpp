@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "fast/exact/nearest.h"
+#include "model/infinity.h"
 
 namespace touchstone::fast::lin_canny {
 namespace {
@@ -64,7 +65,7 @@ double over(const Dyadic::Scientific& x, double y) {
 Interval around(double x) {
   const double lo = x * (1 - 0x1p-48);
   const double hi = x * (1 + 0x1p-48);
-  return {std::max(0.0, std::nextafter(lo, 0.0)), std::nextafter(hi, std::numeric_limits<double>::infinity())};
+  return {std::max(0.0, std::nextafter(lo, 0.0)), std::nextafter(hi, infinity)};
 }
 
 std::vector<int> distinct(const std::vector<VertexPair>& pairs, int VertexPair::*side) {

@@ -2,13 +2,13 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <span>
 #include <utility>
 
 #include "fast/lin_canny/merged_faces.h"
 #include "fast/lin_canny/rotation.h"
+#include "model/box_vertices.h"
 
 namespace touchstone::fast::lin_canny {
 namespace {
@@ -45,16 +45,6 @@ Vec3 polygon_normal(const std::vector<Vec3>& vertices, std::span<const int> loop
   return unit(sum);
 }
 
-/// Vertex i is at (±hx, ±hy, ±hz) by the bits of i (model/shape.h).
-std::vector<Vec3> corners_of(const Box& box) {
-  std::vector<Vec3> corners;
-  for (int i = 0; i < 8; ++i) {
-    const Vec3 signs{i & 1 ? 1.0 : -1.0, i & 2 ? 1.0 : -1.0, i & 4 ? 1.0 : -1.0};
-    corners.push_back(signs.cwiseProduct(box.half_extents));
-  }
-  return corners;
-}
-
 }  // namespace
 
 Hull::Hull(std::vector<Vec3> vertices)
@@ -64,14 +54,12 @@ Hull::Hull(const Vec3& point) : Hull(std::vector<Vec3>{point}) { first_spoke_ = 
 
 Hull Hull::of_vertices(const Polytope& polytope) { return Hull(polytope.vertices); }
 
-Hull Hull::of_vertices(const Box& box) { return Hull(corners_of(box)); }
+Hull Hull::of_vertices(const Box& box) { return Hull(vertices_of(box)); }
 
-Hull::Hull(const Box& box) : vertices_(corners_of(box)) {
+Hull::Hull(const Box& box) : vertices_(vertices_of(box)) {
+  static const std::vector<std::vector<int>> faces = as_polytope(box).faces;  // the same for every box
   Loops loops;
-  for (const auto& face : std::array<std::array<int, 4>, 6>{
-           {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}}}) {
-    loops.add(face);
-  }
+  for (const auto& face : faces) loops.add(face);
   add_faces(loops, HalfEdges(loops, vertices_.size()));
 }
 

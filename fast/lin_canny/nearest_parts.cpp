@@ -1,8 +1,9 @@
 #include "fast/lin_canny/nearest_parts.h"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
+
+#include "model/infinity.h"
 
 namespace touchstone::fast::lin_canny {
 namespace {
@@ -22,7 +23,6 @@ template <class Measure>
 NearestParts nearest_of_all(const Solid& A, const CachedPose& at_A, const Solid& B, const CachedPose& at_B,
                             Measure&& measure) {
   const double origins_apart = (at_B.X_WB.p_WB - at_A.X_WB.p_WB).stableNorm();
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   NearestParts nearest;
   Interval enclosure{infinity, infinity};
   for (std::size_t i = 0; i < A.parts().size(); ++i) {

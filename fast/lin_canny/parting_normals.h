@@ -1,9 +1,8 @@
 // Directions among which there is one that separates two convex bodies, if any does (separating axis theorem).
 #pragma once
 
-#include <limits>
-
 #include "fast/lin_canny/posed_hull.h"
+#include "model/infinity.h"
 
 namespace touchstone::fast::lin_canny {
 
@@ -34,7 +33,7 @@ bool any_parting_normal(const PosedHull& A, const PosedHull& B, Found&& found) {
 template <class Width>
 Vec3 widest_parting_normal(const PosedHull& A, const PosedHull& B, Width&& width) {
   Vec3 best = Vec3::UnitZ();
-  double widest = -std::numeric_limits<double>::infinity();
+  double widest = -infinity;
   any_parting_normal(A, B, [&](const Vec3& n) {
     const double wide = width(n);
     if (wide > widest) widest = wide, best = n;

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <variant>
 #include <vector>
 
 #include "fast/exact/vector.h"
 #include "fast/lin_canny/rotation.h"
 #include "fast/motion/quaternion.h"
+#include "model/infinity.h"
 #include "model/input_error.h"
 
 namespace touchstone::fast::motion {
@@ -179,7 +179,7 @@ Inertia in_own_axes(const Exact& M, const Mat3& about, double error, bool is_ine
   const Quaternion& q = found.q_BP;
   const double scale = 1 / ((q.w * q.w + q.x * q.x) + (q.y * q.y + q.z * q.z));
   const Dyadic off = magnitude(D[0][1]) + magnitude(D[1][2]) + magnitude(D[2][0]);
-  double off_share = 0, least = std::numeric_limits<double>::infinity();
+  double off_share = 0, least = infinity;
   for (std::size_t i = 0; i < 3; ++i) {
     const Dyadic &y = D[(i + 1) % 3][(i + 1) % 3], &z = D[(i + 2) % 3][(i + 2) % 3];
     const Dyadic moment = is_inertia ? D[i][i] : y + z;

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "fast/rounding.h"
+#include "model/infinity.h"
 
 namespace touchstone::fast::motion {
 namespace {
@@ -52,7 +52,7 @@ Period period(const Vec3& c, double c_error, const Vec3& w, double w_error) {
   const double length = 2 * std::numbers::pi / arithmetic_geometric_mean(std::sqrt(x2), std::sqrt(y2));
   const double x_share = x2_error / x2, y_share = y2_error / y2;
   if (!(x_share < well_known && y_share < well_known && length <= longest)) {
-    return {longest, std::numeric_limits<double>::infinity()};
+    return {longest, infinity};
   }
   return {length, length * (1.5 * (x_share / 2 + y_share / 4) + 32 * u)};
 }

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "fast/outward/outward.h"
+#include "model/infinity.h"
 
 namespace touchstone::fast::outward {
 namespace {
@@ -27,7 +27,7 @@ Interval displacement(double v, double a, double duration) {
   const double end_v = v * duration;
   const double end_a = a * duration * (duration / 2);
   const double size = std::abs(end_v) + std::abs(end_a);
-  constexpr double everything = std::numeric_limits<double>::infinity();
+  constexpr double everything = infinity;
   if (!(size < everything)) return {-everything, everything};
 
   Interval range{std::min(0.0, end_v + end_a), std::max(0.0, end_v + end_a)};

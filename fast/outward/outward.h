@@ -1,10 +1,9 @@
 // Boxes that grow point by point, rounded outward; all kinds of bounds are made with them.
 #pragma once
 
-#include <limits>
-
 #include "fast/rounding.h"
 #include "model/frame.h"
+#include "model/infinity.h"
 #include "model/shape.h"
 
 namespace touchstone::fast::outward {
@@ -55,8 +54,8 @@ class Grower {
   Aabb box() const;
 
  private:
-  Vec3 lo_ = Vec3::Constant(std::numeric_limits<double>::infinity());
-  Vec3 hi_ = Vec3::Constant(-std::numeric_limits<double>::infinity());
+  Vec3 lo_ = Vec3::Constant(infinity);
+  Vec3 hi_ = Vec3::Constant(-infinity);
 };
 
 /// Adds one vertex of a polytope.

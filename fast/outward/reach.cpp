@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "fast/outward/outward.h"
+#include "model/box_vertices.h"
 
 namespace touchstone::fast::outward {
 namespace {
@@ -25,9 +26,7 @@ double reach_of(const Sphere& sphere, const Motion& X, const Vec3& centre) {
 
 double reach_of(const Box& box, const Motion& X, const Vec3& centre) {
   double greatest = 0;
-  for (int i = 0; i < 8; ++i) {
-    const Vec3 signs{i & 1 ? 1.0 : -1.0, i & 2 ? 1.0 : -1.0, i & 4 ? 1.0 : -1.0};
-    const Vec3 p = signs.cwiseProduct(box.half_extents / unit);
+  for (const Vec3& p : vertices_of({box.half_extents / unit})) {
     greatest = std::max(greatest, from(centre, X, p, p.lpNorm<1>()));
   }
   return greatest;

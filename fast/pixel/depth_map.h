@@ -1,16 +1,16 @@
 // The image-space data of a convex part: one interval of depths per pixel.
 #pragma once
 
-#include <limits>
 #include <vector>
 
 #include "fast/pixel/posed_part.h"
+#include "model/infinity.h"
 
 namespace touchstone::fast::pixel {
 
 /// Bounds on the depths [z0, z1] of a part above a square or a centre; empty if lo > hi.
 struct Depths {
-  static constexpr double none = std::numeric_limits<double>::infinity();
+  static constexpr double none = infinity;
 
   double lo = none;  ///< if the part is above the pixel at all: lo ≤ z0 and z1 ≤ hi
   double hi = -none;

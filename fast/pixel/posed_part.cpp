@@ -3,19 +3,10 @@
 #include <stdexcept>
 
 #include "fast/outward/outward.h"
+#include "model/box_vertices.h"
 
 namespace touchstone::fast::pixel {
 namespace {
-
-Polytope as_polytope(const Box& box) {
-  Polytope same;
-  same.faces = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
-  for (int i = 0; i < 8; ++i) {
-    const Vec3 signs((i & 1) != 0 ? 1 : -1, (i & 2) != 0 ? 1 : -1, (i & 4) != 0 ? 1 : -1);
-    same.vertices.emplace_back(signs.cwiseProduct(box.half_extents));
-  }
-  return same;
-}
 
 Part part(const Sphere& sphere, std::vector<Pose> poses) { return {std::move(poses), sphere}; }
 Part part(const Polytope& polytope, std::vector<Pose> poses) { return {std::move(poses), polytope}; }

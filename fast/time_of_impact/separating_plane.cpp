@@ -3,7 +3,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "fast/lin_canny/bracket.h"
 #include "fast/motion/steady_turn.h"

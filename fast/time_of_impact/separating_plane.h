@@ -1,14 +1,12 @@
 // For how long a moving plane is proved to separate two bodies.
 #pragma once
 
-#include <limits>
 #include <vector>
 
 #include "fast/time_of_impact/moving_core.h"
+#include "model/infinity.h"
 
 namespace touchstone::fast::time_of_impact {
-
-inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// The first h ≥ 0 at which z + s h + c h²/2 = 0, for z ≥ 0; infinity if there is none.
 double first_root(double z, double s, double c);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "model/infinity.h"
 #include "oracle/judge/words.h"
 #include "oracle/tolerance/tolerance.h"
 #include "oracle/truth/truth.h"
@@ -175,7 +176,7 @@ Interval margin(const Scene& scene) {
   const reference::DistanceTruth& truth = truth::distance(scene);
   if (truth.verdict != Verdict::overlapping) return truth.distance;
   if (!is_compound(scene.bodies[0]) && !is_compound(scene.bodies[1])) return truth::penetration(scene).depth;
-  return {least_compound_depth(scene, truth), std::numeric_limits<double>::infinity()};
+  return {least_compound_depth(scene, truth), infinity};
 }
 
 Finding verdict(const Scene& scene, const Card& card, Verdict said) {

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <variant>
 
+#include "model/box_vertices.h"
 #include "model/sequence.h"
 
 namespace touchstone::oracle {
@@ -82,14 +83,8 @@ void set_shape(Scene& scene, Slot slot, const ConvexShape& shape) {
 
 std::vector<Vec3> corners(const ConvexShape& shape) {
   if (const auto* polytope = std::get_if<Polytope>(&shape)) return polytope->vertices;
-  std::vector<Vec3> all;
-  if (const auto* box = std::get_if<Box>(&shape)) {
-    for (int i = 0; i < 8; ++i) {
-      const Vec3 signs{i & 1 ? 1.0 : -1.0, i & 2 ? 1.0 : -1.0, i & 4 ? 1.0 : -1.0};
-      all.push_back(signs.cwiseProduct(box->half_extents));
-    }
-  }
-  return all;
+  if (const auto* box = std::get_if<Box>(&shape)) return vertices_of(*box);
+  return {};
 }
 
 std::vector<double*> lengths(Scene& scene) {

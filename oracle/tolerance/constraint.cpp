@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "model/infinity.h"
 #include "model/limits.h"
 #include "oracle/tolerance/precision.h"
 #include "reference/mass.h"
@@ -29,7 +29,7 @@ double friction(const Scene& scene, int ball, int other) {
 }
 
 /// A mode of no duration has clearance 0 in the truth, but comes near no other change.
-double of_lasting(double clearance) { return clearance == 0 ? std::numeric_limits<double>::infinity() : clearance; }
+double of_lasting(double clearance) { return clearance == 0 ? infinity : clearance; }
 
 /// m/s: upper bound of any body's speed, provided that impacts and contacts add no energy.
 double greatest_speed(const Scene& scene) {
@@ -116,7 +116,7 @@ std::vector<RollingBound> rolling(const Scene& scene, const reference::Constrain
     from = end;
     unsure_until = std::max(unsure_until, end + early);
   }
-  sample_until(std::numeric_limits<double>::infinity(), 0, 0);
+  sample_until(infinity, 0, 0);
   return bounds;
 }
 

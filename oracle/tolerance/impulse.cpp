@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "oracle/tolerance/precision.h"
 #include "oracle/tolerance/tolerance.h"

@@ -2,6 +2,8 @@
 
 #include <Eigen/Geometry>
 
+#include "model/box_vertices.h"
+
 namespace touchstone::oracle {
 namespace {
 
@@ -11,19 +13,13 @@ Point placed(const Pose& X, const Point& p) {
 }
 
 Points vertices(const Sphere&) { return {Point::Zero()}; }
-Points vertices(const Box& box) {
-  Points corners;
-  for (int i = 0; i < 8; ++i) {
-    const Vec3 sign((i & 1) != 0 ? 1 : -1, (i & 2) != 0 ? 1 : -1, (i & 4) != 0 ? 1 : -1);
-    corners.push_back(sign.cwiseProduct(box.half_extents).cast<Real>());
-  }
-  return corners;
+Points points(const std::vector<Vec3>& vertices) {
+  Points cast;
+  for (const Vec3& v : vertices) cast.push_back(v.cast<Real>());
+  return cast;
 }
-Points vertices(const Polytope& polytope) {
-  Points points;
-  for (const Vec3& v : polytope.vertices) points.push_back(v.cast<Real>());
-  return points;
-}
+Points vertices(const Box& box) { return points(vertices_of(box)); }
+Points vertices(const Polytope& polytope) { return points(polytope.vertices); }
 
 Points part_points(const Compound& compound, int part) {
   if (part < 0 || part >= static_cast<int>(compound.parts.size())) return {};

@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "model/box_vertices.h"
 #include "model/input_error.h"
 #include "model/near_names.h"
 #include "model/sequence.h"
@@ -47,14 +48,8 @@ std::vector<Vec3> points_of(const Body& body, const Feature& feature) {
   const auto vertices = [](const auto& shape) -> std::vector<Vec3> {
     using T = std::decay_t<decltype(shape)>;
     if constexpr (std::is_same_v<T, Polytope>) return shape.vertices;
-    std::vector<Vec3> corners;
-    if constexpr (std::is_same_v<T, Box>) {
-      for (int i = 0; i < 8; ++i) {
-        const Vec3 signs{i & 1 ? 1.0 : -1.0, i & 2 ? 1.0 : -1.0, i & 4 ? 1.0 : -1.0};
-        corners.push_back(signs.cwiseProduct(shape.half_extents));
-      }
-    }
-    return corners;
+    if constexpr (std::is_same_v<T, Box>) return vertices_of(shape);
+    return {};
   };
   std::vector<Vec3> all;
   if (const auto* compound = std::get_if<Compound>(&body.shape)) {

@@ -6,9 +6,9 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
+#include "model/infinity.h"
 #include "properties/scenes/families.h"
 #include "properties/scenes/pair.h"
 #include "properties/transforms/scene.h"
@@ -24,9 +24,7 @@ struct Arm {
 
 double some_restitution(Random& random) { return random.pick({0.0, 0.0, 1.0, 1.0, 0.5, 0.25, 0.75, 0.875}); }
 
-double some_friction(Random& random) {
-  return random.pick({0.0, 0.125, 0.25, 0.5, 0.75, 1.0, 2.0, 10.0, std::numeric_limits<double>::infinity()});
-}
+double some_friction(Random& random) { return random.pick({0.0, 0.125, 0.25, 0.5, 0.75, 1.0, 2.0, 10.0, infinity}); }
 
 Contact some_contact(Random& random) {
   Contact contact;

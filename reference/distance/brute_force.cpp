@@ -2,9 +2,9 @@
 // faces. O(n²) and worse. Intervals only skip candidates that certainly do not count; every value that counts is an
 // exact integer.
 #include <algorithm>
-#include <limits>
 #include <optional>
 
+#include "model/infinity.h"
 #include "reference/distance/routes.h"
 #include "reference/hull/faces.h"
 
@@ -188,7 +188,7 @@ class Least {
   const Candidate& best() const { return *best_; }
 
  private:
-  double ceiling_ = std::numeric_limits<double>::infinity();
+  double ceiling_ = infinity;
   std::optional<Candidate> best_;
   Integer square_;
 };

@@ -7,6 +7,8 @@
 #include <limits>
 #include <utility>
 
+#include "model/box_vertices.h"
+#include "model/infinity.h"
 #include "reference/exact/exact_pose.h"
 #include "reference/exact/rational.h"
 
@@ -136,12 +138,8 @@ Core core_of(const Sphere& sphere) {
 }
 
 Core core_of(const Box& box) {
-  static const Faces six = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
-  const Vec3& h = box.half_extents;
-  Core core = {{}, &six, 0};
-  for (int i = 0; i < 8; ++i)
-    core.vertices.emplace_back(i & 1 ? h.x() : -h.x(), i & 2 ? h.y() : -h.y(), i & 4 ? h.z() : -h.z());
-  return core;
+  static const Faces six = as_polytope(box).faces;
+  return {vertices_of(box), &six, 0};
 }
 
 Core core_of(const Polytope& polytope) { return {polytope.vertices, &polytope.faces, 0}; }
@@ -177,7 +175,7 @@ Enclosure enclosure(const Integer& num, const Integer& den, long shift) {
   const long den_bits = bits(den);
   const Enclosure ratio = enclosure_below(num, num_bits) / enclosure_below(den, den_bits);
   const long exponent = num_bits - den_bits + shift;
-  constexpr double huge = std::numeric_limits<double>::infinity();
+  constexpr double huge = infinity;
   if (exponent > 1000) return Enclosure(-huge, huge);
   if (exponent < -1000) return Enclosure(-0x1p-990, 0x1p-990);
   return ratio * Enclosure(std::ldexp(1.0, static_cast<int>(exponent)));

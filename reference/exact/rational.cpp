@@ -6,12 +6,11 @@
 #include <stdexcept>
 #include <utility>
 
+#include "model/infinity.h"
 #include "reference/exact/rational.h"
 
 namespace touchstone::reference {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 mpq_class finite(double x) {
   if (!std::isfinite(x)) throw std::invalid_argument("a rational is finite");

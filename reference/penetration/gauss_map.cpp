@@ -6,8 +6,8 @@
 // unit normals l and r it is min(l·w, r·w), as n = αl + βr with α + β ≥ |n| = 1. Intervals drop the candidates that are
 // certainly above the ceiling; exact integers decide among the rest.
 #include <algorithm>
-#include <limits>
 
+#include "model/infinity.h"
 #include "reference/hull/faces.h"
 #include "reference/penetration/routes.h"
 
@@ -217,7 +217,7 @@ class GaussMap {
 
   Summand A_;
   Summand B_;
-  double ceiling_ = std::numeric_limits<double>::infinity();
+  double ceiling_ = infinity;
   std::vector<Face> faces_A_;
   std::vector<Face> faces_B_;
   std::vector<int> opposite_A_;

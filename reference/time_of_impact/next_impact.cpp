@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "reference/ballistic_motion.h"
 #include "reference/distance.h"

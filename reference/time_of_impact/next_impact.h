@@ -2,10 +2,10 @@
 #pragma once
 
 #include <cstddef>
-#include <limits>
 #include <optional>
 #include <stdexcept>
 
+#include "model/infinity.h"
 #include "model/scene.h"
 #include "reference/time_of_impact.h"
 
@@ -20,8 +20,8 @@ struct MotionUnknown : std::runtime_error {
 Body moved(const Scene& scene, std::size_t body, double time);
 
 struct NextImpact {
-  bool known = true;                                      ///< false: nothing is known of the pair after `time`
-  double time = std::numeric_limits<double>::infinity();  ///< s; infinite: no impact in this motion
+  bool known = true;           ///< false: nothing is known of the pair after `time`
+  double time = infinity;      ///< s; infinite: no impact in this motion
   bool micro_bounces = false;  ///< starts within the envelope and has not been seen to leave it before `time`
 };
 

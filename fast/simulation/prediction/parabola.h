@@ -2,13 +2,13 @@
 #pragma once
 
 #include <cmath>
-#include <limits>
 
 #include "model/frame.h"
+#include "model/infinity.h"
 
 namespace touchstone::fast::simulation {
 
-inline constexpr double never = std::numeric_limits<double>::infinity();
+inline constexpr double never = infinity;
 
 /// The first t ≥ 0 at which c + b t + a t²/2 is ≤ 0 and does not rise; infinity if there is none. If it is ≤ 0 from the
 /// start but rises at first, the result is the time at which it stops rising. With b = a = 0 and c ≤ 0 the result is

@@ -5,13 +5,14 @@
 #include <memory>
 #include <tuple>
 
+#include "model/infinity.h"
 #include "oracle/subjects/canaries/lie.h"
 
 namespace touchstone::oracle::subjects {
 namespace {
 
 // Changes an answer by the least possible amount.
-double nudged(double x) { return std::nextafter(x, std::numeric_limits<double>::infinity()); }
+double nudged(double x) { return std::nextafter(x, infinity); }
 void nudge(Masses& said) {
   for (auto& m : said) {
     if (m) m->mass = nudged(m->mass);

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 
+#include "model/infinity.h"
 #include "oracle/subjects/canaries/lie.h"
 
 namespace touchstone::oracle::subjects {
@@ -80,15 +80,13 @@ bool overlap_in_plane(const Aabb& a, const Aabb& b) {
   return (a.lo.array() <= b.hi.array()).head<2>().all() && (b.lo.array() <= a.hi.array()).head<2>().all();
 }
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
-
 }  // namespace
 
 std::vector<Canary> canaries_about_boxes() {
   return {
       lying("canary.box_unrotated", "moves a body's box and forgets to turn it", [] { return boxes(unrotated); }),
       lying("canary.box_one_ulp_inward", "rounds one side of each box inward",
-            [] { return each_box([](Aabb& box) { box.hi.x() = std::nextafter(box.hi.x(), -infinite); }); }),
+            [] { return each_box([](Aabb& box) { box.hi.x() = std::nextafter(box.hi.x(), -infinity); }); }),
       lying("canary.box_twice_as_wide", "makes each box twice as wide",
             [] {
               return each_box([](Aabb& box) {

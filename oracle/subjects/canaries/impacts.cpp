@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 
+#include "model/infinity.h"
 #include "oracle/subjects/canaries/lie.h"
 #include "oracle/truth/impact.h"
 
@@ -82,7 +82,7 @@ void stick_test_reversed(Contact& contact, const Scene& scene) {
   const Impact it = impact(scene);
   const Point held = it.K_inverse * (it.u_n() * it.nhat_BA_W + it.u_t() / (1 + contact.restitution));
   const Real along = std::abs(it.nhat_BA_W.dot(held)), across = (held - normal_part(held, it)).norm();
-  contact.friction = across <= contact.friction * along ? 0 : std::numeric_limits<double>::infinity();
+  contact.friction = across <= contact.friction * along ? 0 : infinity;
 }
 
 // Coulomb's cone replaced by a pyramid in world axes: friction is larger along the diagonals.

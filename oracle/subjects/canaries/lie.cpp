@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "model/box_vertices.h"
 #include "oracle/query.h"
 
 namespace touchstone::oracle::subjects {
@@ -64,14 +65,7 @@ class Liar : public Subject {
   Card card_;
 };
 
-std::vector<Vec3> corners_of(const Box& box) {
-  std::vector<Vec3> points;
-  for (int i = 0; i < 8; ++i) {
-    const Vec3 sign((i & 1) != 0 ? 1 : -1, (i & 2) != 0 ? 1 : -1, (i & 4) != 0 ? 1 : -1);
-    points.emplace_back(sign.cwiseProduct(box.half_extents));
-  }
-  return points;
-}
+std::vector<Vec3> corners_of(const Box& box) { return vertices_of(box); }
 std::vector<Vec3> corners_of(const Sphere& sphere) { return corners_of(Box{Vec3::Constant(sphere.radius)}); }
 std::vector<Vec3> corners_of(const Polytope& polytope) { return polytope.vertices; }
 std::vector<Vec3> corners_of(const Compound& compound) {

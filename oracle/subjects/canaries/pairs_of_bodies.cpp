@@ -2,8 +2,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "model/infinity.h"
 #include "oracle/subjects/canaries/lie.h"
 
 namespace touchstone::oracle::subjects {
@@ -64,7 +64,7 @@ void feature_off_by_one(Subject&, const Scene& scene, Distance& said) {
 
 void narrow_enclosure(Subject&, const Scene&, Distance& said) {
   if (!said.distance) return;
-  const double above = std::nextafter(*said.distance, std::numeric_limits<double>::infinity());
+  const double above = std::nextafter(*said.distance, infinity);
   const double wide = above + 4 * (above - *said.distance);
   said.enclosure = Interval{wide, wide};
 }
@@ -99,7 +99,7 @@ Solid solid(const Body& body) {
 
 // The distance by which A must move along n to be clear of B.
 double depth_along(const Vec3& n, const Solid& A, const Solid& B) {
-  double far_B = -std::numeric_limits<double>::infinity(), near_A = -far_B;
+  double far_B = -infinity, near_A = -far_B;
   for (const Vec3& b : B.vertices) far_B = std::max(far_B, n.dot(b));
   for (const Vec3& a : A.vertices) near_A = std::min(near_A, n.dot(a));
   return far_B - near_A;
@@ -108,7 +108,7 @@ double depth_along(const Vec3& n, const Solid& A, const Solid& B) {
 void face_normals_only(Subject&, const Scene& scene, Penetration& said) {
   if (said.verdict != Verdict::overlapping) return;
   const Solid A = solid(scene.bodies[0]), B = solid(scene.bodies[1]);
-  double least = std::numeric_limits<double>::infinity();
+  double least = infinity;
   for (const Solid& owner : {A, B}) {
     for (const Vec3& normal : owner.normals) {
       for (const Vec3& n : {normal, Vec3(-normal)}) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "model/box_vertices.h"
 #include "oracle/subjects/common/engine.h"
 
 namespace touchstone::oracle::subjects {
@@ -18,13 +19,7 @@ struct CcdBody {
 };
 
 std::vector<Vec3> vertices(const Shape& shape) {
-  if (const Box* box = std::get_if<Box>(&shape)) {
-    std::vector<Vec3> corners;
-    for (int i = 0; i < 8; ++i) {
-      corners.push_back(box->half_extents.cwiseProduct(Vec3(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1)));
-    }
-    return corners;
-  }
+  if (const Box* box = std::get_if<Box>(&shape)) return vertices_of(*box);
   if (const Polytope* polytope = std::get_if<Polytope>(&shape)) return polytope->vertices;
   return {Vec3::Zero()};
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "model/box_vertices.h"
 #include "oracle/subjects/common/simulation_world.h"
 #include "oracle/subjects/simbody/input.h"
 #include "oracle/subjects/simbody/rigid_bodies.h"
@@ -29,10 +30,7 @@ std::vector<Knob> knobs(const Body& body) {
   const auto* box = std::get_if<Box>(&body.shape);
   if (box == nullptr) throw Declined("only contacts of balls and of corners are offered");
   std::vector<Knob> corners;
-  for (int i = 0; i < 8; ++i) {
-    const Vec3 sign((i & 1) != 0 ? 1 : -1, (i & 2) != 0 ? 1 : -1, (i & 4) != 0 ? 1 : -1);
-    corners.push_back({sign.cwiseProduct(box->half_extents), 0});
-  }
+  for (const Vec3& corner : vertices_of(*box)) corners.push_back({corner, 0});
   return corners;
 }
 

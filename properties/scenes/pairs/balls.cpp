@@ -1,8 +1,8 @@
 // Balls that touch exactly although the sum of their radii is not a double, or miss that by one ulp of a radius.
 #include <cmath>
-#include <limits>
 #include <utility>
 
+#include "model/infinity.h"
 #include "properties/scenes/families.h"
 #include "properties/scenes/pair.h"
 
@@ -24,7 +24,7 @@ Scene odd_sums(Random& random) {
   const double t = std::ldexp(odd(random, bits), -random.between(1, 60));
   const int more = random.pick({-1, 0, 0, 1});
   double radius = t * length;
-  if (more != 0) radius = std::nextafter(radius, more * std::numeric_limits<double>::infinity());
+  if (more != 0) radius = std::nextafter(radius, more * infinity);
   return pair(random, at_rest(Sphere{s * length}, {-s * d, small_quaternion(random)}),
               at_rest(Sphere{radius}, {t * d, {}}));
 }
