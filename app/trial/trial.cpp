@@ -224,11 +224,18 @@ class Entry {
     }
   }
 
-  /// By subject: `most_hangs` if it is known by now that it is not asked any more, else 0.
-  std::vector<int> hangs(std::size_t query) {
+  /// By subject: `most_hangs` if it is known by now that it is not asked any more in this unit, else 0. An earlier unit
+  /// tells that as soon as it ends, also while it waits to be merged.
+  std::vector<int> hangs(std::size_t unit) {
     const std::lock_guard lock(mutex_);
+    const std::size_t query = units_[unit].query;
     std::vector<int> all;
-    for (const bool given_up : given_up_[query]) all.push_back(given_up ? most_hangs : 0);
+    for (const TestedSubject& subject : ledger_.subjects) {
+      const bool waits = std::any_of(waiting_.begin(), waiting_.lower_bound(unit), [&](const auto& earlier) {
+        return units_[earlier.first].query == query && earlier.second.hangs[subject.index] >= most_hangs;
+      });
+      all.push_back(waits || given_up_[query][subject.index] ? most_hangs : 0);
+    }
     return all;
   }
 
@@ -279,10 +286,9 @@ Ledger run(const TrialPlan& plan, const MeshSet& meshes) {
     QueryLines lines(units_of_queries(all_trials, all_units), seconds_without_line, print_unless_bars);
     in_parallel(all_units.size(), plan.jobs, [&](std::size_t u, std::size_t job) {
       const QueryTrial& query = all_trials[all_units[u].query];
-      UnitResult result = interrupted() || entry.ended()
-                              ? nothing_of(query, ledger.subjects)
-                              : run_unit(query, all_units[u], ledger.subjects, workers[job],
-                                         entry.hangs(all_units[u].query), plan.first_failure);
+      UnitResult result = interrupted() || entry.ended() ? nothing_of(query, ledger.subjects)
+                                                         : run_unit(query, all_units[u], ledger.subjects, workers[job],
+                                                                    entry.hangs(u), plan.first_failure);
       const long scenes = result.scenes;
       entry.add(u, std::move(result));
       progress.step(query.name);
