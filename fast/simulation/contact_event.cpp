@@ -72,9 +72,15 @@ void respond(Run& run, const PairEvent& pair, const Touch& touch) {
   if (c.restitution < 1 && collides_endlessly(run, pair.a, pair.b, speeds.u_n) && merge_islands(run, pair.a, pair.b))
     return;
   const double rebound = c.restitution * -speeds.u_n, presses = pressing_acceleration(a, b, touch);
-  const std::vector<PairPoints> together = acting_with(run, pair.a, pair.b, touch);
-  resolve_impacts(run, together);
-  if (!in_contact && together.size() == 1 && rebound <= speeds.bounce_speed && c.restitution < 1)
+  bool is_alone = acts_alone(run, pair.a, pair.b);
+  if (is_alone) {
+    apply_impulse(run, Event::Kind::impact, pair.a, pair.b, touch, impact(a, at_a, b, at_b, touch, c));
+  } else {
+    const std::vector<PairPoints> together = acting_with(run, pair.a, pair.b, touch);
+    is_alone = together.size() == 1;
+    resolve_impacts(run, together);
+  }
+  if (!in_contact && is_alone && rebound <= speeds.bounce_speed && c.restitution < 1)
     complete_bounces(run, pair, touch, rebound, presses, c.restitution);
 }
 

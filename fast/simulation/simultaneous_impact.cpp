@@ -21,9 +21,9 @@ constexpr double centre_tolerance = 0x1p-44;  // of the approach
 constexpr double least_relaxation = 0x1p-4;
 
 double fastest(const PairPoints& points) {
-  double least = points.front().u_n;
-  for (const ImpactCandidate& point : points) least = std::min(least, point.u_n);
-  return least;
+  double u_n = points.front().u_n;
+  for (const ImpactCandidate& point : points) u_n = std::min(u_n, point.u_n);
+  return u_n;
 }
 
 bool is_one_region(const PairPoints& p, const PairPoints& q) {
@@ -95,9 +95,9 @@ class PressureCentre {
     for (const ImpactCandidate& point : points) rows_.push_back(bodies_.row(run, point));
   }
 
-  /// Where a compression presses that has the velocities `twists` and ends with the normal velocity `least`.
-  std::optional<Touch> pressed(const std::vector<contact::Twist>& twists, double least) const {
-    const Eigen::VectorXd p = simultaneous::compression(rows_, bodies_.mobilities, twists, least);
+  /// Where a compression presses that has the velocities `twists` and ends with the normal velocity `least_u_n`.
+  std::optional<Touch> pressed(const std::vector<contact::Twist>& twists, double least_u_n) const {
+    const Eigen::VectorXd p = simultaneous::compression(rows_, bodies_.mobilities, twists, least_u_n);
     return weighted_mean(*points_, [&](std::size_t k) { return p[static_cast<Eigen::Index>(k)]; });
   }
   std::optional<Touch> without_friction() const { return pressed(bodies_.twists, 0); }
@@ -239,11 +239,16 @@ std::vector<PairPoints> pressing(const Run& run, const std::vector<PairPoints>& 
   return some;
 }
 
+/// Whether two bodies have one contact point.
+bool touch_at_a_point(const Run& run, BodyId a, BodyId b) {
+  return has_closed_form(run.world.body(a), run.world.body(b)) && !run.islands.of(a) && !run.islands.of(b);
+}
+
 /// The contacts of a pair in ballistic motion or in an island; none if the two are farther apart than the envelope.
 std::vector<PairPoints> contacts_of(Run& run, BodyId a, BodyId b) {
   const World& world = run.world;
   const BodyMotion &A = world.body(a), &B = world.body(b);
-  if (has_closed_form(A, B) && !run.islands.of(a) && !run.islands.of(b)) {
+  if (touch_at_a_point(run, a, b)) {
     const Touch touch = run.schedule.nearest_points(a, b, world.now());
     if (touch.gap > world.envelope()) return {};
     return {{{a, b, touch, normal_velocity(A, run.islands.state(a), B, run.islands.state(b), touch)}}};
@@ -267,11 +272,13 @@ bool is_current(const Run& run, BodyId id) {
   return !island || (island->waits() && island->since() == run.world.now());
 }
 
+bool may_touch(const Run& run, BodyId id, BodyId other) { return is_current(run, other) && is_near(run, {id, other}); }
+
 /// The bodies whose contacts with a body are to be looked at, sorted.
 std::vector<BodyId> near_bodies(Run& run, BodyId id) {
   std::vector<BodyId> near;
   for (const BodyId other : run.schedule.neighbours(id)) {
-    if (is_current(run, other) && is_near(run, {id, other})) near.push_back(other);
+    if (may_touch(run, id, other)) near.push_back(other);
   }
   std::ranges::sort(near);
   return near;
@@ -283,22 +290,32 @@ std::vector<PairPoints> acting(const std::vector<PairPoints>& contacts,
                                const std::function<double(BodyId, BodyId)>& slow) {
   std::vector<PairPoints> some;
   for (const PairPoints& points : contacts) {
-    const double least = slow(points.front().a, points.front().b);
+    const double slowest = slow(points.front().a, points.front().b);
     const auto acts = [&](const PairPoints& other) {
-      return fastest(other) < -least && (&other == &points || is_one_region(other, points));
+      return fastest(other) < -slowest && (&other == &points || is_one_region(other, points));
     };
     if (std::ranges::any_of(contacts, acts)) some.push_back(points);
   }
   return some;
 }
 
+bool acts_alone(Run& run, BodyId a, BodyId b) {
+  if (!touch_at_a_point(run, a, b)) return false;
+  const auto is_beside = [&](BodyId id, BodyId partner) {
+    return !run.world.body(id).fixed() && std::ranges::any_of(run.schedule.neighbours(id), [&](BodyId other) {
+      return other != partner && may_touch(run, id, other);
+    });
+  };
+  return !is_beside(a, b) && !is_beside(b, a);
+}
+
 std::vector<PairPoints> acting_with(Run& run, BodyId a, BodyId b, const Touch& touch) {
   const World& world = run.world;
   const BodyMotion &A = world.body(a), &B = world.body(b);
   const double u_n = normal_velocity(A, run.islands.state(a), B, run.islands.state(b), touch);
-  const bool is_point = has_closed_form(A, B) && !run.islands.of(a) && !run.islands.of(b);
   std::vector<PairPoints> all;
-  if (!is_point) all = acting(contact_points_of(run, a, b), [&](BodyId, BodyId) { return -acts_beside * u_n; });
+  if (!touch_at_a_point(run, a, b))
+    all = acting(contact_points_of(run, a, b), [&](BodyId, BodyId) { return -acts_beside * u_n; });
   if (all.empty()) all = {{{a, b, touch, u_n}}};
   std::vector<BodyPair> asked{{a, b}};
   std::vector<BodyId> reached;

@@ -13,6 +13,10 @@ namespace touchstone::fast::simulation {
 std::vector<PairPoints> acting(const std::vector<PairPoints>& contacts,
                                const std::function<double(BodyId, BodyId)>& slow);
 
+/// Whether two bodies touch at one point and no other body is near one of them that moves, so that their impact is one
+/// of a lone contact point. Requires a < b.
+bool acts_alone(Run& run, BodyId a, BodyId b);
+
 /// The contacts that act together with a pair that collides now, itself included: those of pairs within the envelope
 /// that approach, connected to it through bodies that move. Pairs that approach so slowly that they may stay together
 /// do not count. Requires a < b and that islands of the two have been advanced to the current time.
