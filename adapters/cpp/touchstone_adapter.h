@@ -25,7 +25,6 @@ namespace touchstone_adapter {
 using Json = nlohmann::ordered_json;
 using Vec3 = std::array<double, 3>;
 using Queries = std::map<std::string, std::function<Json(const Json& scene)>>;
-using Reproduce = std::function<Json(const std::string& query, const Json& scene)>;
 
 /// This scene is not answered; the message says why.
 struct Abstain : std::runtime_error {
@@ -77,12 +76,10 @@ inline void require_finite(const Json& value, const std::string& place) {
   }
 }
 
-/// Answers until `stop` or the end of stdin. `reproduce`, if the adapter offers it, returns {{"language", "cpp"},
-/// {"code", ...}}. What the engine prints to stdout goes to stderr, and spoils no answer.
-inline void serve(Json card, const Queries& queries, const Reproduce& reproduce = {}) {
+/// Answers until `stop` or the end of stdin. What the engine prints to stdout goes to stderr, and spoils no answer.
+inline void serve(Json card, const Queries& queries) {
   card["answers"] = Json::array();
   for (const auto& [name, query] : queries) card["answers"].push_back(name);
-  if (reproduce) card["reproduces"] = true;
   std::FILE* const out = fdopen(dup(STDOUT_FILENO), "w");
   if (!out || dup2(STDERR_FILENO, STDOUT_FILENO) < 0) throw std::runtime_error("stdout is closed");
   for (std::string line; std::getline(std::cin, line);) {
@@ -95,8 +92,6 @@ inline void serve(Json card, const Queries& queries, const Reproduce& reproduce 
       if (message.at("op") == "start") {
         answer["protocol"] = 1;
         answer["card"] = card;
-      } else if (message.at("op") == "reproduce") {
-        answer["snippet"] = reproduce(message.at("query"), message.at("scene"));
       } else if (const auto query = queries.find(message.at("query")); query != queries.end()) {
         const Json result = query->second(message.at("scene"));
         require_finite(result, "result");

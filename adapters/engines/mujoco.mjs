@@ -11,7 +11,6 @@ const card = {
 };
 
 const numbers = (list) => list.map(String).join(" ");
-
 // Sizes are radii and half extents; quaternions are w x y z.
 function geom({ shape, mass }, i) {
   const density = `density="${mass?.density ?? 1}"`;

@@ -58,10 +58,9 @@ function plain(value, place) {
   return Object.fromEntries(Object.entries(value).map(([key, part]) => [key, plain(part, `${place}.${key}`)]));
 }
 
-async function answer(message, card, queries, reproduce) {
+async function answer(message, card, queries) {
   if (message.op === "start") return { protocol: 1, card };
   if (typeof message.query !== "string") throw new Error("query: missing");
-  if (message.op === "reproduce") return { snippet: await reproduce(message.query, message.scene) };
   if (!(message.query in queries)) return { abstains: `no ${message.query} query` };
   return { result: plain(await queries[message.query](message.scene), "result") };
 }
@@ -83,10 +82,9 @@ function writeAll(line) {
   }
 }
 
-/** Answers until `stop` or the end of stdin. `queries`: name -> function of a scene. `reproduce`, if the adapter offers
- * it: function of a query's name and a scene that returns { language: "js", code: "..." }. */
-export async function serve(card, queries, reproduce) {
-  const whole = { ...card, answers: Object.keys(queries), ...(reproduce && { reproduces: true }) };
+/** Answers until `stop` or the end of stdin. `queries`: name -> function of a scene. */
+export async function serve(card, queries) {
+  const whole = { ...card, answers: Object.keys(queries) };
   for await (const line of createInterface({ input: process.stdin, crlfDelay: Infinity })) {
     let seq = 0;
     let said;
@@ -94,7 +92,7 @@ export async function serve(card, queries, reproduce) {
       const message = JSON.parse(line);
       seq = message.seq;
       if (message.op === "stop") break;
-      said = await answer(message, whole, queries, reproduce);
+      said = await answer(message, whole, queries);
     } catch (error) {
       said = breaks(error);
     }

@@ -63,20 +63,17 @@ def _breaks(error):
     return {"breaks": {"kind": kind, "how": str(error) if kind == "garbage" else f"{type(error).__name__}: {error}"}}
 
 
-def _answer(message, card, queries, reproduce):
+def _answer(message, card, queries):
     if message["op"] == "start":
         return {"protocol": 1, "card": card}
-    if message["op"] == "reproduce":
-        return {"snippet": reproduce(message["query"], message["scene"])}
     if message["query"] not in queries:
         return {"abstains": f"no {message['query']} query"}
     return {"result": _plain(queries[message["query"]](message["scene"]), "result")}
 
 
-def serve(card, queries, reproduce=None):
-    """Answers until `stop` or the end of stdin. `queries`: name -> function of a scene. `reproduce`, if the adapter
-    offers it: function of a query's name and a scene that returns {"language": "python", "code": "..."}."""
-    card = {**card, "answers": list(queries), **({"reproduces": True} if reproduce else {})}
+def serve(card, queries):
+    """Answers until `stop` or the end of stdin. `queries`: name -> function of a scene."""
+    card = {**card, "answers": list(queries)}
     answers = os.fdopen(os.dup(1), "w")
     os.dup2(2, 1)  # what the engine or a library prints to stdout goes to stderr, and spoils no answer
     for line in sys.stdin:
@@ -86,7 +83,7 @@ def serve(card, queries, reproduce=None):
             seq = message["seq"]
             if message["op"] == "stop":
                 break
-            answer = _answer(message, card, queries, reproduce)
+            answer = _answer(message, card, queries)
         except Abstain as why:
             answer = {"abstains": str(why)}
         except Exception as error:  # the engine failed: say so, and answer the next question

@@ -99,13 +99,6 @@ class Library(unittest.TestCase):
                 for found, expected in zip(box[point], known):
                     self.assertAlmostEqual(found, expected, delta=1e-13)
 
-    @unittest.skipIf(LANGUAGE == "rust", "the library for Rust does not offer it")
-    def test_a_snippet(self):
-        (card, answer), _ = self.said(self.faulty, START, {**ask("distance", ball(1, [0, 0, 0])), "op": "reproduce"})
-        self.assertTrue(card["card"]["reproduces"])
-        self.assertEqual(set(answer["snippet"]), {"language", "code"})
-        self.assertIn("distance of 1", answer["snippet"]["code"].replace("' + str(", ""))
-
     def test_numbers_survive_bit_for_bit(self):
         for distance in (2.0**-1074, 0.1, 2.0**69, 1.7976931348623157e308):
             (_, answer), _ = self.said(self.skeleton, START, ask("distance", ball(2.0**-1074, [0, 0, 0]), ball(1, [distance, 0, 0])))

@@ -21,8 +21,5 @@ Json penetration(const Json&) { throw std::runtime_error("the engine failed"); }
 
 int main() {
   serve({{"name", "faulty"}, {"version", "1"}, {"precision", "binary32"}},
-        {{"mass", mass}, {"bounds", bounds}, {"distance", distance}, {"penetration", penetration}},
-        [](const std::string& query, const Json& scene) -> Json {
-          return {{"language", "cpp"}, {"code", query + " of " + std::to_string(scene.at("bodies").size())}};
-        });
+        {{"mass", mass}, {"bounds", bounds}, {"distance", distance}, {"penetration", penetration}});
 }

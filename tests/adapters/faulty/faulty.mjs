@@ -19,5 +19,4 @@ function penetration() {
   throw new Error("the engine failed");
 }
 
-serve({ name: "faulty", version: "1", precision: "binary32" }, { mass, bounds, distance, penetration },
-  (query, scene) => ({ language: "js", code: `console.log("${query} of ${scene.bodies.length}")` }));
+serve({ name: "faulty", version: "1", precision: "binary32" }, { mass, bounds, distance, penetration });

@@ -24,5 +24,4 @@ def penetration(scene):
 
 
 serve({"name": "faulty", "version": "1", "precision": "binary32"},
-      {"mass": mass, "bounds": bounds, "distance": distance, "penetration": penetration},
-      lambda query, scene: {"language": "python", "code": f"print('{query} of {len(scene['bodies'])}')"})
+      {"mass": mass, "bounds": bounds, "distance": distance, "penetration": penetration})
