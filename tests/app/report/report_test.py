@@ -115,7 +115,7 @@ class Commands(Test):
         self.folder = self.folder.resolve() / "a clone's folder"
         (self.folder / "engines").mkdir(parents=True)
         engine = (SOURCE / "tests/app/engine.py").read_text()
-        (self.folder / "engines/engine.py").write_text(engine.replace("asked >= 5", "asked >= 1"))
+        (self.folder / "engines/engine.py").write_text(engine.replace("else 5)", "else 1)"))
         write_meshes(self.folder / "meshes")
 
     def told_commands(self, *words, cases=3):

@@ -1,4 +1,4 @@
-// A unit cube above a fixed slab.
+// A unit cube above a fixed block.
 #include "fast/constraint/contact_search.h"
 
 #include "model/input_error.h"
@@ -9,11 +9,11 @@ namespace {
 
 constexpr double skin = 0x1p-10, h = 0x1p-6;
 
-Scene cube_over_slab(double gap) {
+Scene cube_over_block(double gap) {
   Scene scene;
   scene.gravity = Vec3(0, 0, -8);
   scene.bodies = {{"cube", Box{Vec3::Constant(0.5)}, {Vec3(0, 0, 0.5 + gap), {}}, {}, {0, 0.25}, Density{}},
-                  {"slab", Box{Vec3(4, 4, 1)}, {Vec3(0, 0, -1), {}}, {}, {0, 0.5}, Fixed{}}};
+                  {"block", Box{Vec3(4, 4, 1)}, {Vec3(0, 0, -1), {}}, {}, {0, 0.5}, Fixed{}}};
   scene.motion = Motion{.sample_times = {1}};
   return scene;
 }
@@ -23,7 +23,7 @@ std::vector<StepperBody> bodies_of(const Scene& scene) {
 }
 
 TEST_CASE("contact search: a face has its four corners, at the moving body, with the lesser friction") {
-  const Scene scene = cube_over_slab(skin);
+  const Scene scene = cube_over_block(skin);
   const std::vector<StepperBody> bodies = bodies_of(scene);
   ContactSearch search(scene, bodies, skin, h);
   const StepContacts found = search.find(bodies, h);
@@ -43,7 +43,7 @@ TEST_CASE("contact search: a face has its four corners, at the moving body, with
 
 TEST_CASE("contact search: what is farther than the skin may close its gap in the step, and no more") {
   const double gap = 2 * skin;
-  Scene scene = cube_over_slab(gap);
+  Scene scene = cube_over_block(gap);
   scene.bodies[0].velocity.v_WBcm = Vec3(0, 0, -1);
   const std::vector<StepperBody> bodies = bodies_of(scene);
   ContactSearch search(scene, bodies, skin, h);
@@ -51,7 +51,7 @@ TEST_CASE("contact search: what is farther than the skin may close its gap in th
 }
 
 TEST_CASE("contact search: out of reach there is no contact, and a pair whose boxes are apart is forgotten") {
-  const Scene scene = cube_over_slab(0.5);
+  const Scene scene = cube_over_block(0.5);
   std::vector<StepperBody> bodies = bodies_of(scene);
   ContactSearch search(scene, bodies, skin, h);
   CHECK(search.find(bodies, h).rows.empty());
@@ -68,7 +68,7 @@ TEST_CASE("contact search: out of reach there is no contact, and a pair whose bo
 }
 
 TEST_CASE("contact search: the impulses of the last step are the guess, each at the nearest point") {
-  const Scene scene = cube_over_slab(skin);
+  const Scene scene = cube_over_block(skin);
   const std::vector<StepperBody> bodies = bodies_of(scene);
   ContactSearch search(scene, bodies, skin, h);
   const StepContacts first = search.find(bodies, h);
@@ -84,12 +84,12 @@ TEST_CASE("contact search: the impulses of the last step are the guess, each at 
 }
 
 TEST_CASE("contact search: overlap is bad input in the first step alone") {
-  const Scene scene = cube_over_slab(-0.25);
+  const Scene scene = cube_over_block(-0.25);
   const std::vector<StepperBody> bodies = bodies_of(scene);
   ContactSearch search(scene, bodies, skin, h);
   CHECK_THROWS_AS(search.find(bodies, h), InputError);
 
-  const Scene apart = cube_over_slab(0.25);
+  const Scene apart = cube_over_block(0.25);
   ContactSearch later(apart, bodies_of(apart), skin, h);
   later.find(bodies_of(apart), h);
   later.move(0, bodies[0]);

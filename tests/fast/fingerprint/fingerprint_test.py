@@ -24,10 +24,11 @@ SCENES = ["bouncing_ball", "slide_to_roll", "ramp_sticks", "rough_ball", "newton
 LONG_SCENES = ["coin", "rattleback"]  # 51 s and 25 s at -O0: not asked there
 FAST = ["bounds.cpp", "contact/*.cpp", "exact/*.cpp", "impulse.cpp", "impulse/*.cpp", "lin_canny/*.cpp", "mass.cpp",
         "motion/*.cpp", "outward/*.cpp", "simulation.cpp", "simulation/*.cpp", "simulation/*/*.cpp",
-        "time_of_impact.cpp", "time_of_impact/*.cpp"]
+        "simultaneous/*.cpp", "time_of_impact.cpp", "time_of_impact/*.cpp"]
 PROJECT = ["-std=c++20", "-ffp-contract=off", "-DEIGEN_DONT_VECTORIZE",  # cmake/flags.cmake says why
            *(["-fno-tree-slp-vectorize"] if COMPILER == "g++" else [])]
-READING = ["files", "json_answers", "json_motion", "json_node", "json_scene", "json_text", "limits", "source_text"]
+READING = ["box_vertices", "files", "json_answers", "json_motion", "json_node", "json_scene", "json_text", "limits",
+           "source_text"]
 
 
 def compiled(files, options, folder):
