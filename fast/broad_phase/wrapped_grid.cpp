@@ -67,7 +67,7 @@ void WrappedGrid::list_escaped() {
 }
 
 bool WrappedGrid::must_rebuild() const {
-  if (cells_.levels.empty() || many_escaped() || 16 * (entries_.size() - sorted_) > count()) return true;
+  if (cells_.levels.empty() || many_escaped() || 16 * (entries_.size() - chains_.first_slot) > count()) return true;
   return !std::all_of(escaped_.begin(), escaped_.end(),
                       [this](BodyId id) { return !present(id) || cells_.fits(box_[id]); });
 }
@@ -120,9 +120,9 @@ void WrappedGrid::sort_into_cells() {
   const std::size_t in_chains = ids_.size() / 5 + 1;  // upper bound until the next sort
   entries_.reserve(ids_.size() + in_chains);
   entries_.resize(ids_.size());
-  next_.reserve(in_chains);
-  next_.clear();
-  sorted_ = ids_.size();
+  chains_.links.reserve(in_chains);
+  chains_.links.clear();
+  chains_.first_slot = ids_.size();
   if (ids_.empty()) return cells_.levels.clear();
   const bool still_fits = !cells_.levels.empty() && ++sorts_ < sorts_per_layout && 2 * ids_.size() > laid_out_for_ &&
                           ids_.size() < 2 * laid_out_for_ &&
@@ -133,7 +133,7 @@ void WrappedGrid::sort_into_cells() {
     sorts_ = 0;
   }
   start_.assign(cells_.places() + 1, 0);
-  chain_.assign(cells_.places(), none);
+  chains_.last.assign(cells_.places(), none);
   for (CellLevel& level : cells_.levels) level.reach = {};
   for (const BodyId id : ids_) {
     const CellBox e = cells_.fat(id, box_[id], was(id));
@@ -218,7 +218,7 @@ inline void WrappedGrid::for_each_near(const CellBox& e, float least_x, const Ce
         for (const CellBox* b = entries + start[from]; b != entries + start[to]; ++b) test_entry(*b);
         if constexpr (with_chains) {
           for (std::uint32_t place = from; place < to; ++place)
-            for (std::uint32_t b = chain_[place]; b != none; b = next(b)) test_entry(entries[b]);
+            for (std::uint32_t b = chains_.last[place]; b != none; b = chains_.before(b)) test_entry(entries[b]);
         }
       };
       const std::uint32_t from = row + static_cast<std::uint32_t>(first_x);
@@ -243,17 +243,17 @@ void WrappedGrid::update_entry(BodyId id) {
   leave(id);
   slot_[id] = static_cast<std::uint32_t>(entries_.size());
   entries_.push_back(e);
-  next_.push_back(chain_[place]);
-  chain_[place] = slot_[id];
+  chains_.links.push_back(chains_.last[place]);
+  chains_.last[place] = slot_[id];
 }
 
 /// Its entry stays until the next sort, but overlaps nothing.
 void WrappedGrid::leave(BodyId id) {
   if (slot_[id] == none) return;
-  if (slot_[id] >= sorted_) {
-    std::uint32_t* link = &chain_[cells_.place_of(entries_[slot_[id]])];
-    while (*link != slot_[id]) link = &next(*link);
-    *link = next(slot_[id]);
+  if (slot_[id] >= chains_.first_slot) {
+    std::uint32_t* link = &chains_.last[cells_.place_of(entries_[slot_[id]])];
+    while (*link != slot_[id]) link = &chains_.before(*link);
+    *link = chains_.before(slot_[id]);
   }
   constexpr float nowhere = std::numeric_limits<float>::infinity();
   entries_[slot_[id]].lo = {nowhere, nowhere, nowhere, 0};
@@ -265,7 +265,7 @@ void WrappedGrid::for_each_in(const CellLevel& level, const Visit& visit) const 
   const std::uint32_t past = level.first_place + level.places;
   for (std::uint32_t i = start_[level.first_place]; i < start_[past]; ++i) visit(entries_[i]);
   for (std::uint32_t place = level.first_place; place < past; ++place)
-    for (std::uint32_t b = chain_[place]; b != none; b = next(b)) visit(entries_[b]);
+    for (std::uint32_t b = chains_.last[place]; b != none; b = chains_.before(b)) visit(entries_[b]);
 }
 
 void WrappedGrid::find_escaped(BodyId a) {

@@ -30,6 +30,16 @@ namespace touchstone::fast {
 /// all bodies in few cells: O(n²).
 class WrappedGrid final : public BroadPhase {
  private:
+  /// The entries of bodies that changed their cell since the last sort, as a list for each place.
+  struct Chains {
+    std::vector<std::uint32_t> last;   ///< by place: slot of the entry that was chained last
+    std::vector<std::uint32_t> links;  ///< the slot chained before, by slot from first_slot on
+    std::size_t first_slot = 0;        ///< the number of entries in the order of places
+
+    std::uint32_t& before(std::uint32_t slot) { return links[slot - first_slot]; }
+    std::uint32_t before(std::uint32_t slot) const { return links[slot - first_slot]; }
+  };
+
   void refresh() override;
 
   void list_escaped();
@@ -51,9 +61,6 @@ class WrappedGrid final : public BroadPhase {
   template <bool with_chains, class Visit>
   void for_each_near(const CellBox& e, float least_x, const CellLevel& level, const Visit& visit) const;
 
-  std::uint32_t& next(std::uint32_t slot) { return next_[slot - sorted_]; }
-  std::uint32_t next(std::uint32_t slot) const { return next_[slot - sorted_]; }
-
   template <class Visit>
   void for_each_in(const CellLevel& level, const Visit& visit) const;
 
@@ -69,9 +76,7 @@ class WrappedGrid final : public BroadPhase {
   std::vector<std::uint32_t> start_;  ///< by place, over all levels
   std::vector<CellBox> entries_;      ///< in the order of places; then those in chains
   std::vector<std::uint32_t> slot_;   ///< by id: its entry
-  std::vector<std::uint32_t> chain_;  ///< by place: slot of the last entry chained since the last sort
-  std::vector<std::uint32_t> next_;   ///< links of chains, by slot past sorted_
-  std::size_t sorted_ = 0;            ///< number of entries in the order of places
+  Chains chains_;
 };
 
 }  // namespace touchstone::fast

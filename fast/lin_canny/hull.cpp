@@ -45,16 +45,78 @@ Vec3 polygon_normal(const std::vector<Vec3>& vertices, std::span<const int> loop
   return unit(sum);
 }
 
+/// Requires the hull's vertices and faces.
+Hull::Edge edge_between(const Hull& hull, const HalfEdge& there, const HalfEdge& back) {
+  Hull::Edge edge;
+  edge.tail = there.from;
+  edge.head = there.to;
+  edge.face[0] = there.face;
+  edge.face[1] = back.face;
+  edge.along = hull.vertex(edge.head) - hull.vertex(edge.tail);
+  edge.squared = edge.along.squaredNorm();
+  edge.out[0] = edge.along.cross(hull.face(there.face).normal);
+  edge.out[1] = hull.face(back.face).normal.cross(edge.along);
+  return edge;
+}
+
+/// The edges as seen from their ends, by vertex.
+struct Spokes {
+  std::vector<int> first;  ///< by vertex, with one more at the end
+  std::vector<Hull::Spoke> list;
+  double shortest = 1;  ///< at most 1
+};
+
+Spokes spokes_of(const Hull& hull) {
+  Spokes spokes;
+  spokes.first.assign(hull.vertices().size() + 1, 0);
+  for (int e = 0; e < hull.edge_count(); ++e) {
+    ++spokes.first[at(hull.edge(e).tail) + 1];
+    ++spokes.first[at(hull.edge(e).head) + 1];
+  }
+  for (std::size_t v = 1; v < spokes.first.size(); ++v) spokes.first[v] += spokes.first[v - 1];
+  spokes.list.resize(at(spokes.first.back()));
+  std::vector<int> next(spokes.first.begin(), spokes.first.end() - 1);
+  for (int e = 0; e < hull.edge_count(); ++e) {
+    const Hull::Edge& edge = hull.edge(e);
+    const double length = edge.along.stableNorm();
+    spokes.shortest = std::min(spokes.shortest, length);
+    const Vec3 away = edge.along / length;
+    spokes.list[at(next[at(edge.tail)]++)] = {away, e, edge.head};
+    spokes.list[at(next[at(edge.head)]++)] = {-away, e, edge.tail};
+  }
+  return spokes;
+}
+
+/// The greatest height of a vertex above the origin along the face's normal. As in bracket.h: if each corner's
+/// neighbours outside the face are surely lower, a corner is the highest of all vertices.
+double greatest_height(const Hull& hull, const Hull::Face& face) {
+  const auto height_of = [&](int v) { return face.normal.dot(hull.vertex(v)); };
+  const auto is_corner = [&](int v) {
+    for (int i = 0; i < face.corner_count; ++i) {
+      if (hull.corner(face.first_corner + i) == v) return true;
+    }
+    return false;
+  };
+  double height = height_of(hull.corner(face.first_corner));
+  bool sure = true;
+  for (int i = 0; i < face.corner_count; ++i) {
+    const int corner = hull.corner(face.first_corner + i);
+    height = std::max(height, height_of(corner));
+    for (const Hull::Spoke* s = hull.spokes_begin(corner); s != hull.spokes_end(corner); ++s) {
+      const bool lower = face.normal.dot(s->away) < -10 * u;
+      sure = sure && (lower || is_corner(s->other));
+    }
+  }
+  for (int v = 0; !sure && v < hull.vertex_count(); ++v) height = std::max(height, height_of(v));
+  return height;
+}
+
 }  // namespace
 
 Hull::Hull(std::vector<Vec3> vertices)
     : vertices_(std::move(vertices)), radius_(greatest_length(vertices_) * (1 + 8 * u)) {}
 
 Hull::Hull(const Vec3& point) : Hull(std::vector<Vec3>{point}) { first_spoke_ = {0, 0}; }
-
-Hull Hull::of_vertices(const Polytope& polytope) { return Hull(polytope.vertices); }
-
-Hull Hull::of_vertices(const Box& box) { return Hull(vertices_of(box)); }
 
 Hull::Hull(const Box& box) : vertices_(vertices_of(box)) {
   static const std::vector<std::vector<int>> faces = as_polytope(box).faces;  // the same for every box
@@ -71,7 +133,7 @@ Hull::Hull(const Polytope& polytope) {
   add_faces(faces.loops, faces.edges);
 }
 
-void Hull::add_faces(const Loops& loops, const HalfEdges& edges) {
+void Hull::add_faces(const Loops& loops, const HalfEdges& half_edges) {
   faces_.resize(loops.count());
   for (std::size_t f = 0; f < loops.count(); ++f) {
     faces_[f].normal = polygon_normal(vertices_, loops[f]);
@@ -80,68 +142,19 @@ void Hull::add_faces(const Loops& loops, const HalfEdges& edges) {
   }
   corners_ = loops.corners;
   radius_ = greatest_length(vertices_) * (1 + 8 * u);
-  link_edges(edges);
-  link_spokes();
-  raise_faces();
-}
-
-void Hull::link_edges(const HalfEdges& edges) {
   sides_.resize(corners_.size());
   edges_.reserve(corners_.size() / 2);
-  for (std::size_t i = 0; i < edges.sorted().size(); ++i) {
-    const HalfEdge &there = edges.sorted()[i], &back = edges.twin(i);
+  for (std::size_t i = 0; i < half_edges.sorted().size(); ++i) {
+    const HalfEdge &there = half_edges.sorted()[i], &back = half_edges.twin(i);
     if (there.from > there.to) continue;
-    Edge edge;
-    edge.tail = there.from;
-    edge.head = there.to;
-    edge.face[0] = there.face;
-    edge.face[1] = back.face;
-    edge.along = vertex(edge.head) - vertex(edge.tail);
-    edge.squared = edge.along.squaredNorm();
-    edge.out[0] = edge.along.cross(face(there.face).normal);
-    edge.out[1] = face(back.face).normal.cross(edge.along);
     sides_[at(there.place)] = sides_[at(back.place)] = edge_count();
-    edges_.push_back(edge);
+    edges_.push_back(edge_between(*this, there, back));
   }
-}
-
-void Hull::link_spokes() {
-  first_spoke_.assign(vertices_.size() + 1, 0);
-  for (const Edge& e : edges_) {
-    ++first_spoke_[at(e.tail) + 1];
-    ++first_spoke_[at(e.head) + 1];
-  }
-  for (std::size_t v = 1; v < first_spoke_.size(); ++v) first_spoke_[v] += first_spoke_[v - 1];
-  spokes_.resize(at(first_spoke_.back()));
-  std::vector<int> next(first_spoke_.begin(), first_spoke_.end() - 1);
-  for (int e = 0; e < edge_count(); ++e) {
-    const Edge& ends = edge(e);
-    const double length = ends.along.stableNorm();
-    shortest_edge_ = std::min(shortest_edge_, length);
-    const Vec3 away = ends.along / length;
-    spokes_[at(next[at(ends.tail)]++)] = {away, e, ends.head};
-    spokes_[at(next[at(ends.head)]++)] = {-away, e, ends.tail};
-  }
-}
-
-/// As in bracket.h: if each corner's neighbours outside the face are surely lower, a corner is the highest of all
-/// vertices.
-void Hull::raise_faces() {
-  for (Face& f : faces_) {
-    const auto height_of = [&](int v) { return f.normal.dot(vertex(v)); };
-    const int* first = corners_.data() + f.first_corner;
-    const int* last = first + f.corner_count;
-    f.height = height_of(*first);
-    bool sure = true;
-    for (const int* c = first; c != last; ++c) {
-      f.height = std::max(f.height, height_of(*c));
-      for (const Spoke* s = spokes_begin(*c); s != spokes_end(*c); ++s) {
-        const bool lower = f.normal.dot(s->away) < -10 * u;
-        sure = sure && (lower || std::find(first, last, s->other) != last);
-      }
-    }
-    for (int v = 0; !sure && v < vertex_count(); ++v) f.height = std::max(f.height, height_of(v));
-  }
+  Spokes spokes = spokes_of(*this);
+  first_spoke_ = std::move(spokes.first);
+  spokes_ = std::move(spokes.list);
+  shortest_edge_ = spokes.shortest;
+  for (Face& face : faces_) face.height = greatest_height(*this, face);
 }
 
 }  // namespace touchstone::fast::lin_canny

@@ -1,6 +1,7 @@
 // A convex solid prepared for the walk: its vertices, edges and faces, and their adjacency.
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "model/shape.h"
@@ -45,9 +46,8 @@ class Hull {
   /// Requires faces (reference::completed). Throws InputError if they are not the closed boundary of a convex solid.
   explicit Hull(const Polytope& polytope);
   /// The vertices alone, without edges and faces: for queries that are asked once. All of them are kept, also those
-  /// that are no corners; the polytope's faces are not read.
-  static Hull of_vertices(const Polytope& polytope);
-  static Hull of_vertices(const Box& box);
+  /// that are no corners.
+  static Hull of_vertices(std::vector<Vec3> vertices) { return Hull(std::move(vertices)); }
 
   int vertex_count() const { return static_cast<int>(vertices_.size()); }
   int edge_count() const { return static_cast<int>(edges_.size()); }
@@ -72,10 +72,7 @@ class Hull {
  private:
   /// Of vertices alone.
   explicit Hull(std::vector<Vec3> vertices);
-  void add_faces(const Loops& loops, const HalfEdges& edges);
-  void link_edges(const HalfEdges& edges);
-  void link_spokes();
-  void raise_faces();
+  void add_faces(const Loops& loops, const HalfEdges& half_edges);
 
   std::vector<Vec3> vertices_;
   std::vector<int> source_;  ///< empty: each vertex has kept its index

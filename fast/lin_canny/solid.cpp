@@ -3,6 +3,8 @@
 #include <utility>
 #include <variant>
 
+#include "model/box_vertices.h"
+
 namespace touchstone::fast::lin_canny {
 namespace {
 
@@ -12,10 +14,10 @@ Convex unposed(Hull core, double radius) { return {std::move(core), radius, {}, 
 
 Convex convex(const Sphere& sphere, Preparation) { return unposed(Hull(Vec3(Vec3::Zero())), sphere.radius); }
 Convex convex(const Box& box, Preparation preparation) {
-  return unposed(preparation == Preparation::whole ? Hull(box) : Hull::of_vertices(box), 0);
+  return unposed(preparation == Preparation::whole ? Hull(box) : Hull::of_vertices(vertices_of(box)), 0);
 }
 Convex convex(const Polytope& polytope, Preparation preparation) {
-  return unposed(preparation == Preparation::whole ? Hull(polytope) : Hull::of_vertices(polytope), 0);
+  return unposed(preparation == Preparation::whole ? Hull(polytope) : Hull::of_vertices(polytope.vertices), 0);
 }
 
 Convex with_reach(Convex part) {

@@ -120,16 +120,6 @@ std::vector<PairPoints> ContactGraph::points() const {
   return all;
 }
 
-std::optional<ImpactCandidate> ContactGraph::fastest_approach() const {
-  std::optional<ImpactCandidate> most;
-  for (const PairPoints& points : this->points()) {
-    for (const ImpactCandidate& found : points) {
-      if (!most || found.u_n < most->u_n) most = found;
-    }
-  }
-  return most;
-}
-
 void ContactGraph::emit_again(BodyId id) {
   for (ContactPair& contact_pair : contact_pairs_) contact_pair.emitted = contact_pair.emitted && !contact_pair.has(id);
 }
@@ -161,6 +151,16 @@ std::vector<ContactGraph> ContactGraph::components() const {
     if (!graph.contact_pairs_.empty()) graphs.push_back(std::move(graph));
   }
   return graphs;
+}
+
+std::optional<ImpactCandidate> fastest_approach(const ContactGraph& graph) {
+  std::optional<ImpactCandidate> most;
+  for (const PairPoints& points : graph.points()) {
+    for (const ImpactCandidate& found : points) {
+      if (!most || found.u_n < most->u_n) most = found;
+    }
+  }
+  return most;
 }
 
 }  // namespace touchstone::fast::simulation

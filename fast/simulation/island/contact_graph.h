@@ -41,8 +41,6 @@ class ContactGraph {
   std::vector<ContactPair> take_out_separating(const std::function<double(BodyId, BodyId)>& release_speed);
   /// The contact points of each contact pair that has any, at the bodies' current states.
   std::vector<PairPoints> points() const;
-  /// The contact point that approaches fastest; none without contact points.
-  std::optional<ImpactCandidate> fastest_approach() const;
   /// Marks the body's contact pairs, so that their contact events are emitted again.
   void emit_again(BodyId id);
 
@@ -53,5 +51,8 @@ class ContactGraph {
   std::vector<IslandBody> bodies_;
   std::vector<ContactPair> contact_pairs_;
 };
+
+/// The contact point that approaches fastest; none without contact points.
+std::optional<ImpactCandidate> fastest_approach(const ContactGraph& graph);
 
 }  // namespace touchstone::fast::simulation

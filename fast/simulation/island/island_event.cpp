@@ -129,7 +129,7 @@ void set_trajectories(Run& run, const Island& island) {
 /// After too many impacts at one time the approach at all contact points is removed at once, without restitution.
 void resolve_island(Run& run, Island& island) {
   ContactGraph& graph = island.graph();
-  const std::optional<ImpactCandidate> found = graph.fastest_approach();
+  const std::optional<ImpactCandidate> found = fastest_approach(graph);
   const bool collides = found && found->u_n < -collides_above * rebound_speed(run, found->a, found->b);
   if (collides && island.allows_impact()) return impacts_in_island(run, graph, *found);
   if (try_closed_form(run, graph)) return;
@@ -159,7 +159,7 @@ std::vector<PairPoints> contact_points_of(const Run& run, BodyId a, BodyId b) {
 }
 
 std::optional<Touch> fastest_approach(const Run& run, BodyId a, BodyId b) {
-  const std::optional<ImpactCandidate> found = graph_of_pair(run, a, b).fastest_approach();
+  const std::optional<ImpactCandidate> found = fastest_approach(graph_of_pair(run, a, b));
   return found ? std::optional(found->touch) : std::nullopt;
 }
 
