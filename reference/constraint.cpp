@@ -220,10 +220,10 @@ void Simulation::record(Event::Kind kind, const FixedBox& box, const EnclosedVec
   change.p_WC = nearest(minus(path_.p, scaled(ball_.radius, n)));
   change.nhat_W = nearest(n);
   change.P_W = nearest(P);
-  change.mode = mode_;
+  change.segment.mode = mode_;
   change.rate = rate.in_doubles().lo;
   change.velocity_jump = velocity_jump.in_doubles().hi;
-  change.acceleration = acceleration().in_doubles().hi;
+  change.segment.acceleration = acceleration().in_doubles().hi;
   change.after = ball_truth(path_);
   truth_.changes.push_back(std::move(change));
 }
@@ -244,7 +244,7 @@ void Simulation::note_clearance(const Next& change, const Enclosed& span) {
     clearance = std::min(clearance, least_distance(path_, box, ball_.radius, span));
   }
   const double bound = Enclosed(clearance, clearance).in_doubles().lo;
-  (truth_.changes.empty() ? truth_.clearance : truth_.changes.back().clearance) = bound;
+  (truth_.changes.empty() ? truth_.first : truth_.changes.back().segment).clearance = bound;
 }
 
 void Simulation::set_ballistic() {
@@ -272,7 +272,7 @@ void Simulation::begin() {
     if (touched) throw InputError("bodies", "the ball starts between two boxes");
     touched = start;
   }
-  truth_.acceleration = acceleration().in_doubles().hi;
+  truth_.first.acceleration = acceleration().in_doubles().hi;
   if (!touched) return;
   const Face& face = *touched->face;
   const EnclosedVec n = face.normal_W();
@@ -284,8 +284,8 @@ void Simulation::begin() {
   } else {
     handle_contact(*face.box);
   }
-  truth_.mode = mode_;
-  truth_.acceleration = acceleration().in_doubles().hi;
+  truth_.first.mode = mode_;
+  truth_.first.acceleration = acceleration().in_doubles().hi;
 }
 
 Simulation::Next Simulation::next() const {

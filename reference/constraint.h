@@ -28,6 +28,12 @@ struct BallTruth {
 /// The ball's mode and its changes, with bounds of the quantities by which an answer is judged.
 struct ConstraintTruth {
   enum class Mode { ballistic, sliding, rolling };
+  /// What holds from the start or from a change until the next change.
+  struct Segment {
+    Mode mode = Mode::ballistic;
+    double acceleration = 0;  ///< m/s²: upper bound of |v'| and r |w'|
+    double clearance = 0;     ///< m: lower bound of the distance to any change other than the next one
+  };
   /// At `time` the set of contacts changes, or the mode of one.
   struct Change {
     Event::Kind kind = Event::Kind::contact;  ///< contact, release or impact
@@ -36,19 +42,16 @@ struct ConstraintTruth {
     Vec3 p_WC = Vec3::Zero();                 ///< to the nearest doubles, as are n̂ and P
     Vec3 nhat_W = Vec3::Zero();               ///< from the box to the ball
     Vec3 P_W = Vec3::Zero();                  ///< on the ball (N s)
-    Mode mode = Mode::ballistic;              ///< from this change on
     /// Lower bound of the rate at which the quantity that is 0 at the change passes 0: m/s² for slip, else m/s
     double rate = 0;
     double velocity_jump = 0;  ///< m/s: upper bound of the jumps of v and of r w
     double curvature = 0;  ///< 1/m: for an impact, upper bound of how fast n̂ turns with the position; 0 over a face
-    double acceleration = 0;  ///< m/s²: upper bound of |v'| and r |w'| from this change on
-    double clearance = 0;     ///< m: lower bound of the distance to any other change, until the next one
+    Segment segment;       ///< from this change on
     BallTruth after;
   };
 
   int ball = 0;
-  Mode mode = Mode::ballistic;             ///< at the start, as are the following
-  double acceleration = 0, clearance = 0;  ///< as in Change
+  Segment first;                  ///< from the start on
   double speed = 0;               ///< m/s: upper bound of |v| and r |w| at the start, at each sample and at each change
   std::vector<Change> changes;    ///< in order; a contact at the start comes first
   std::vector<BallTruth> states;  ///< one for each sample time

@@ -75,7 +75,7 @@ std::vector<RollingBound> rolling(const Scene& scene, const reference::Constrain
   const double delta = granted_step(scene), r = radius_of(scene, truth);
   const Vec3& start = scene.bodies[static_cast<std::size_t>(truth.ball)].X_WB.p_WB;
   const double way = start.norm() + truth.speed * times.back();
-  double A = truth.acceleration, clearance = of_lasting(truth.clearance), from = 0;
+  double A = truth.first.acceleration, clearance = of_lasting(truth.first.clearance), from = 0;
   double X = envelope(scene) + roundings * unit_roundoff(precision) * way;
   double V = A * delta + (roundings * unit_roundoff(precision) + envelope(scene) / r) * truth.speed;
   double shift = delta;         // uncertainty of the time of the last change
@@ -105,14 +105,14 @@ std::vector<RollingBound> rolling(const Scene& scene, const reference::Constrain
       if (!(2 * change.rate * V + r * scene.gravity.norm() * 0x1p-6 < over / 2)) return bounds;
     }
     if (!same_time) shift = early;
-    V += 2 * std::max(A, change.acceleration) * shift;
+    V += 2 * std::max(A, change.segment.acceleration) * shift;
     if (change.kind == Event::Kind::impact) {
       V = (2 + 4 * mu) * V + 2 * change.velocity_jump * change.curvature * (X + truth.speed * delta);
       X = (1 + mu) * X + change.velocity_jump * delta;
     }
-    if (change.mode == Mode::sliding) V *= 2;
-    A = change.acceleration;
-    clearance = of_lasting(change.clearance);
+    if (change.segment.mode == Mode::sliding) V *= 2;
+    A = change.segment.acceleration;
+    clearance = of_lasting(change.segment.clearance);
     from = end;
     unsure_until = std::max(unsure_until, end + early);
   }

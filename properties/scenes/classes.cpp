@@ -308,10 +308,10 @@ void constraint_classes(const Scene& scene, Names& names) {
   const auto mode = [&](Truth::Mode m) {
     names.push_back(m == Truth::Mode::rolling ? "rolls" : m == Truth::Mode::sliding ? "slides" : "flies");
   };
-  mode(truth->mode);
+  mode(truth->first.mode);
   int impacts = 0;
   for (const Truth::Change& change : truth->changes) {
-    mode(change.mode);
+    mode(change.segment.mode);
     if (change.kind == Event::Kind::release) names.push_back("a contact ends");
     if (change.kind == Event::Kind::impact) ++impacts;
     if (change.kind == Event::Kind::contact && change.rate > 0) names.push_back("slip stops");

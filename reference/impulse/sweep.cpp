@@ -403,25 +403,23 @@ EnclosedContact::EnclosedContact(const ImpactProblem<Enclosed>& problem)
   k1 = inner(n, K1);
   k2 = inner(n, K2);
   b = inner(n, times(problem.K, n));
-  w1 = inner(e1, problem.u0);
-  w2 = inner(e2, problem.u0);
-  U0 = inner(n, problem.u0);
+  u0 = {inner(e1, problem.u0), inner(e2, problem.u0), inner(n, problem.u0)};
 }
 
 /// u_t gives P_t, P gives u_n, and the change of energy gives W.
 ImpactState<Enclosed> EnclosedContact::impact_state(const Enclosed& u1, const Enclosed& u2, const Enclosed& p,
                                                     const Enclosed& D) const {
-  const Enclosed d1 = u1 - w1 - k1 * p;
-  const Enclosed d2 = u2 - w2 - k2 * p;
+  const Enclosed d1 = u1 - u0[0] - k1 * p;
+  const Enclosed d2 = u2 - u0[1] - k2 * p;
   const Enclosed det = m11 * m22 - square(m12);
   const Enclosed P1 = (m22 * d1 - m12 * d2) / det;
   const Enclosed P2 = (m11 * d2 - m12 * d1) / det;
   ImpactState<Enclosed> m{};
   m.p = p;
   m.P = plus(scaled(p, n), plus(scaled(P1, e1), scaled(P2, e2)));
-  m.U = U0 + k1 * P1 + k2 * P2 + b * p;
+  m.U = u0[2] + k1 * P1 + k2 * P2 + b * p;
   m.u = plus(scaled(m.U, n), plus(scaled(u1, e1), scaled(u2, e2)));
-  m.W = ((w1 + u1) * P1 + (w2 + u2) * P2 + (U0 + m.U) * p) / 2 + mu * D;
+  m.W = ((u0[0] + u1) * P1 + (u0[1] + u2) * P2 + (u0[2] + m.U) * p) / 2 + mu * D;
   return m;
 }
 
@@ -454,8 +452,8 @@ EnclosedVec diverging(const ImpactProblem<Enclosed>& problem, const EnclosedVec&
 }
 
 Sweep::Sweep(const ImpactProblem<Enclosed>& problem) : problem_(problem), contact_(problem) {
-  const Enclosed s = root(square(contact_.w1) + square(contact_.w2));
-  now_ = {contact_.w1 / s, contact_.w2 / s, s, Enclosed(0), Enclosed(0)};
+  const Enclosed s = root(square(contact_.u0[0]) + square(contact_.u0[1]));
+  now_ = {contact_.u0[0] / s, contact_.u0[1] / s, s, Enclosed(0), Enclosed(0)};
 }
 
 /// Skips the rest of slip if its direction is near the final one and neither compression nor restitution ends before it

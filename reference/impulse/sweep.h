@@ -18,13 +18,13 @@
 
 namespace touchstone::reference {
 
-/// K, μ and the normal in axes (e1, e2, n), |n| = 1, and u before the impact.
+/// K and μ in axes (e1, e2, n), |n| = 1, and u before the impact.
 struct EnclosedContact {
   explicit EnclosedContact(const ImpactProblem<Enclosed>& problem);
 
   EnclosedVec e1, e2, n;
   Enclosed m11, m12, m22, k1, k2, b, mu;
-  Enclosed w1, w2, U0;
+  EnclosedVec u0;  ///< in these axes
   bool painleve;
 
   /// The state at slip (u1, u2) and normal impulse p.

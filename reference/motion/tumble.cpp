@@ -88,7 +88,7 @@ Wide pi() { return acos(Wide(-1)); }
 
 /// In P, at τ = 0.
 struct Tumble::Invariants {
-  Coordinates<Wide> I, c, w;
+  Coordinates<Wide> I, w;
   Wide L, twice_T;
   Wide a, b, d;       ///< |c|
   Wide A, D, lambda;  ///< as in reference/motion/tumble.h
@@ -122,18 +122,19 @@ Tumble::Tumble(const Square<mpq_class>& I_B, const std::array<mpq_class, 4>& q, 
   of.w = components(axes, w);
   of.L = root(enclosed<Wide>(L_squared));
   of.twice_T = enclosed<Wide>(twice_T);
-  of.c = {Wide((of.I.y - of.I.z) / of.I.x), Wide((of.I.z - of.I.x) / of.I.y), Wide((of.I.x - of.I.y) / of.I.z)};
+  const Coordinates<Wide> c = {Wide((of.I.y - of.I.z) / of.I.x), Wide((of.I.z - of.I.x) / of.I.y),
+                               Wide((of.I.x - of.I.y) / of.I.z)};
   const Wide sign(about_greatest ? 1 : -1);
   of.sigma = -sign;
-  of.a = -sign * of.c.x;
-  of.b = sign * of.c.y;
-  of.d = -sign * of.c.z;
+  of.a = -sign * c.x;
+  of.b = sign * c.y;
+  of.d = -sign * c.z;
   of.A = of.b * square(of.w.x) + of.a * square(of.w.y);
   of.D = of.d * square(of.w.y) + of.b * square(of.w.z);
   of.lambda = root(Wide(of.a * of.D));
   of.W.x = root(Wide(of.A / of.b));
   of.W.z = root(Wide(of.D / of.b));
-  of.W.y = of.c.y * of.W.x * of.W.z / of.lambda;
+  of.W.y = c.y * of.W.x * of.W.z / of.lambda;
   if (!(lower(of.a) > 0 && lower(of.b) > 0 && lower(of.d) > 0 && lower(of.A) > 0 && lower(of.D) > 0)) return;
 
   wide_.W = of.W;
@@ -146,7 +147,7 @@ Tumble::Tumble(const Square<mpq_class>& I_B, const std::array<mpq_class, 4>& q, 
   if (!wide_.known) return;
   wide_.back = conjugate(in_P(wide_, Wide(0)).q);
   const Wide alpha =
-      length(entrywise(of.c, Coordinates<Wide>{Wide(of.W.y * of.W.z), Wide(of.W.z * of.W.x), Wide(of.W.x * of.W.y)}));
+      length(entrywise(c, Coordinates<Wide>{Wide(of.W.y * of.W.z), Wide(of.W.z * of.W.x), Wide(of.W.x * of.W.y)}));
   // |ω|² is linear in sn² s: it is greatest at sn = 0 or at sn = 1.
   const Wide even = square(of.W.x) + square(of.W.z),
              odd = square(of.W.y) + square(of.W.z) - of.d * of.A / (of.a * of.b);

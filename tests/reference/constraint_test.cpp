@@ -39,8 +39,8 @@ TEST_CASE("constraint: a ball slides, then rolls at 5/7 of its speed") {
   const ConstraintTruth truth = constraint(ball_on_table(Vec3(v0, 0, 0), 1));
   REQUIRE(truth.changes.size() == 2);
   CHECK(truth.changes[0].kind == Kind::contact);
-  CHECK(truth.changes[0].mode == Mode::sliding);
-  CHECK(truth.changes[1].mode == Mode::rolling);
+  CHECK(truth.changes[0].segment.mode == Mode::sliding);
+  CHECK(truth.changes[1].segment.mode == Mode::rolling);
   CHECK(holds(truth.changes[1].time, stop));
   CHECK(width(truth.changes[1].time) < 1e-15);
   CHECK(truth.changes[1].rate == Approx(3.5 * mu * g));
@@ -68,7 +68,7 @@ TEST_CASE("constraint: a fast ball rolls off the edge and falls to the floor, wh
   scene.bodies.push_back(table(Vec3(50, 50, 1), Vec3(0, 0, -4), {0, 1}));
   const ConstraintTruth truth = constraint(scene);
   REQUIRE(truth.changes.size() == 4);
-  CHECK(truth.mode == Mode::rolling);
+  CHECK(truth.first.mode == Mode::rolling);
   CHECK(truth.changes[1].kind == Kind::release);
   CHECK(holds(truth.changes[1].time, 2 / 3.5));
   CHECK(truth.changes[1].rate == Approx(3.5));
@@ -76,7 +76,7 @@ TEST_CASE("constraint: a fast ball rolls off the edge and falls to the floor, wh
   CHECK(truth.changes[2].other == 2);
   CHECK(holds(truth.changes[2].time, 2 / 3.5 + std::sqrt(2 * 3 / g)));
   CHECK(truth.changes[3].kind == Kind::contact);
-  CHECK(truth.changes[3].mode == Mode::rolling);
+  CHECK(truth.changes[3].segment.mode == Mode::rolling);
   CHECK(holds(truth.states[1].v_WB[0], 3.5));
   CHECK(holds(truth.states[1].p_WB[2], r - 3));
   CHECK(holds(truth.states[1].v_WB[2], 0));
@@ -99,7 +99,7 @@ TEST_CASE("constraint: just reaching the edge of a tilted table, and just not") 
   const double below = std::floor(critical * 0x1p30) / 0x1p30;
   const ConstraintTruth truth = constraint(rolls_up(below));
   CHECK(truth.changes.size() == 1);
-  CHECK(truth.mode == Mode::rolling);
+  CHECK(truth.first.mode == Mode::rolling);
   CHECK_THROWS_WITH(constraint(rolls_up(below + 0x1p-30)), Catch::Contains("pivots"));
 }
 
@@ -114,7 +114,7 @@ TEST_CASE("constraint: obstacles send the ball back, and the smooth ones do not 
   CHECK(holds(truth.changes[1].after.v_WB[0], -0.5));
   CHECK(holds(truth.changes[1].after.w_WB[1], 4));
   CHECK(truth.changes[2].kind == Kind::contact);
-  CHECK(truth.changes[2].mode == Mode::sliding);
+  CHECK(truth.changes[2].segment.mode == Mode::sliding);
 }
 
 TEST_CASE("constraint: a rough obstacle lifts the ball off the table") {
