@@ -50,13 +50,94 @@ struct Flaw {
 /// What an integer means that no double equals. A scene means exactly its numbers, so there it is refused.
 enum class Integers { exact, nearest_double };
 
+/// A value while it is built: the open objects and arrays, and the place of the next value.
+class Draft {
+ public:
+  explicit Draft(std::size_t most_values) : most_values_(most_values) {}
+
+  Json take() { return std::move(root_); }
+
+  template <class Value>
+  void add(Value&& value) {
+    if (++values_ > most_values_) {
+      throw Flaw{InputError("", "more than " + std::to_string(most_values_) + " values"), {}};
+    }
+    slot() = std::forward<Value>(value);
+  }
+
+  void open(Json&& empty) {
+    if (open_.size() == deepest) refuse_next("nested deeper than " + std::to_string(deepest) + " levels");
+    add(std::move(empty));
+    open_.push_back(last_);
+  }
+
+  void close() { open_.pop_back(); }
+
+  /// Begins a member of the innermost open object.
+  void add_key(std::string&& key) {
+    auto& members = open_.back()->get_ref<Json::object_t&>();
+    if (members.find(key) != members.end()) {
+      throw Flaw{InputError(place(false), "the key " + shortened(Json(key).dump()) + " stands twice in one object"),
+                 {}};
+    }
+    if (members.size() == most_keys) {
+      throw Flaw{InputError(place(false), "more than " + std::to_string(most_keys) + " keys in one object"), {}};
+    }
+    members.emplace_back(std::move(key), nullptr);
+  }
+
+  /// The path of the innermost open value, or of the next value in it.
+  std::string place(bool of_next) const {
+    std::string path;
+    for (std::size_t i = 0; i < open_.size(); ++i) {
+      const bool is_innermost = i + 1 == open_.size();
+      if (is_innermost && !of_next) break;
+      if (open_[i]->is_array()) {
+        path += '[' + std::to_string(open_[i]->size() - (is_innermost ? 0 : 1)) + ']';
+      } else {
+        path += (path.empty() ? "" : ".") + shortened(open_[i]->get_ref<const Json::object_t&>().back().first);
+      }
+    }
+    return path;
+  }
+
+  [[noreturn]] void refuse_next(const std::string& what_is_wrong) const {
+    throw Flaw{InputError(place(true), what_is_wrong), {}};
+  }
+
+ private:
+  /// Where the next value goes. Only the innermost open value grows, so pointers to the outer ones stay valid.
+  Json& slot() {
+    if (open_.empty()) {
+      last_ = &root_;
+    } else if (auto* items = open_.back()->get_ptr<Json::array_t*>()) {
+      last_ = &items->emplace_back();
+    } else {
+      last_ = &open_.back()->get_ref<Json::object_t&>().back().second;
+    }
+    return *last_;
+  }
+
+  Json root_;
+  Json* last_ = nullptr;
+  std::vector<Json*> open_;
+  std::size_t values_ = 0;
+  std::size_t most_values_;
+};
+
+std::string exactly(double integer) {
+  std::array<char, 400> digits{};
+  std::snprintf(digits.data(), digits.size(), "%.0f", integer);
+  return digits.data();
+}
+
 /// Builds the value from the parser's events. Refuses what JSON's grammar allows and our formats do not.
 class Builder final : public nlohmann::json_sax<Json> {
  public:
   Builder(std::string_view text, std::size_t most_values, Integers integers)
-      : text_(text), most_values_(most_values), integers_(integers) {}
+      : draft_(most_values), text_(text), integers_(integers) {}
 
-  Json take() { return std::move(root_); }
+  Json take() { return draft_.take(); }
 
   bool null() override { return add(nullptr); }
   bool boolean(bool value) override { return add(value); }
@@ -67,14 +148,14 @@ class Builder final : public nlohmann::json_sax<Json> {
 
   bool number_float(double value, const std::string& digits) override {
     if (value == 0 && digits.substr(0, digits.find_first_of("eE")).find_first_of("123456789") != std::string::npos) {
-      refuse_next("too small for a double, found " + shortened(digits) + ": it would be read as 0");
+      draft_.refuse_next("too small for a double, found " + shortened(digits) + ": it would be read as 0");
     }
     // An integer that does not fit in 64 bits.
     constexpr double room = 0x1p63;
     if (integers_ == Integers::exact && std::abs(value) >= room && digits.find_first_of(".eE") == std::string::npos &&
         digits != exactly(value)) {
-      refuse_next("the integer " + shortened(digits) +
-                  " is not a double; write it with a decimal point to have it rounded");
+      draft_.refuse_next("the integer " + shortened(digits) +
+                         " is not a double; write it with a decimal point to have it rounded");
     }
     return add(value);
   }
@@ -85,25 +166,17 @@ class Builder final : public nlohmann::json_sax<Json> {
   bool end_array() override { return close(); }
 
   bool key(std::string& key) override {
-    auto& members = open_.back()->get_ref<Json::object_t&>();
-    if (members.find(key) != members.end()) {
-      throw Flaw{InputError(place(false), "the key " + shortened(Json(key).dump()) + " stands twice in one object"),
-                 {}};
-    }
-    if (members.size() == most_keys) {
-      throw Flaw{InputError(place(false), "more than " + std::to_string(most_keys) + " keys in one object"), {}};
-    }
-    members.emplace_back(std::move(key), nullptr);
+    draft_.add_key(std::move(key));
     return true;
   }
 
   bool parse_error(std::size_t position, const std::string& last, const Json::exception& error) override {
     constexpr int out_of_range = 406;
-    if (error.id == out_of_range) refuse_next("too great for a double, found " + shortened(last));
+    if (error.id == out_of_range) draft_.refuse_next("too great for a double, found " + shortened(last));
     if (const std::string word = not_finite_at(position); !word.empty()) {
-      refuse_next("expected a finite number, found " + word);
+      draft_.refuse_next("expected a finite number, found " + word);
     }
-    throw Flaw{InputError(place(false), readable(error.what())), position > 0 ? position - 1 : 0};
+    throw Flaw{InputError(draft_.place(false), readable(error.what())), position > 0 ? position - 1 : 0};
   }
 
  private:
@@ -130,68 +203,22 @@ class Builder final : public nlohmann::json_sax<Json> {
 
   template <class Value>
   bool add(Value&& value) {
-    if (++values_ > most_values_) {
-      throw Flaw{InputError("", "more than " + std::to_string(most_values_) + " values"), {}};
-    }
-    slot() = std::forward<Value>(value);
+    draft_.add(std::forward<Value>(value));
     return true;
   }
 
   bool open(Json&& empty) {
-    if (open_.size() == deepest) refuse_next("nested deeper than " + std::to_string(deepest) + " levels");
-    add(std::move(empty));
-    open_.push_back(last_);
+    draft_.open(std::move(empty));
     return true;
   }
 
   bool close() {
-    open_.pop_back();
+    draft_.close();
     return true;
   }
 
-  /// Where the next value goes. Only the innermost open value grows, so pointers to the outer ones stay valid.
-  Json& slot() {
-    if (open_.empty()) {
-      last_ = &root_;
-    } else if (auto* items = open_.back()->get_ptr<Json::array_t*>()) {
-      last_ = &items->emplace_back();
-    } else {
-      last_ = &open_.back()->get_ref<Json::object_t&>().back().second;
-    }
-    return *last_;
-  }
-
-  /// The path of the innermost open value, or of the next value in it.
-  std::string place(bool of_next) const {
-    std::string path;
-    for (std::size_t i = 0; i < open_.size(); ++i) {
-      const bool is_innermost = i + 1 == open_.size();
-      if (is_innermost && !of_next) break;
-      if (open_[i]->is_array()) {
-        path += '[' + std::to_string(open_[i]->size() - (is_innermost ? 0 : 1)) + ']';
-      } else {
-        path += (path.empty() ? "" : ".") + shortened(open_[i]->get_ref<const Json::object_t&>().back().first);
-      }
-    }
-    return path;
-  }
-
-  [[noreturn]] void refuse_next(const std::string& what_is_wrong) const {
-    throw Flaw{InputError(place(true), what_is_wrong), {}};
-  }
-
-  static std::string exactly(double integer) {
-    std::array<char, 400> digits{};
-    std::snprintf(digits.data(), digits.size(), "%.0f", integer);
-    return digits.data();
-  }
-
-  Json root_;
-  Json* last_ = nullptr;
-  std::vector<Json*> open_;
+  Draft draft_;
   std::string_view text_;
-  std::size_t values_ = 0;
-  std::size_t most_values_;
   Integers integers_;
 };
 
