@@ -31,19 +31,19 @@ void judge_failure(Row& row, Defect cause, Grade grade, const KnownFailure* know
   const std::string name = oracle::name_of(cause);
   if (known == nullptr) {
     ++counts.fresh;
-    row.departures.push_back(fmt::format("new: {}, grade {}", name, oracle::name_of(grade)));
+    row.baseline.departures.push_back(fmt::format("new: {}, grade {}", name, oracle::name_of(grade)));
   } else if (grade > known->grade) {
     ++counts.worse;
-    row.departures.push_back(fmt::format("worse: {}, grade {}; in the baseline {}", name, oracle::name_of(grade),
-                                         oracle::name_of(known->grade)));
+    row.baseline.departures.push_back(fmt::format("worse: {}, grade {}; in the baseline {}", name,
+                                                  oracle::name_of(grade), oracle::name_of(known->grade)));
   } else if (known->waiver && known->waiver->expires < today) {
     ++counts.expired;
-    row.departures.push_back(fmt::format("the waiver for {} expired on {}: {}", name, text_of(known->waiver->expires),
-                                         words_of(*known->waiver)));
+    row.baseline.departures.push_back(fmt::format("the waiver for {} expired on {}: {}", name,
+                                                  text_of(known->waiver->expires), words_of(*known->waiver)));
   } else {
     ++counts.known;
     counts.waived += known->waiver ? 1 : 0;
-    row.known += (row.known.empty() ? "" : "; ") + acceptance(*known);
+    row.baseline.known += (row.baseline.known.empty() ? "" : "; ") + acceptance(*known);
   }
 }
 
@@ -63,9 +63,9 @@ void judge_absence(const KnownFailure& known, Ledger& ledger, Comparison& counts
     ++counts.not_asked;
   } else if (!row->defects.contains(known.cause)) {
     ++counts.passing;
-    row->departures.push_back(fmt::format("passes, though a failure is expected: {}, grade {}{}",
-                                          oracle::name_of(known.cause), oracle::name_of(known.grade),
-                                          known.waiver ? ", waived: " + words_of(*known.waiver) : ""));
+    row->baseline.departures.push_back(fmt::format("passes, though a failure is expected: {}, grade {}{}",
+                                                   oracle::name_of(known.cause), oracle::name_of(known.grade),
+                                                   known.waiver ? ", waived: " + words_of(*known.waiver) : ""));
   }
 }
 
@@ -80,7 +80,7 @@ Comparison compare(const Baseline& baseline, Date today, Ledger& ledger) {
   }
   for (const KnownFailure& known : baseline.failures) judge_absence(known, ledger, counts);
   for (Row& row : ledger.results.all()) {
-    if (!row.departures.empty()) row.known.clear();
+    if (!row.baseline.departures.empty()) row.baseline.known.clear();
   }
   return counts;
 }

@@ -172,18 +172,18 @@ void add_run_options(CLI::App& command, RunOptions& options) {
   add_jobs(command, options.jobs,
            "How many threads; the result does not depend on it. Default: one for each processor");
   add_limit_of_a_question(command, options.time_limit);
-  CLI::Option* out = add_folder(command, "--out", options.out, "Write the report to this folder");
-  if (!options.out.empty()) out->capture_default_str();
-  add_file(command, "--json", options.json, "Write report.json to this file too");
-  add_file(command, "--junit", options.junit, "Write JUnit XML to this file too");
-  add_file(command, "--sarif", options.sarif, "Write SARIF 2.1.0, for code scanning, to this file too");
+  CLI::Option* out = add_folder(command, "--out", options.files.out, "Write the report to this folder");
+  if (!options.files.out.empty()) out->capture_default_str();
+  add_file(command, "--json", options.files.json, "Write report.json to this file too");
+  add_file(command, "--junit", options.files.junit, "Write JUnit XML to this file too");
+  add_file(command, "--sarif", options.files.sarif, "Write SARIF 2.1.0, for code scanning, to this file too");
   add_folder(command, "--meshes", options.meshes,
              "Ask about the STL and OBJ meshes in this folder. Default: report takes those of Debian's dart-doc, check "
              "takes none");
 }
 
 void add_report(CLI::App& program, Options& options) {
-  options.report.out = "report";
+  options.report.files.out = "report";
   auto* command =
       program.add_subcommand("report", "Test engines; write a page, JSON, JUnit XML and a case for each failure");
   add_run_options(*command, options.report);
@@ -195,22 +195,22 @@ void add_check(CLI::App& program, Options& options) {
   auto* command = program.add_subcommand("check", "The same for CI: short output, and exit code 1 if a property fails");
   add_run_options(*command, options.check);
   CLI::Option* first =
-      command->add_flag("--first-failure", options.check.first_failure,
+      command->add_flag("--first-failure", options.check.pass.first_failure,
                         "Stop at the first scene on which a property fails, and do not make it smaller");
   CLI::Option* baseline =
-      add_file(*command, "--baseline", options.check.baseline,
+      add_file(*command, "--baseline", options.check.pass.baseline,
                "Accept the failures that this file has: exit code 1 only if one is new, worse or no longer waived, or "
                "does not occur any more")
           ->excludes(first);
-  add_file(*command, "--write-baseline", options.check.write_baseline,
+  add_file(*command, "--write-baseline", options.check.pass.write_baseline,
            "Write the failures of this run to this file, and keep its waivers; they are then no reason for exit code 1")
       ->excludes(first);
   command
-      ->add_option("--today", options.check.today,
+      ->add_option("--today", options.check.pass.today,
                    "The date with which the baseline's waivers are compared. Default: the date in UTC")
       ->type_name("DATE")
       ->needs(baseline);
-  command->add_flag("--require-answers", options.check.require_answers,
+  command->add_flag("--require-answers", options.check.pass.require_answers,
                     "Exit code 1 also if a subject answers none of the scenes of a query that is asked");
   command->footer(help::check);
   command->callback([&options] { options.chosen = [&] { return check(options.check); }; });

@@ -80,7 +80,7 @@ TrialPlan plan_of(const RunOptions& options) {
   plan.seed = options.seed;
   plan.jobs = options.jobs > 0 ? options.jobs : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   plan.limits = limits_of(options.time_limit);
-  plan.first_failure = options.first_failure;
+  plan.first_failure = options.pass.first_failure;
   return plan;
 }
 
@@ -88,15 +88,16 @@ MeshSet meshes_of(const RunOptions& options) { return read_meshes(options.meshes
 
 /// Checks the places before a run of minutes, not after it.
 void prepare_places(const RunOptions& options) {
-  if (!options.out.empty()) {
-    const fs::path cases = fs::path(options.out) / "cases";
+  if (!options.files.out.empty()) {
+    const fs::path cases = fs::path(options.files.out) / "cases";
     std::error_code error;
     fs::create_directories(cases, error);
-    if (error) throw InputError(options.out, error.message());
-    require_writable_folder(cases, options.out);
-    require_writable_folder(options.out, options.out);
+    if (error) throw InputError(options.files.out, error.message());
+    require_writable_folder(cases, options.files.out);
+    require_writable_folder(options.files.out, options.files.out);
   }
-  for (const std::string& file : {options.json, options.junit, options.sarif, options.write_baseline}) {
+  for (const std::string& file :
+       {options.files.json, options.files.junit, options.files.sarif, options.pass.write_baseline}) {
     if (!file.empty()) require_writable_file(file);
   }
 }
@@ -112,10 +113,11 @@ bool is_case_of_a_report(const fs::path& file) {
 /// Names the cases' commands before the page and the JUnit XML print them.
 void name_replay_commands(Ledger& ledger, const TrialPlan& plan, const fs::path& folder) {
   for (Row& row : ledger.results.all()) {
-    if (!row.smallest_case) continue;
+    if (!row.minimised.result) continue;
     std::optional<double> limit;
-    if (row.smallest_case->finding.defect == oracle::Defect::hung) limit = plan.limits.cpu_seconds;
-    row.replay_command = replay_command((folder / row.case_file).string(), row.smallest_case->subject, limit);
+    if (row.minimised.result->finding.defect == oracle::Defect::hung) limit = plan.limits.cpu_seconds;
+    row.minimised.replay_command =
+        replay_command((folder / row.minimised.case_file).string(), row.minimised.result->subject, limit);
   }
 }
 
@@ -126,7 +128,7 @@ void write_report(const fs::path& folder, const Ledger& ledger) {
     if (is_case_of_a_report(old.path())) fs::remove(old.path());
   }
   for (const Row& row : ledger.results.all()) {
-    if (row.smallest_case) oracle::write_case(*row.smallest_case, (folder / row.case_file).string());
+    if (row.minimised.result) oracle::write_case(*row.minimised.result, (folder / row.minimised.case_file).string());
   }
   write_text((folder / "report.json").string(), text_of(report_json(ledger)));
   write_text((folder / "junit.xml").string(), report_junit(ledger));
@@ -134,9 +136,9 @@ void write_report(const fs::path& folder, const Ledger& ledger) {
 }
 
 void write_extras(const RunOptions& options, const Ledger& ledger) {
-  if (!options.json.empty()) write_text(options.json, text_of(report_json(ledger)));
-  if (!options.junit.empty()) write_text(options.junit, report_junit(ledger));
-  if (!options.sarif.empty()) write_text(options.sarif, text_of(report_sarif(ledger, options.out)));
+  if (!options.files.json.empty()) write_text(options.files.json, text_of(report_json(ledger)));
+  if (!options.files.junit.empty()) write_text(options.files.junit, report_junit(ledger));
+  if (!options.files.sarif.empty()) write_text(options.files.sarif, text_of(report_sarif(ledger, options.files.out)));
 }
 
 long failing_rows(const Ledger& ledger) { return std::ranges::count_if(ledger.results.all(), &Row::failing); }
@@ -152,15 +154,15 @@ std::string verdict_on(const Row& row) {
 /// says are left out.
 void print_failing(const Ledger& ledger) {
   for (Cause& cause : causes(ledger)) {
-    std::erase_if(cause.rows, [](const Row* row) { return !row->known.empty(); });
+    std::erase_if(cause.rows, [](const Row* row) { return !row->baseline.known.empty(); });
     if (cause.rows.empty()) continue;
     const Row& first = *cause.rows.front();
     print("{}\n", verdict_on(first));
     for (const auto& [label, words] : lines_of(shown_finding(first))) print("    {:<9} {}\n", label, words);
-    if (first.smallest_case && first.smallest_case->changed) {
-      print("    {:<9} {}\n", "asked of", first.smallest_case->changed->how);
+    if (first.minimised.result && first.minimised.result->changed) {
+      print("    {:<9} {}\n", "asked of", first.minimised.result->changed->how);
     }
-    if (!first.replay_command.empty()) print("    {}\n", first.replay_command);
+    if (!first.minimised.replay_command.empty()) print("    {}\n", first.minimised.replay_command);
     for (const Row* row : cause.rows) {
       if (row != &first) print("{}, for the same cause\n", verdict_on(*row));
     }
@@ -169,8 +171,9 @@ void print_failing(const Ledger& ledger) {
 
 /// Ranks rows that compare with the truth first: conservation properties have bounds of their own.
 std::pair<bool, double> closeness(const Row& row) {
-  if (!row.closest) return {false, -1};
-  return {compares_with_truth(*row.property), row.closest->finding.error / row.closest->finding.allowed};
+  if (!row.examples.closest) return {false, -1};
+  return {compares_with_truth(*row.property),
+          row.examples.closest->finding.error / row.examples.closest->finding.allowed};
 }
 
 /// Prints, for each query, the correct answer with the largest error relative to the allowed error. Writes or prints
@@ -182,9 +185,9 @@ void print_closest(const Ledger& ledger, const std::string& out) {
       if (row.property->query != query) continue;
       if (!found || closeness(*found) < closeness(row)) found = &row;
     }
-    if (!found || !found->closest) continue;
+    if (!found || !found->examples.closest) continue;
     const Row& row = *found;
-    const Example& closest = *row.closest;
+    const Example& closest = *row.examples.closest;
     const oracle::Finding& finding = closest.finding;
     print("{}: {} scenes; the largest error beside what is allowed: {}, {:.3g} of {:.3g} {}: {} {}\n", query, scenes,
           name_of(row), finding.error, finding.allowed, finding.unit, closest.family, closest.index);
@@ -206,7 +209,7 @@ void print_closest(const Ledger& ledger, const std::string& out) {
 
 void print_departures(const Ledger& ledger) {
   for (const Row& row : ledger.results.all()) {
-    for (const std::string& departure : row.departures) print("{}: {}\n", name_of(row), departure);
+    for (const std::string& departure : row.baseline.departures) print("{}: {}\n", name_of(row), departure);
   }
 }
 
@@ -218,8 +221,8 @@ void print_comparison(const std::string& file, const Comparison& counts) {
 
 void print_impacts(const Ledger& ledger) {
   for (const Row& row : ledger.results.all()) {
-    if (row.impacts == 0) continue;
-    print("{}: {} impacts in {} scenes, {} fail\n", name_of(row), row.impacts, row.answered(), row.fails);
+    if (row.counts.impacts == 0) continue;
+    print("{}: {} impacts in {} scenes, {} fail\n", name_of(row), row.counts.impacts, row.answered(), row.counts.fails);
   }
 }
 
@@ -228,7 +231,8 @@ void print_summary(const Ledger& ledger) {
     long holds = 0;
     long fails = 0;
     long silent = 0;
-    for (const Row* row : ledger.results.of(subject)) ++(row->failing() ? fails : row->holds > 0 ? holds : silent);
+    for (const Row* row : ledger.results.of(subject))
+      ++(row->failing() ? fails : row->counts.holds > 0 ? holds : silent);
     print("{:<16} {:>3} properties hold, {:>3} fail, {:>3} not answered\n", subject.card.name, holds, fails, silent);
   }
   if (ledger.interrupted) {
@@ -261,9 +265,9 @@ Date date_of_today(const std::string& word) {
 
 /// Reads them before a run of minutes, not after it.
 Baselines baselines_of(const RunOptions& options) {
-  Baselines all{{}, {}, date_of_today(options.today)};
-  if (!options.baseline.empty()) all.expected = read_baseline(options.baseline);
-  if (fs::is_regular_file(options.write_baseline)) all.overwritten = read_baseline(options.write_baseline);
+  Baselines all{{}, {}, date_of_today(options.pass.today)};
+  if (!options.pass.baseline.empty()) all.expected = read_baseline(options.pass.baseline);
+  if (fs::is_regular_file(options.pass.write_baseline)) all.overwritten = read_baseline(options.pass.write_baseline);
   return all;
 }
 
@@ -302,11 +306,11 @@ int report(const RunOptions& options) {
   const MeshSet meshes = meshes_of(options);
   if (!meshes.absent.empty()) complain("no real meshes: {}", meshes.absent);
   Ledger ledger = run(plan, meshes);
-  name_replay_commands(ledger, plan, options.out);
-  write_report(options.out, ledger);
+  name_replay_commands(ledger, plan, options.files.out);
+  write_report(options.files.out, ledger);
   write_extras(options, ledger);
   print_summary(ledger);
-  print("{}\n", (fs::path(options.out) / "index.html").string());
+  print("{}\n", (fs::path(options.files.out) / "index.html").string());
   return ledger.interrupted ? interrupted_exit_code() : 0;
 }
 
@@ -319,24 +323,24 @@ int check(const RunOptions& options) {
   Ledger ledger = run(plan, meshes);
   std::optional<Comparison> comparison;
   if (baselines.expected && !ledger.interrupted) {
-    warn_of_another_run(options.baseline, *baselines.expected, ledger);
+    warn_of_another_run(options.pass.baseline, *baselines.expected, ledger);
     comparison = compare(*baselines.expected, baselines.today, ledger);
   }
-  if (!options.out.empty()) {
-    name_replay_commands(ledger, plan, options.out);
-    write_report(options.out, ledger);
+  if (!options.files.out.empty()) {
+    name_replay_commands(ledger, plan, options.files.out);
+    write_report(options.files.out, ledger);
   }
   write_extras(options, ledger);
   print_failing(ledger);
-  if (ledger.subjects.size() == 1) print_closest(ledger, options.out);
+  if (ledger.subjects.size() == 1) print_closest(ledger, options.files.out);
   print_impacts(ledger);
   print_departures(ledger);
   print_summary(ledger);
   if (ledger.interrupted) return interrupted_exit_code();
-  if (comparison) print_comparison(options.baseline, *comparison);
-  if (!options.write_baseline.empty()) write_new_baseline(options.write_baseline, baselines, ledger);
-  const bool silent = options.require_answers && print_unanswered(ledger);
-  const bool red = comparison ? !comparison->green() : options.write_baseline.empty() && failing_rows(ledger) > 0;
+  if (comparison) print_comparison(options.pass.baseline, *comparison);
+  if (!options.pass.write_baseline.empty()) write_new_baseline(options.pass.write_baseline, baselines, ledger);
+  const bool silent = options.pass.require_answers && print_unanswered(ledger);
+  const bool red = comparison ? !comparison->green() : options.pass.write_baseline.empty() && failing_rows(ledger) > 0;
   return silent || red ? 1 : 0;
 }
 

@@ -7,6 +7,23 @@
 
 namespace touchstone::app {
 
+/// The files that a run writes; those without a name are not written.
+struct RunFiles {
+  std::string out;   ///< folder of the report
+  std::string json;  ///< the same content in other forms, also without a report
+  std::string junit;
+  std::string sarif;
+};
+
+/// What makes check return 1.
+struct PassConditions {
+  bool first_failure = false;  ///< the run stops at it
+  bool require_answers = false;
+  std::string baseline;        ///< the known failures (app/baseline/baseline.h); if empty, none are
+  std::string write_baseline;  ///< a file for the failures of this run
+  std::string today;           ///< the date that waivers are compared with; if empty, the machine's
+};
+
 struct RunOptions {
   std::vector<std::string> subjects;    ///< connectables; if empty, all beside the program
   std::vector<std::string> queries;     ///< if empty, default_queries()
@@ -16,16 +33,9 @@ struct RunOptions {
   std::uint64_t seed = 1;
   int jobs = 0;           ///< threads; 0: one per processor
   double time_limit = 1;  ///< a subject's CPU time per query, s; ten times as much per trajectory
-  std::string out;        ///< folder of the report; if empty, check writes none
-  std::string json;       ///< other files, also without a report
-  std::string junit;
-  std::string sarif;
-  std::string meshes;  ///< folder; if empty, the known ones
-  bool first_failure = false;
-  bool require_answers = false;
-  std::string baseline;        ///< the known failures (app/baseline/baseline.h); if empty, none are
-  std::string write_baseline;  ///< a file for the failures of this run
-  std::string today;           ///< the date that waivers are compared with; if empty, the machine's
+  std::string meshes;     ///< folder; if empty, the known ones
+  RunFiles files;
+  PassConditions pass;
 };
 
 /// The queries that a run asks if `queries` is empty, and those that it asks only if they are named.

@@ -19,14 +19,15 @@ std::string clause_words(const properties::Property& property) {
 }
 
 std::string about_the_case(const Row& row) {
-  if (!row.smallest_case) return "";
-  const oracle::Size size = oracle::size_of(row.smallest_case->scene);
-  return definition("scene", fmt::format("{}; drawn as {} {} with {}", text_of(size), escaped(row.smallest->family),
-                                         row.smallest->index, text_of(row.size_found))) +
-         definition("asked of", row.smallest_case->changed ? escaped(row.smallest_case->changed->how) : "") +
-         definition("note", escaped(row.smallest_case->note)) +
-         definition("replay", fmt::format("<code>{}</code> <a href=\"{}\">file</a>", escaped(row.replay_command),
-                                          escaped(row.case_file)));
+  if (!row.minimised.result) return "";
+  const oracle::Size size = oracle::size_of(row.minimised.result->scene);
+  return definition("scene",
+                    fmt::format("{}; drawn as {} {} with {}", text_of(size), escaped(row.examples.smallest->family),
+                                row.examples.smallest->index, text_of(row.minimised.size_before))) +
+         definition("asked of", row.minimised.result->changed ? escaped(row.minimised.result->changed->how) : "") +
+         definition("note", escaped(row.minimised.result->note)) +
+         definition("replay", fmt::format("<code>{}</code> <a href=\"{}\">file</a>",
+                                          escaped(row.minimised.replay_command), escaped(row.minimised.case_file)));
 }
 
 std::string facts(const Row& row) {
@@ -49,7 +50,7 @@ std::string drawings(const oracle::Case& a_case) {
 }
 
 std::string failing_row(const Row& row) {
-  const std::string drawing = row.smallest_case ? drawings(*row.smallest_case) : "";
+  const std::string drawing = row.minimised.result ? drawings(*row.minimised.result) : "";
   return fmt::format(
       "<details class=\"row\" id=\"{}\"><summary>{}<b>{}</b> <span class=\"soft\">{}, {}</span></summary>"
       "<p class=\"soft\">Must hold: {}.</p><div class=\"{}\">{}<dl>{}</dl></div></details>",

@@ -17,14 +17,14 @@ namespace {
 const Row* plainest_failure(const Ledger& ledger, const TestedSubject& subject) {
   const auto rank = [](const Row& row) {
     const properties::Property& property = *row.property;
-    const oracle::Size size = oracle::size_of(row.smallest_case->scene);
+    const oracle::Size size = oracle::size_of(row.minimised.result->scene);
     return std::tuple(property.query != "distance" && property.query != "penetration", !compares_with_truth(property),
                       -static_cast<int>(*row.grade()), shown_finding(row).observed.empty(),
                       size.vertices_per_body_max + size.significant_bits_max);
   };
   const Row* best = nullptr;
   for (const Row* row : ledger.results.of(subject)) {
-    if (row->smallest_case && (best == nullptr || rank(*row) < rank(*best))) best = row;
+    if (row->minimised.result && (best == nullptr || rank(*row) < rank(*best))) best = row;
   }
   return best;
 }
@@ -39,7 +39,7 @@ std::string glance(const Row& row) {
       "href=\"#{}\">{}</a></p>"
       "</section>",
       badge(*row.grade()), escaped(row.subject->card.name), escaped(row.property->says),
-      picture(row.smallest_case->scene), facts, anchor(row), escaped(row.property->id));
+      picture(row.minimised.result->scene), facts, anchor(row), escaped(row.property->id));
 }
 
 }  // namespace

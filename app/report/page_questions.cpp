@@ -16,17 +16,18 @@ long total(const std::map<std::string, long>& counts) {
 }
 
 std::string about_meshes(const Ledger& ledger) {
-  if (ledger.mesh_count == 0) {
+  if (ledger.meshes.count == 0) {
     return "<p><b>No real meshes:</b> " +
-           escaped(ledger.meshes_absent.empty() ? "none were asked for" : ledger.meshes_absent) + ".</p>";
+           escaped(ledger.meshes.absent.empty() ? "none were asked for" : ledger.meshes.absent) + ".</p>";
   }
   std::vector<std::string> kinds;
-  for (const auto& [family, count] : ledger.mesh_scenes) kinds.push_back(fmt::format("{} {}", count, family));
-  const std::string left_out = ledger.meshes_left_out == 0
+  for (const auto& [family, count] : ledger.meshes.scenes) kinds.push_back(fmt::format("{} {}", count, family));
+  const std::string left_out = ledger.meshes.left_out == 0
                                    ? ""
-                                   : fmt::format(" Left out: {} that are flat or no meshes.", ledger.meshes_left_out);
-  return fmt::format("<p>Real input: the convex hulls of {} robot meshes, in {} scenes ({}).{}</p>", ledger.mesh_count,
-                     total(ledger.mesh_scenes), escaped(fmt::format("{}", fmt::join(kinds, ", "))), left_out);
+                                   : fmt::format(" Left out: {} that are flat or no meshes.", ledger.meshes.left_out);
+  return fmt::format("<p>Real input: the convex hulls of {} robot meshes, in {} scenes ({}).{}</p>",
+                     ledger.meshes.count, total(ledger.meshes.scenes),
+                     escaped(fmt::format("{}", fmt::join(kinds, ", "))), left_out);
 }
 
 std::string about_classes(const Ledger& ledger) {

@@ -25,11 +25,12 @@ struct Summary {
 Summary summary_of(const Ledger& ledger, const TestedSubject& subject) {
   Summary summary;
   for (const Row* row : ledger.results.of(subject)) {
-    ++(row->failing() ? summary.fail : row->holds > 0 ? summary.hold : summary.silent);
+    ++(row->failing() ? summary.fail : row->counts.holds > 0 ? summary.hold : summary.silent);
     for (std::size_t g = 0; g < row->grades.size(); ++g) summary.grades[g] += row->grades[g];
-    if (row->answered() == 0 && row->abstains > 0) summary.silence[row->why_abstains].push_back(row->property->id);
-    if (row->unit == "ulps of the scene's scale" &&
-        (summary.most_wrong == nullptr || row->largest_error > summary.most_wrong->largest_error)) {
+    if (row->answered() == 0 && row->counts.abstains > 0)
+      summary.silence[row->why_abstains].push_back(row->property->id);
+    if (row->largest_error.unit == "ulps of the scene's scale" &&
+        (summary.most_wrong == nullptr || row->largest_error.size > summary.most_wrong->largest_error.size)) {
       summary.most_wrong = row;
     }
   }
@@ -76,8 +77,8 @@ std::string subject_card(const Ledger& ledger, const TestedSubject& subject) {
       escaped(card.name), escaped(card.version), summary.hold, summary.fail, summary.silent);
   html += grades(summary);
   if (summary.most_wrong != nullptr) {
-    html += fmt::format("<p>Largest error: {:.3g} {} ({})</p>", summary.most_wrong->largest_error,
-                        escaped(summary.most_wrong->unit), escaped(summary.most_wrong->property->id));
+    html += fmt::format("<p>Largest error: {:.3g} {} ({})</p>", summary.most_wrong->largest_error.size,
+                        escaped(summary.most_wrong->largest_error.unit), escaped(summary.most_wrong->property->id));
   }
   return html + fmt::format("<p class=\"soft\">{}</p>", escaped(card.about)) + deviations(card) + silences(summary) +
          "</section>";

@@ -9,13 +9,14 @@ namespace {
 std::string without_query(const std::string& id) { return id.substr(id.find('.') + 1); }
 
 std::string counts_of(const Row& row) {
-  return fmt::format("holds {}, fails {}, breaks {}, abstains {}, outside {}, not asked {}", row.holds, row.fails,
-                     row.breaks, row.abstains, row.outside, row.not_asked);
+  return fmt::format("holds {}, fails {}, breaks {}, abstains {}, outside {}, not asked {}", row.counts.holds,
+                     row.counts.fails, row.counts.breaks, row.counts.abstains, row.counts.outside,
+                     row.counts.not_asked);
 }
 
 std::string silence_of(const Row& row) {
-  if (row.abstains > 0) return "abstains";
-  return row.not_asked > 0 ? "not asked" : "outside";
+  if (row.counts.abstains > 0) return "abstains";
+  return row.counts.not_asked > 0 ? "not asked" : "outside";
 }
 
 std::string cell(const Row& row) {
@@ -24,7 +25,7 @@ std::string cell(const Row& row) {
   const std::string name = oracle::name_of(*grade);
   const std::string words = row.failing()
                                 ? fmt::format("<a href=\"#{}\"><b>{}</b> {}</a>", anchor(row), name, share_of(row))
-                                : fmt::format("<b>{}</b> {} hold", name, row.holds);
+                                : fmt::format("<b>{}</b> {} hold", name, row.counts.holds);
   return fmt::format("<td class=\"{}\" title=\"{}\">{}</td>", name, counts_of(row), words);
 }
 

@@ -40,27 +40,28 @@ Json json_of(const ErrorHistogram& errors) {
 }
 
 Json json_of(const Row& row) {
-  Json json = {{"property", row.property->id}, {"subject", row.subject->card.name}, {"holds", row.holds},
-               {"fails", row.fails},           {"abstains", row.abstains},          {"breaks", row.breaks},
-               {"outside", row.outside},       {"not_asked", row.not_asked}};
+  Json json = {{"property", row.property->id},  {"subject", row.subject->card.name}, {"holds", row.counts.holds},
+               {"fails", row.counts.fails},     {"abstains", row.counts.abstains},   {"breaks", row.counts.breaks},
+               {"outside", row.counts.outside}, {"not_asked", row.counts.not_asked}};
   if (const auto grade = row.grade()) {
     json["grade"] = oracle::name_of(*grade);
     json["grades"] = grades_of(row);
-    if (!row.unit.empty()) json["largest_error"] = {{"error", number(row.largest_error)}, {"unit", row.unit}};
+    if (!row.largest_error.unit.empty())
+      json["largest_error"] = {{"error", number(row.largest_error.size)}, {"unit", row.largest_error.unit}};
   }
-  if (row.impacts > 0) json["impacts"] = row.impacts;
+  if (row.counts.impacts > 0) json["impacts"] = row.counts.impacts;
   if (row.errors.total() > 0) json["errors"] = json_of(row.errors);
   if (!row.why_abstains.empty()) json["why_abstains"] = row.why_abstains;
   if (!row.failing()) return json;
   json["share"] = static_cast<double>(row.failures()) / static_cast<double>(row.answered());
   for (const auto& [defect, count] : row.defects) json["defects"][oracle::name_of(defect)] = count;
-  json["worst"] = json_of(*row.worst);
-  if (row.smallest_case) {
-    json["case"] = row.case_file;
-    json["size_found"] = json_of(row.size_found);
-    json["size"] = json_of(oracle::size_of(row.smallest_case->scene));
-    json["finding"] = oracle::json_of(row.smallest_case->finding);
-    if (row.smallest_case->changed) json["changed"] = row.smallest_case->changed->how;
+  json["worst"] = json_of(*row.examples.worst);
+  if (row.minimised.result) {
+    json["case"] = row.minimised.case_file;
+    json["size_found"] = json_of(row.minimised.size_before);
+    json["size"] = json_of(oracle::size_of(row.minimised.result->scene));
+    json["finding"] = oracle::json_of(row.minimised.result->finding);
+    if (row.minimised.result->changed) json["changed"] = row.minimised.result->changed->how;
   }
   return json;
 }
@@ -105,10 +106,10 @@ Json report_json(const Ledger& ledger) {
   json["scenes"] = ledger.scenes;
   json["classes"] = ledger.classes;
   json["empty_classes"] = ledger.empty_classes;
-  json["meshes"] = {{"read", ledger.mesh_count},
-                    {"left_out", ledger.meshes_left_out},
-                    {"absent", ledger.meshes_absent},
-                    {"scenes", ledger.mesh_scenes}};
+  json["meshes"] = {{"read", ledger.meshes.count},
+                    {"left_out", ledger.meshes.left_out},
+                    {"absent", ledger.meshes.absent},
+                    {"scenes", ledger.meshes.scenes}};
   return json;
 }
 

@@ -9,26 +9,26 @@ namespace touchstone::app {
 namespace {
 
 /// No answer of the row either holds or fails, or a baseline has its failures.
-bool skipped(const Row& row) { return row.answered() == 0 || !row.known.empty(); }
+bool skipped(const Row& row) { return row.answered() == 0 || !row.baseline.known.empty(); }
 
 /// A row that fails without being known to, or that departs from a baseline: a failure that it has does not occur.
-bool red(const Row& row) { return !row.departures.empty() || (row.failing() && row.known.empty()); }
+bool red(const Row& row) { return !row.baseline.departures.empty() || (row.failing() && row.baseline.known.empty()); }
 
 std::string counts(const Row& row) {
-  return fmt::format("holds {}, fails {}, breaks {}, abstains {}, outside {}", row.holds, row.fails, row.breaks,
-                     row.abstains, row.outside);
+  return fmt::format("holds {}, fails {}, breaks {}, abstains {}, outside {}", row.counts.holds, row.counts.fails,
+                     row.counts.breaks, row.counts.abstains, row.counts.outside);
 }
 
 std::string failure(const Row& row) {
   const oracle::Finding& finding = shown_finding(row);
   std::string words;
-  for (const std::string& departure : row.departures) words += departure + '\n';
+  for (const std::string& departure : row.baseline.departures) words += departure + '\n';
   for (const auto& [label, text] : lines_of(finding)) words += label + ": " + text + '\n';
-  if (!row.case_file.empty()) words += "case: " + row.case_file + '\n';
-  if (!row.replay_command.empty()) words += "replay: " + row.replay_command + '\n';
-  if (row.smallest_case) {
-    words += "scene: " + touchstone::json_of(row.smallest_case->scene).dump() + '\n';
-    if (const auto& changed = row.smallest_case->changed) {
+  if (!row.minimised.case_file.empty()) words += "case: " + row.minimised.case_file + '\n';
+  if (!row.minimised.replay_command.empty()) words += "replay: " + row.minimised.replay_command + '\n';
+  if (row.minimised.result) {
+    words += "scene: " + touchstone::json_of(row.minimised.result->scene).dump() + '\n';
+    if (const auto& changed = row.minimised.result->changed) {
       words += fmt::format("asked of {}: {}\n", changed->how, touchstone::json_of(changed->scene).dump());
     }
   }
@@ -38,12 +38,12 @@ std::string failure(const Row& row) {
 
 std::string departure(const Row& row) {
   std::string words;
-  for (const std::string& one : row.departures) words += one + '\n';
+  for (const std::string& one : row.baseline.departures) words += one + '\n';
   return fmt::format("<failure type=\"passes\" message=\"{}\">{}</failure>", escaped(counts(row)), escaped(words));
 }
 
 std::string why_skipped(const Row& row) {
-  if (!row.known.empty()) return "known: " + row.known;
+  if (!row.baseline.known.empty()) return "known: " + row.baseline.known;
   return row.why_abstains.empty() ? "no scene in the property's domain" : row.why_abstains;
 }
 

@@ -49,18 +49,19 @@ const char* level_of(oracle::Grade grade) {
 std::string message(const Row& row) {
   std::string words = fmt::format("{} {}: {}, grade {}.", row.subject->card.name, row.property->id, share_of(row),
                                   oracle::name_of(*row.grade()));
-  for (const std::string& departure : row.departures) words += '\n' + departure;
+  for (const std::string& departure : row.baseline.departures) words += '\n' + departure;
   for (const auto& [label, text] : lines_of(shown_finding(row))) words += fmt::format("\n{}: {}", label, text);
-  if (!row.replay_command.empty()) words += "\nreplay: " + row.replay_command;
+  if (!row.minimised.replay_command.empty()) words += "\nreplay: " + row.minimised.replay_command;
   return words;
 }
 
 Json location(const Row& row, const std::string& folder) {
   const std::string name = row.subject->card.name;
   Json json;
-  if (!folder.empty() && !row.case_file.empty()) {
-    json["physicalLocation"] = {{"artifactLocation", {{"uri", uri_of_file(fs::path(folder) / row.case_file)}}},
-                                {"region", {{"startLine", 1}}}};
+  if (!folder.empty() && !row.minimised.case_file.empty()) {
+    json["physicalLocation"] = {
+        {"artifactLocation", {{"uri", uri_of_file(fs::path(folder) / row.minimised.case_file)}}},
+        {"region", {{"startLine", 1}}}};
   }
   json["logicalLocations"] = Json::array({{{"name", name}, {"fullyQualifiedName", name + '/' + row.property->id}}});
   return json;
@@ -75,18 +76,19 @@ Json result(const Row& row, std::size_t rule_index, const std::string& folder) {
                {"message", {{"text", message(row)}}}};
   json["locations"] = Json::array({location(row, folder)});
   json["partialFingerprints"] = {{"touchstone/1", row.subject->card.name + '/' + row.property->id + '/' + defect}};
-  if (!row.known.empty()) {
-    json["suppressions"] = Json::array({{{"kind", "external"}, {"status", "accepted"}, {"justification", row.known}}});
+  if (!row.baseline.known.empty()) {
+    json["suppressions"] =
+        Json::array({{{"kind", "external"}, {"status", "accepted"}, {"justification", row.baseline.known}}});
   }
   json["properties"] = {{"subject", row.subject->card.name},
                         {"defect", defect},
                         {"grade", oracle::name_of(*row.grade())},
                         {"failures", row.failures()},
                         {"answered", row.answered()}};
-  if (row.smallest_case) {
-    json["properties"]["scene"] = touchstone::json_of(row.smallest_case->scene);
-    if (row.smallest_case->changed) {
-      json["properties"]["changed_scene"] = touchstone::json_of(row.smallest_case->changed->scene);
+  if (row.minimised.result) {
+    json["properties"]["scene"] = touchstone::json_of(row.minimised.result->scene);
+    if (row.minimised.result->changed) {
+      json["properties"]["changed_scene"] = touchstone::json_of(row.minimised.result->changed->scene);
     }
   }
   return json;

@@ -12,6 +12,14 @@
 
 namespace touchstone::app {
 
+/// The meshes that were read, and the scenes made of them.
+struct MeshCounts {
+  std::string absent;  ///< why there are none
+  std::size_t count = 0;
+  std::size_t left_out = 0;            ///< flat, or not a mesh
+  std::map<std::string, long> scenes;  ///< by family
+};
+
 struct Ledger {
   Ledger(ResultMatrix::Properties properties, std::vector<TestedSubject> tested)
       : subjects(std::move(tested)), results(std::move(properties), subjects) {}
@@ -28,10 +36,7 @@ struct Ledger {
   std::map<std::string, std::map<std::string, long>> classes;  ///< query -> class -> scenes
   std::map<std::string, long> scenes;                          ///< query -> number of scenes
   std::vector<std::string> empty_classes;                      ///< "distance: edge-edge"
-  std::string meshes_absent;
-  std::size_t mesh_count = 0;
-  std::size_t meshes_left_out = 0;          ///< flat, or not a mesh
-  std::map<std::string, long> mesh_scenes;  ///< family -> scenes
+  MeshCounts meshes;
 };
 
 }  // namespace touchstone::app

@@ -53,10 +53,10 @@ bool handier(const Example& a, const Example& b) {
 }
 
 /// Errors in different units are not compared: the first unit of the row counts.
-void widen(double& largest_error, std::string& unit, double error, const std::string& error_unit) {
-  if (error_unit.empty() || (!unit.empty() && error_unit != unit)) return;
-  largest_error = std::max(largest_error, error);
-  unit = error_unit;
+void widen(LargestError& largest, const LargestError& other) {
+  if (other.unit.empty() || (!largest.unit.empty() && other.unit != largest.unit)) return;
+  largest.size = std::max(largest.size, other.size);
+  largest.unit = other.unit;
 }
 
 /// "0.36 %", "43 %"; "100 %" only of all.
@@ -79,54 +79,55 @@ void keep(std::optional<Example>& kept, const Example& candidate, bool (*better)
 void Row::count(const Example& example) {
   const Outcome outcome = example.finding.outcome;
   if (outcome == Outcome::outside) {
-    ++outside;
+    ++counts.outside;
     return;
   }
   if (outcome == Outcome::abstains) {
-    ++abstains;
+    ++counts.abstains;
     if (why_abstains.empty()) why_abstains = example.finding.why;
     return;
   }
   ++grades[static_cast<std::size_t>(oracle::grade(example.finding))];
-  impacts += example.finding.impacts;
+  counts.impacts += example.finding.impacts;
   errors.count(example.finding);
   if (outcome == Outcome::holds) {
-    ++holds;
-    if (has_size(example.finding)) keep(closest, example, closer);
+    ++counts.holds;
+    if (has_size(example.finding)) keep(examples.closest, example, closer);
     return;
   }
-  ++(outcome == Outcome::fails ? fails : breaks);
+  ++(outcome == Outcome::fails ? counts.fails : counts.breaks);
   ++defects[example.finding.defect];
   worsen(worst_grades, example.finding.defect, oracle::grade(example.finding));
-  widen(largest_error, unit, example.finding.error, example.finding.unit);
-  keep(worst, example, worse);
-  keep(smallest, example, handier);
+  widen(largest_error, {example.finding.error, example.finding.unit});
+  keep(examples.worst, example, worse);
+  keep(examples.smallest, example, handier);
 }
 
 void Row::merge(const Row& later) {
-  holds += later.holds;
-  fails += later.fails;
-  abstains += later.abstains;
-  breaks += later.breaks;
-  outside += later.outside;
-  not_asked += later.not_asked;
-  impacts += later.impacts;
+  counts.holds += later.counts.holds;
+  counts.fails += later.counts.fails;
+  counts.abstains += later.counts.abstains;
+  counts.breaks += later.counts.breaks;
+  counts.outside += later.counts.outside;
+  counts.not_asked += later.counts.not_asked;
+  counts.impacts += later.counts.impacts;
   for (std::size_t g = 0; g < grades.size(); ++g) grades[g] += later.grades[g];
   for (const auto& [defect, count] : later.defects) defects[defect] += count;
   for (const auto& [defect, grade] : later.worst_grades) worsen(worst_grades, defect, grade);
   if (why_abstains.empty()) why_abstains = later.why_abstains;
   errors.merge(later.errors);
-  widen(largest_error, unit, later.largest_error, later.unit);
-  if (later.closest) keep(closest, *later.closest, closer);
-  if (later.worst) keep(worst, *later.worst, worse);
-  if (later.smallest) keep(smallest, *later.smallest, handier);
+  widen(largest_error, later.largest_error);
+  if (later.examples.closest) keep(examples.closest, *later.examples.closest, closer);
+  if (later.examples.worst) keep(examples.worst, *later.examples.worst, worse);
+  if (later.examples.smallest) keep(examples.smallest, *later.examples.smallest, handier);
 }
 
 void Row::forget() {
   Row blank;
   blank.property = property;
   blank.subject = subject;
-  blank.not_asked = holds + fails + abstains + breaks + outside + not_asked;
+  blank.counts.not_asked =
+      counts.holds + counts.fails + counts.abstains + counts.breaks + counts.outside + counts.not_asked;
   *this = std::move(blank);
 }
 
@@ -138,7 +139,7 @@ std::optional<Grade> Row::grade() const {
 }
 
 const oracle::Finding& shown_finding(const Row& row) {
-  return row.smallest_case ? row.smallest_case->finding : row.worst->finding;
+  return row.minimised.result ? row.minimised.result->finding : row.examples.worst->finding;
 }
 
 std::string share_of(const Row& row) {

@@ -35,32 +35,60 @@ struct Example {
   oracle::Finding finding;
 };
 
-struct Row {
-  const properties::Property* property = nullptr;
-  const TestedSubject* subject = nullptr;
+/// How many scenes had which outcome.
+struct Counts {
   long holds = 0;
   long fails = 0;
   long abstains = 0;
   long breaks = 0;
   long outside = 0;
-  long not_asked = 0;                                    ///< skipped because the subject hung too often
+  long not_asked = 0;  ///< skipped because the subject hung too often
+  long impacts = 0;    ///< of simulations: each one compared with the reference by itself
+
+  long failures() const { return fails + breaks; }
+  long answered() const { return holds + failures(); }
+};
+
+/// Among the wrong answers whose error has a size.
+struct LargestError {
+  double size = 0;
+  std::string unit;  ///< empty if there is none
+};
+
+/// The answers that are kept to be shown.
+struct Examples {
+  std::optional<Example> closest;   ///< the correct answer with the largest error / allowed error
+  std::optional<Example> worst;     ///< by the worst grade, then the largest error, then the first
+  std::optional<Example> smallest;  ///< by usual units, then the worst grade, then size: start of minimising
+};
+
+/// What minimising made of `Examples::smallest`.
+struct Minimised {
+  std::optional<oracle::Case> result;
+  oracle::Size size_before;
+  std::string case_file;       ///< relative to the report's folder
+  std::string replay_command;  ///< for the case as written; empty if it was not written
+};
+
+/// What a baseline (app/baseline) says of the row.
+struct BaselineVerdict {
+  std::string known;                    ///< why check accepts a failing row; empty: it does not
+  std::vector<std::string> departures;  ///< what differs from the baseline, and has to be looked at
+};
+
+struct Row {
+  const properties::Property* property = nullptr;
+  const TestedSubject* subject = nullptr;
+  Counts counts;
   std::array<long, oracle::grade_count> grades{};        ///< of the answers
   std::map<oracle::Defect, long> defects;                ///< of the answers that fail or break
   std::map<oracle::Defect, oracle::Grade> worst_grades;  ///< likewise: the worst of each defect
-  long impacts = 0;                           ///< of simulations: each one compared with the reference by itself
-  std::string why_abstains;                   ///< the first reason
-  double largest_error = 0;                   ///< among the wrong answers whose error has a size
-  std::string unit;                           ///< of largest_error; empty if there is none
-  ErrorHistogram errors;                      ///< of all answers
-  std::optional<Example> closest;             ///< the correct answer with the largest error / allowed error
-  std::optional<Example> worst;               ///< by the worst grade, then the largest error, then the first
-  std::optional<Example> smallest;            ///< by usual units, then the worst grade, then size: start of minimising
-  std::optional<oracle::Case> smallest_case;  ///< after minimising
-  oracle::Size size_found;                    ///< of `smallest`, before minimising
-  std::string case_file;                      ///< relative to the report's folder
-  std::string replay_command;                 ///< for the case as written; empty if it was not written
-  std::string known;                          ///< why check accepts a failing row (app/baseline); empty: it does not
-  std::vector<std::string> departures;        ///< what differs from the baseline, and has to be looked at
+  std::string why_abstains;                              ///< the first reason
+  LargestError largest_error;
+  ErrorHistogram errors;  ///< of all answers
+  Examples examples;
+  Minimised minimised;
+  BaselineVerdict baseline;
 
   /// Counts the finding of one more query.
   void count(const Example& example);
@@ -72,8 +100,8 @@ struct Row {
   void forget();
 
   bool failing() const { return failures() > 0; }
-  long failures() const { return fails + breaks; }
-  long answered() const { return holds + failures(); }
+  long failures() const { return counts.failures(); }
+  long answered() const { return counts.answered(); }
   std::optional<oracle::Grade> grade() const;  ///< the worst; none if there is no answer
 };
 

@@ -110,13 +110,13 @@ std::set<const Row*> hang_like_another(const std::vector<Row*>& failing) {
   std::set<const Row*> all;
   std::set<const TestedSubject*> seen;
   for (const Row* row : failing) {
-    if (row->smallest->finding.defect == Defect::hung && !seen.insert(row->subject).second) all.insert(row);
+    if (row->examples.smallest->finding.defect == Defect::hung && !seen.insert(row->subject).second) all.insert(row);
   }
   return all;
 }
 
 oracle::Case as_found(const Row& row, std::uint64_t seed) {
-  const Example& found = *row.smallest;
+  const Example& found = *row.examples.smallest;
   return {row.property->id, {},          found.family,  seed,
           found.index,      found.scene, found.finding, "not reduced: it hangs like another row"};
 }
@@ -133,13 +133,14 @@ void cut_down(Ledger& ledger, const std::vector<std::vector<std::unique_ptr<orac
   in_parallel(failing.size(), static_cast<int>(workers.size()), [&](std::size_t f, std::size_t job) {
     Row& row = *failing[f];
     const TestedSubject& subject = *row.subject;
-    row.size_found = oracle::size_of(row.smallest->scene);
-    row.smallest_case = alike.contains(&row) ? as_found(row, ledger.seed)
-                                             : smallest_case(*row.smallest, *row.property, *workers[job][subject.index],
-                                                             ledger.seed, {budget, most_hangs});
-    row.smallest_case->subject = subject.connectable;
-    row.smallest_case->folder = folder_of(subject.connectable);
-    row.case_file = "cases/" + row.property->id + "." + subject.file_name + ".json";
+    row.minimised.size_before = oracle::size_of(row.examples.smallest->scene);
+    row.minimised.result = alike.contains(&row)
+                               ? as_found(row, ledger.seed)
+                               : smallest_case(*row.examples.smallest, *row.property, *workers[job][subject.index],
+                                               ledger.seed, {budget, most_hangs});
+    row.minimised.result->subject = subject.connectable;
+    row.minimised.result->folder = folder_of(subject.connectable);
+    row.minimised.case_file = "cases/" + row.property->id + "." + subject.file_name + ".json";
     progress.step(row.property->id + " of " + subject.card.name);
   });
 }

@@ -110,7 +110,7 @@ oracle::Finding checked(const Question& question, const Scene& scene, const Prop
 void ask(const Question& question, const Property& property, oracle::Subject& subject, int& hangs, Row& row,
          Example& example) {
   if (hangs >= most_hangs) {
-    ++row.not_asked;
+    ++row.counts.not_asked;
     return;
   }
   example.finding = checked(question, example.scene, property, subject);
@@ -191,16 +191,16 @@ Ledger opened(const TrialPlan& plan, const MeshSet& meshes, const Subjects& subj
   ledger.seed = plan.seed;
   ledger.effort = plan.effort.name;
   ledger.cases = plan.effort.cases;
-  ledger.meshes_absent = meshes.absent;
-  ledger.mesh_count = meshes.meshes.size();
-  ledger.meshes_left_out = meshes.left_out.size();
+  ledger.meshes.absent = meshes.absent;
+  ledger.meshes.count = meshes.meshes.size();
+  ledger.meshes.left_out = meshes.left_out.size();
   return ledger;
 }
 
 void enter(Ledger& ledger, const QueryTrial& query, const UnitResult& result) {
   ledger.results.merge(result.results);
   for (const auto& [name, count] : result.classes) ledger.classes[query.name][name] += count;
-  for (const auto& [family, count] : result.mesh_scenes) ledger.mesh_scenes[family] += count;
+  for (const auto& [family, count] : result.mesh_scenes) ledger.meshes.scenes[family] += count;
   ledger.scenes[query.name] += result.scenes;
 }
 

@@ -17,9 +17,9 @@ bool only_threw(const Row& row) {
 
 /// No answer, but an abstention; and where there was neither, the subject threw.
 bool gives_nothing(const Rows& rows) {
-  const auto silent = [](const Row* row) { return row->holds + row->fails == 0 && only_threw(*row); };
+  const auto silent = [](const Row* row) { return row->counts.holds + row->counts.fails == 0 && only_threw(*row); };
   return std::ranges::all_of(rows, silent) &&
-         std::ranges::any_of(rows, [](const Row* row) { return row->abstains > 0; });
+         std::ranges::any_of(rows, [](const Row* row) { return row->counts.abstains > 0; });
 }
 
 std::string first_reason(const Rows& rows) {
@@ -32,15 +32,15 @@ std::string first_reason(const Rows& rows) {
 void count_as_abstentions(const Rows& rows) {
   const std::string reason = first_reason(rows);
   for (Row* row : rows) {
-    if (row->breaks == 0) continue;
-    row->why_abstains = fmt::format("{} (on {} other {} it threw: {})", reason, row->breaks,
-                                    row->breaks == 1 ? "scene" : "scenes", row->worst->finding.why);
-    row->abstains += std::exchange(row->breaks, 0);
+    if (row->counts.breaks == 0) continue;
+    row->why_abstains = fmt::format("{} (on {} other {} it threw: {})", reason, row->counts.breaks,
+                                    row->counts.breaks == 1 ? "scene" : "scenes", row->examples.worst->finding.why);
+    row->counts.abstains += std::exchange(row->counts.breaks, 0);
     row->grades = {};
     row->defects.clear();
     row->worst_grades.clear();
-    row->worst.reset();
-    row->smallest.reset();
+    row->examples.worst.reset();
+    row->examples.smallest.reset();
   }
 }
 
@@ -61,7 +61,8 @@ std::vector<Unanswered> unanswered(const Ledger& ledger) {
   std::vector<Unanswered> all;
   for (const TestedSubject& subject : ledger.subjects) {
     std::map<std::string, long> answers;
-    for (const Row* row : ledger.results.of(subject)) answers[row->property->query] += row->holds + row->fails;
+    for (const Row* row : ledger.results.of(subject))
+      answers[row->property->query] += row->counts.holds + row->counts.fails;
     for (const Row* row : ledger.results.of(subject)) {
       const auto found = answers.find(row->property->query);
       if (found == answers.end()) continue;

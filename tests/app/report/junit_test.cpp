@@ -20,20 +20,20 @@ TEST_CASE("Abstaining is skipped, failing fails, holding is neither") {
   Row& holding = ledger.results.all()[0];
   Row& abstaining = ledger.results.all()[1];
   Row& failing = ledger.results.all()[2];
-  holding.holds = 1;
-  abstaining.abstains = 1;
+  holding.counts.holds = 1;
+  abstaining.counts.abstains = 1;
   abstaining.why_abstains = "a & b";
-  failing.fails = 1;
-  failing.worst.emplace();
-  failing.worst->finding = {
+  failing.counts.fails = 1;
+  failing.examples.worst.emplace();
+  failing.examples.worst->finding = {
       oracle::Outcome::fails, oracle::Defect::wrong_mass, "<1>", "2", 1, 0.5, "kg", 0, {}, "", ""};
   const std::string xml = report_junit(ledger);
   CHECK_THAT(xml, Catch::Contains("name=\"&lt;engine&gt;\" tests=\"3\" failures=\"1\" errors=\"0\" skipped=\"1\""));
   CHECK_THAT(xml, Catch::Contains("<skipped message=\"a &amp; b\"/>"));
   CHECK_THAT(xml, Catch::Contains("&lt;1&gt;"));
 
-  failing.known = "wrong_mass, in the baseline";
-  holding.departures = {"passes, though a failure is expected"};
+  failing.baseline.known = "wrong_mass, in the baseline";
+  holding.baseline.departures = {"passes, though a failure is expected"};
   const std::string with_baseline = report_junit(ledger);
   CHECK_THAT(with_baseline, Catch::Contains("failures=\"1\" errors=\"0\" skipped=\"2\""));
   CHECK_THAT(with_baseline, Catch::Contains("<skipped message=\"known: wrong_mass, in the baseline\"/>"));

@@ -34,13 +34,13 @@ TEST_CASE("Rows come by property and by subject, in the order of both") {
 
 TEST_CASE("A part about some of the properties is added to their rows") {
   ResultMatrix matrix = whole();
-  matrix.at(four[2], subjects[1]).holds = 5;
+  matrix.at(four[2], subjects[1]).counts.holds = 5;
   ResultMatrix part({&four[2], &four[1]}, subjects);
-  part.at(four[2], subjects[1]).holds = 2;
-  part.at(four[1], subjects[0]).fails = 3;
+  part.at(four[2], subjects[1]).counts.holds = 2;
+  part.at(four[1], subjects[0]).counts.fails = 3;
   matrix.merge(part);
-  CHECK(matrix.at(four[2], subjects[1]).holds == 7);
-  CHECK(matrix.at(four[1], subjects[0]).fails == 3);
+  CHECK(matrix.at(four[2], subjects[1]).counts.holds == 7);
+  CHECK(matrix.at(four[1], subjects[0]).counts.fails == 3);
   long sum = 0;
   for (const Row& row : matrix.all()) sum += row.answered();
   CHECK(sum == 10);

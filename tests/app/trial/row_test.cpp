@@ -38,11 +38,11 @@ TEST_CASE("Each outcome has its own count, and only answers have a grade") {
   row.count(example(Outcome::fails, Defect::missed, 1e300));
   row.count(example(Outcome::breaks, Defect::crashed));
   CHECK(row.failing());
-  CHECK(row.holds == 1);
-  CHECK(row.fails == 1);
-  CHECK(row.breaks == 1);
-  CHECK(row.abstains == 1);
-  CHECK(row.outside == 1);
+  CHECK(row.counts.holds == 1);
+  CHECK(row.counts.fails == 1);
+  CHECK(row.counts.breaks == 1);
+  CHECK(row.counts.abstains == 1);
+  CHECK(row.counts.outside == 1);
   CHECK(row.answered() == 3);
   CHECK(row.defects == std::map<Defect, long>{{Defect::missed, 1}, {Defect::crashed, 1}});
   CHECK(row.grade() == Grade::F);
@@ -53,8 +53,8 @@ TEST_CASE("The largest error is kept, and of equal ones the first") {
   row.count(example(Outcome::fails, Defect::too_far, 5, 1));
   row.count(example(Outcome::fails, Defect::too_far, 9, 2));
   row.count(example(Outcome::fails, Defect::too_far, 9, 3));
-  CHECK(row.worst->index == 2);
-  CHECK(row.largest_error == 9);
+  CHECK(row.examples.worst->index == 2);
+  CHECK(row.largest_error.size == 9);
 }
 
 TEST_CASE("Each defect has the worst grade of its own") {
@@ -69,8 +69,8 @@ TEST_CASE("Each defect has the worst grade of its own") {
 TEST_CASE("The share of failures: small ones keep two digits, and 100 % is all") {
   const auto share = [](long holds, long fails) {
     Row row;
-    row.holds = holds;
-    row.fails = fails;
+    row.counts.holds = holds;
+    row.counts.fails = fails;
     return share_of(row);
   };
   CHECK(share(280, 1) == "1 of 281 fail (0.36 %)");
@@ -108,14 +108,14 @@ TEST_CASE("Counting in two halves and merging is counting at once") {
     Row second;
     for (std::size_t i = 0; i < asked.size(); ++i) (i < cut ? first : second).count(asked[i]);
     first.merge(second);
-    CHECK(first.holds == at_once.holds);
+    CHECK(first.counts.holds == at_once.counts.holds);
     CHECK(first.answered() == at_once.answered());
     CHECK(first.grades == at_once.grades);
     CHECK(first.defects == at_once.defects);
     CHECK(first.worst_grades == at_once.worst_grades);
-    CHECK(first.largest_error == at_once.largest_error);
-    CHECK(first.worst->index == at_once.worst->index);
-    CHECK(first.smallest->index == at_once.smallest->index);
+    CHECK(first.largest_error.size == at_once.largest_error.size);
+    CHECK(first.examples.worst->index == at_once.examples.worst->index);
+    CHECK(first.examples.smallest->index == at_once.examples.smallest->index);
   }
 }
 

@@ -39,10 +39,10 @@ TEST_CASE("A query that is never answered counts as abstained from, though some 
   count_as_abstentions(ledger.results);
   for (const std::size_t p : {0, 1}) {
     CHECK_FALSE(row(ledger, p).failing());
-    CHECK(row(ledger, p).abstains == 2);
+    CHECK(row(ledger, p).counts.abstains == 2);
     CHECK_FALSE(row(ledger, p).grade());
-    CHECK_FALSE(row(ledger, p).worst);
-    CHECK_FALSE(row(ledger, p).smallest);
+    CHECK_FALSE(row(ledger, p).examples.worst);
+    CHECK_FALSE(row(ledger, p).examples.smallest);
   }
   CHECK(row(ledger, 0).why_abstains == "no depth (on 1 other scene it threw: hull failed)");
   CHECK(row(ledger, 1).why_abstains == "no depth (on 2 other scenes it threw: hull failed)");
@@ -59,7 +59,7 @@ TEST_CASE("A part that is never given counts as abstained from; a part that is g
   count_as_abstentions(ledger.results);
   CHECK_FALSE(row(ledger, 0).failing());
   CHECK(row(ledger, 1).failing());
-  CHECK(row(ledger, 1).breaks == 1);
+  CHECK(row(ledger, 1).counts.breaks == 1);
 }
 
 TEST_CASE("A crash, a hang or garbage stays a failure") {
@@ -69,8 +69,8 @@ TEST_CASE("A crash, a hang or garbage stays a failure") {
     count(ledger, 0, Outcome::breaks, Defect::threw);
     count(ledger, 0, Outcome::breaks, defect);
     count_as_abstentions(ledger.results);
-    CHECK(row(ledger, 0).breaks == 2);
-    CHECK(row(ledger, 0).worst.has_value());
+    CHECK(row(ledger, 0).counts.breaks == 2);
+    CHECK(row(ledger, 0).examples.worst.has_value());
   }
 }
 
