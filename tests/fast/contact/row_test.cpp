@@ -1,7 +1,6 @@
 // What an impulse at a contact does to two bodies, for bodies whose response is known.
 #include "fast/contact/row.h"
 
-#include "fast/contact/cross_matrix.h"
 #include "tests/catch.h"
 
 namespace touchstone::fast::contact {
@@ -19,11 +18,6 @@ ContactRow row_below() {
   row.arm_A = -z;
   prepare(row, bodies);
   return row;
-}
-
-TEST_CASE("row: r× as a matrix") {
-  CHECK(cross_matrix(x) * y == z);
-  CHECK(cross_matrix(Vec3(1, 2, 3)) * Vec3(4, 5, 6) == Vec3(-3, 6, -3));
 }
 
 TEST_CASE("row: K along the normal is 1/m; across it, a turn about y adds r²/I, and the greater eigenvalue counts") {
