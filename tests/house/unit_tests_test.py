@@ -12,8 +12,8 @@ def missing(root, folder):
     """What is without a unit test, and why."""
     layer = folder.split("/")[0]
     listed = (root / "tests" / layer / "CMakeLists.txt").read_text().replace(")", " ").split()
-    sources = {path.relative_to(root).with_suffix("") for path in (root / folder).rglob("*") if path.suffix in {".h", ".cpp"}}
-    for source in sorted(sources):
+    sources = [path.relative_to(root) for path in (root / folder).rglob("*") if path.suffix in {".h", ".cpp"}]
+    for source in sorted({source.with_suffix("") for source in sources}):
         test = root / "tests" / source.with_name(source.name + "_test.cpp")
         text = test.read_text() if test.exists() else ""
         if not test.exists():
