@@ -117,7 +117,7 @@ void add_time_limit(CLI::App& command, double& seconds, const std::string& descr
 void add_limit_of_a_question(CLI::App& command, double& seconds) {
   add_time_limit(command, seconds,
                  "CPU time that a subject may take for one question; it may take ten times as long for one of "
-                 "simulation or constraint");
+                 "simulation or constraint, in a run with effort quick five times");
 }
 
 CLI::Option* add_file(CLI::App& command, const std::string& option, std::string& file, const std::string& description) {
@@ -147,8 +147,7 @@ void add_run_options(CLI::App& command, RunOptions& options) {
   add_subjects(command, options.subjects);
   command
       .add_option("--queries", options.queries,
-                  fmt::format("The queries to ask: {}; and {}, which are asked only if they are named",
-                              listed(default_queries()), listed(queries_on_demand())))
+                  fmt::format("The queries to ask. Default: all of {}", listed(properties::tested_queries())))
       ->delimiter(',')
       ->type_name("QUERIES");
   command
@@ -161,8 +160,9 @@ void add_run_options(CLI::App& command, RunOptions& options) {
                   "quick, standard or soak: how many scenes are asked, and how long a failing one is made smaller. "
                   "standard asks 4,000 scenes of each query. One subject by itself is asked 100,000, and 1,456,000 "
                   "impacts for the properties that need one answer each. Of simulation, quick draws at most 60 "
-                  "scenes, of constraint 40; of either standard draws 1,000 and soak 10,000; of simulation of one "
-                  "subject by itself, standard and soak draw four times as many")
+                  "scenes and 20 extreme ones, of constraint 40, and asks the exact reference only by itself; of "
+                  "either standard draws 1,000 and soak 10,000; of simulation of one subject by itself, standard and "
+                  "soak draw four times as many")
       ->check(one_of(effort_names()))
       ->type_name("EFFORT")
       ->capture_default_str();

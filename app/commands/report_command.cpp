@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <functional>
 #include <optional>
 #include <thread>
 
@@ -27,17 +26,12 @@
 #include "model/input_error.h"
 #include "model/json.h"
 #include "model/near_names.h"
-#include "oracle/query.h"
 #include "properties/property.h"
 
 namespace touchstone::app {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// The queries about motion run only if they are named: one trajectory takes engines and the reference up to seconds.
-/// With these queries a quick report of all engines takes 12 minutes of CPU time instead of 7.
-bool of_motion(const std::string& query) { return oracle::find_query(query)->needs == oracle::ScenePart::motion; }
 
 std::vector<std::string> chosen_properties(const RunOptions& options) {
   const std::vector<std::string>& known = properties::tested_queries();
@@ -47,9 +41,7 @@ std::vector<std::string> chosen_properties(const RunOptions& options) {
   for (const std::string& id : options.properties) properties::find(id);
   std::vector<std::string> chosen;
   for (const properties::Property& property : properties::all()) {
-    const bool by_default = !of_motion(property.query) || !options.properties.empty();
-    const bool of_queries =
-        options.queries.empty() ? by_default : std::ranges::count(options.queries, property.query) > 0;
+    const bool of_queries = options.queries.empty() || std::ranges::count(options.queries, property.query) > 0;
     const bool named = options.properties.empty() || std::ranges::count(options.properties, property.id) > 0;
     if (of_queries && named) chosen.push_back(property.id);
   }
@@ -61,11 +53,11 @@ Effort chosen_effort(const RunOptions& options, std::size_t subjects) {
   Effort effort = *std::ranges::find(efforts(), options.effort, &Effort::name);
   if (options.cases > 0) {
     effort.extreme_cases = std::max(1, effort.extreme_cases * options.cases / effort.cases);
-    effort.cases = effort.simulations = effort.constraints = options.cases;
+    effort.cases = effort.trajectories.simulations = effort.trajectories.constraints = options.cases;
     effort.more_impacts = 0;
   } else if (subjects == 1) {
     effort.cases = effort.cases_alone;
-    effort.simulations = effort.simulations_alone;
+    effort.trajectories.simulations = effort.trajectories.simulations_alone;
   } else {
     effort.more_impacts = 0;
   }
@@ -79,8 +71,9 @@ TrialPlan plan_of(const RunOptions& options) {
   plan.effort = chosen_effort(options, plan.subjects.size());
   plan.seed = options.seed;
   plan.jobs = options.jobs > 0 ? options.jobs : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  plan.limits = limits_of(options.time_limit);
+  plan.limits = limits_of(options.time_limit, plan.effort.trajectories.time_factor);
   plan.first_failure = options.pass.first_failure;
+  plan.exact_simulations = plan.effort.name != "quick" || plan.subjects.size() == 1;
   return plan;
 }
 
@@ -115,7 +108,10 @@ void name_replay_commands(Ledger& ledger, const TrialPlan& plan, const fs::path&
   for (Row& row : ledger.results.all()) {
     if (!row.minimised.result) continue;
     std::optional<double> limit;
-    if (row.minimised.result->finding.defect == oracle::Defect::hung) limit = plan.limits.cpu_seconds;
+    if (row.minimised.result->finding.defect == oracle::Defect::hung) {
+      const bool is_patient = !is_simulated(row.property->query);  // replay's factor is always the patient one
+      limit = plan.limits.cpu_seconds * (is_patient ? 1 : plan.limits.simulation_factor / patient_simulation_factor);
+    }
     row.minimised.replay_command =
         replay_command((folder / row.minimised.case_file).string(), row.minimised.result->subject, limit);
   }
@@ -286,18 +282,6 @@ void write_new_baseline(const std::string& file, const Baselines& baselines, con
 }
 
 }  // namespace
-
-std::vector<std::string> default_queries() {
-  std::vector<std::string> queries = properties::tested_queries();
-  std::erase_if(queries, of_motion);
-  return queries;
-}
-
-std::vector<std::string> queries_on_demand() {
-  std::vector<std::string> queries = properties::tested_queries();
-  std::erase_if(queries, std::not_fn(of_motion));
-  return queries;
-}
 
 int report(const RunOptions& options) {
   const TrialPlan plan = plan_of(options);

@@ -26,21 +26,17 @@ struct PassConditions {
 
 struct RunOptions {
   std::vector<std::string> subjects;    ///< connectables; if empty, all beside the program
-  std::vector<std::string> queries;     ///< if empty, default_queries()
+  std::vector<std::string> queries;     ///< if empty, all
   std::vector<std::string> properties;  ///< if empty, all of the queries
   std::string effort = "quick";
   int cases = 0;  ///< drawn scenes per query; 0: the effort's own number
   std::uint64_t seed = 1;
   int jobs = 0;           ///< threads; 0: one per processor
-  double time_limit = 1;  ///< a subject's CPU time per query, s; ten times as much per trajectory
+  double time_limit = 1;  ///< a subject's CPU time per query, s; the effort says how many times that per trajectory
   std::string meshes;     ///< folder; if empty, the known ones
   RunFiles files;
   PassConditions pass;
 };
-
-/// The queries that a run asks if `queries` is empty, and those that it asks only if they are named.
-std::vector<std::string> default_queries();
-std::vector<std::string> queries_on_demand();
 
 /// Writes index.html, report.json, junit.xml and cases/ into `out`. Returns 0 whatever it found, 130 if interrupted.
 int report(const RunOptions& options);

@@ -64,8 +64,13 @@ std::vector<Question> about_meshes(const std::string& query, const Effort& effor
 std::size_t counted(int n) { return static_cast<std::size_t>(n); }
 
 int cases_of(const std::string& query, const Effort& effort) {
-  if (query == "simulation") return std::min(effort.cases, effort.simulations);
-  return query == "constraint" ? std::min(effort.cases, effort.constraints) : effort.cases;
+  if (query == "simulation") return std::min(effort.cases, effort.trajectories.simulations);
+  return query == "constraint" ? std::min(effort.cases, effort.trajectories.constraints) : effort.cases;
+}
+
+int extremes_of(const std::string& query, const Effort& effort) {
+  return query == "simulation" ? std::min(effort.extreme_cases, effort.trajectories.extreme_cases)
+                               : effort.extreme_cases;
 }
 
 }  // namespace
@@ -95,7 +100,7 @@ Question DrawnQuestions::operator[](std::size_t k) const {
 Questions::Questions(const std::string& query, const Effort& effort, std::uint64_t seed, const MeshSet& set)
     : drawn_(for_query(properties::families(), query), counted(cases_of(query, effort)),
              query == "impulse" ? counted(effort.more_impacts) : 0, seed, true, for_the_first_cases_all),
-      extreme_(for_query(properties::extremes(), query), counted(effort.extreme_cases), 0, seed, false,
+      extreme_(for_query(properties::extremes(), query), counted(extremes_of(query, effort)), 0, seed, false,
                asks_only_for_sense),
       meshes_(about_meshes(query, effort, seed, set)) {}
 

@@ -42,7 +42,7 @@ struct Counts {
   long abstains = 0;
   long breaks = 0;
   long outside = 0;
-  long not_asked = 0;  ///< skipped because the subject hung too often
+  long not_asked = 0;  ///< skipped: the subject hung too often, or would take too long
   long impacts = 0;    ///< of simulations: each one compared with the reference by itself
 
   long failures() const { return fails + breaks; }

@@ -123,7 +123,8 @@ oracle::Case as_found(const Row& row, std::uint64_t seed) {
 
 }  // namespace
 
-void cut_down(Ledger& ledger, const std::vector<std::vector<std::unique_ptr<oracle::Subject>>>& workers, int budget) {
+void cut_down(Ledger& ledger, const std::vector<std::vector<std::unique_ptr<oracle::Subject>>>& workers,
+              const Effort& effort) {
   std::vector<Row*> failing;
   for (Row& row : ledger.results.all()) {
     if (row.failing()) failing.push_back(&row);
@@ -133,6 +134,7 @@ void cut_down(Ledger& ledger, const std::vector<std::vector<std::unique_ptr<orac
   in_parallel(failing.size(), static_cast<int>(workers.size()), [&](std::size_t f, std::size_t job) {
     Row& row = *failing[f];
     const TestedSubject& subject = *row.subject;
+    const int budget = is_simulated(row.property->query) ? effort.trajectories.minimise_budget : effort.minimise_budget;
     row.minimised.size_before = oracle::size_of(row.examples.smallest->scene);
     row.minimised.result = alike.contains(&row)
                                ? as_found(row, ledger.seed)

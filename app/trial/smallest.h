@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "app/trial/effort.h"
 #include "app/trial/ledger.h"
 #include "oracle/subject.h"
 #include "properties/property.h"
@@ -28,8 +29,9 @@ struct Search {
 oracle::Case smallest_case(const Example& example, const properties::Property& property, oracle::Subject& subject,
                            std::uint64_t seed, const Search& search);
 
-/// Minimises all failing rows, with one thread per entry of `workers` (each holds one object per subject). Of a
-/// subject's rows that show a hang only the first is minimised, with at most `most_hangs` hangs.
-void cut_down(Ledger& ledger, const std::vector<std::vector<std::unique_ptr<oracle::Subject>>>& workers, int budget);
+/// Minimises all failing rows by the effort's budgets, with one thread per entry of `workers` (each holds one object
+/// per subject). Of a subject's rows that show a hang only the first is minimised, with at most `most_hangs` hangs.
+void cut_down(Ledger& ledger, const std::vector<std::vector<std::unique_ptr<oracle::Subject>>>& workers,
+              const Effort& effort);
 
 }  // namespace touchstone::app

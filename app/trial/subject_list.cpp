@@ -21,11 +21,11 @@ void add_names(const std::string& words, std::vector<std::string>& names) {
 
 }  // namespace
 
-oracle::PipeLimits limits_of(double time_limit) {
+oracle::PipeLimits limits_of(double time_limit, double simulation_factor) {
   oracle::PipeLimits limits;
   limits.cpu_seconds = time_limit;
   limits.wall_seconds = 10 * time_limit;
-  limits.simulation_factor = 10;
+  limits.simulation_factor = simulation_factor;
   limits.given_up = interrupted;
   return limits;
 }

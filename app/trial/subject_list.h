@@ -5,14 +5,15 @@
 #include <string>
 #include <vector>
 
+#include "app/trial/effort.h"
 #include "oracle/process/pipe.h"
 #include "oracle/subject.h"
 
 namespace touchstone::app {
 
-/// The limits from a time limit of CPU time per query, s: ten times as much for the many impacts of a trajectory, and
-/// in wall-clock time ten times that, for a subject that sleeps.
-oracle::PipeLimits limits_of(double time_limit);
+/// The limits from a time limit of CPU time per query, s: `simulation_factor` times as much for a trajectory, and in
+/// wall-clock time ten times that, for a subject that sleeps.
+oracle::PipeLimits limits_of(double time_limit, double simulation_factor = patient_simulation_factor);
 
 /// Connects to NAME (a program beside this one), exec:COMMAND LINE, or inproc:reference or inproc:fast. Throws
 /// InputError.

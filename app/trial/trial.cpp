@@ -44,6 +44,7 @@ struct Unit {
 
 struct QueryTrial {
   std::string name;
+  bool asks_exact = true;  ///< also subjects that compute exactly
   std::vector<const Property*> properties;
   Questions questions;
 };
@@ -70,7 +71,8 @@ std::vector<QueryTrial> trials(const TrialPlan& plan, const MeshSet& meshes) {
   for (const Property& property : properties::all()) {
     if (std::ranges::find(plan.properties, property.id) == plan.properties.end()) continue;
     if (all.empty() || all.back().name != property.query) {
-      all.push_back({property.query, {}, Questions(property.query, plan.effort, plan.seed, meshes)});
+      const bool asks_exact = plan.exact_simulations || !is_simulated(property.query);
+      all.push_back({property.query, asks_exact, {}, Questions(property.query, plan.effort, plan.seed, meshes)});
     }
     all.back().properties.push_back(&property);
   }
@@ -128,6 +130,24 @@ bool asks_twice(const Property& property) { return property.id.ends_with(".repea
 
 bool any_failing(const UnitResult& result) { return std::ranges::any_of(result.results.all(), &Row::failing); }
 
+/// Asks one subject under each property. After a hang, a property that would ask the same question again does not.
+void ask_all(const Question& question, const QueryTrial& query, const TestedSubject& tested, oracle::Subject& itself,
+             UnitResult& result, Example& example) {
+  const bool is_asked = query.asks_exact || tested.card.precision != oracle::Precision::exact;
+  int& hangs = result.hangs[tested.index];
+  const int hangs_before = hangs;
+  RememberedAnswers remembered(itself);
+  for (const Property* property : query.properties) {
+    if (!question.asked_under(*property)) continue;
+    Row& row = result.results.at(*property, tested);
+    if (!is_asked || (asks_twice(*property) && hangs > hangs_before)) {
+      ++row.counts.not_asked;
+    } else {
+      ask(question, *property, asks_twice(*property) ? itself : remembered, hangs, row, example);
+    }
+  }
+}
+
 /// `hangs`: by subject, how many count against it at the start of the unit.
 UnitResult run_unit(const QueryTrial& query, const Unit& unit, const TestedSubjects& tested, const Subjects& subjects,
                     std::vector<int> hangs, bool first_failure) {
@@ -145,13 +165,7 @@ UnitResult run_unit(const QueryTrial& query, const Unit& unit, const TestedSubje
       for (const std::string& name : properties::classes_of(scene, query.name)) ++result.classes[name];
     }
     for (const TestedSubject& subject : tested) {
-      oracle::Subject& itself = *subjects[subject.index];
-      RememberedAnswers remembered(itself);
-      for (const Property* property : query.properties) {
-        if (!question.asked_under(*property)) continue;
-        ask(question, *property, asks_twice(*property) ? itself : remembered, result.hangs[subject.index],
-            result.results.at(*property, subject), example);
-      }
+      ask_all(question, query, subject, *subjects[subject.index], result, example);
     }
   }
   return result;
@@ -297,7 +311,7 @@ Ledger run(const TrialPlan& plan, const MeshSet& meshes) {
   }
   if (!plan.first_failure) name_empty_classes(ledger, all_trials);
   count_as_abstentions(ledger.results);
-  cut_down(ledger, workers, plan.first_failure ? 0 : plan.effort.minimise_budget);
+  cut_down(ledger, workers, plan.first_failure ? Effort{} : plan.effort);
   ledger.interrupted = interrupted();
   return ledger;
 }

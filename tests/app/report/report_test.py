@@ -167,6 +167,22 @@ class Commands(Test):
 
 
 class Check(Test):
+    def test_all_queries_are_asked_by_default(self):
+        self.succeeds("check", "--subjects", "inproc:fast", "--cases", 1, "--json", "r.json")
+        report = self.json("r.json")
+        self.assertEqual({p["query"] for p in report["properties"]},
+                         {"mass", "bounds", "broad_phase", "distance", "penetration", "pixel", "impulse", "time_of_impact",
+                          "simulation", "constraint"})
+        self.assertTrue(all(scenes > 0 for scenes in report["scenes"].values()))
+
+    def test_quick_asks_the_exact_reference_for_trajectories_only_by_itself(self):
+        words = ("check", "--properties", "simulation.survives", "--cases", 1, "--json", "r.json", "--subjects", "inproc:reference")
+        self.succeeds(*words, "--subjects", "inproc:fast")
+        asked = {row["subject"]: (row["holds"] > 0, row["not_asked"] > 0) for row in self.json("r.json")["rows"]}
+        self.assertEqual(asked, {"fast": (True, False), "reference": (False, True)})
+        self.succeeds(*words)
+        self.assertEqual([(row["holds"] > 0, row["not_asked"]) for row in self.json("r.json")["rows"]], [(True, 0)])
+
     def test_exit_codes_and_files(self):
         words = ("check", "--queries", "distance", "--cases", 4, "--json", "r.json", "--junit", "r.xml", "--subjects")
         self.succeeds(*words, "inproc:reference")

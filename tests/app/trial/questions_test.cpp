@@ -53,6 +53,16 @@ TEST_CASE("Extreme scenes are asked only of the properties that want an end and 
   }
 }
 
+TEST_CASE("Of the queries whose answer is a trajectory fewer scenes are asked") {
+  Effort effort = few;
+  effort.trajectories.simulations = 90;
+  effort.trajectories.constraints = 40;
+  effort.trajectories.extreme_cases = 5;
+  CHECK(Questions("simulation", effort, 1, {}).size() == 95);
+  CHECK(Questions("constraint", effort, 1, {}).size() == 40);  // no extreme ones are drawn
+  CHECK(Questions("time_of_impact", effort, 1, {}).size() == 220);
+}
+
 MeshSet three_meshes() {
   MeshSet set;
   for (int i = 0; i < 3; ++i) set.meshes.push_back({"mesh", "robot", {}});
