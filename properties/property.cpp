@@ -17,7 +17,7 @@ std::vector<Property> join() {
         distance_properties, penetration_properties, pixel_properties, impulse_properties, impulse_law_properties,
         time_of_impact_properties, simulation_properties, simulation_lockstep_properties, simulation_meeting_properties,
         simulation_law_properties, simulation_scene_properties, simulation_causality_properties,
-        simulation_face_properties, constraint_properties}) {
+        simulation_face_properties, simulation_together_properties, constraint_properties}) {
     for (Property& property : query()) joined.push_back(std::move(property));
   }
   return joined;

@@ -274,6 +274,16 @@ std::optional<double> height(const Body& table, const Body& body) {
   return exact_sum({body.X_WB.p_WB.z(), -*half, -table.X_WB.p_WB.z(), -std::get<Box>(table.shape).half_extents.z()});
 }
 
+/// A ball, or a level box whose whole bottom is over the table: by symmetry the impulse acts through the centre of
+/// mass.
+bool lands_centrally(const Body& table, const Body& body) {
+  if (!half_height(body)) return false;
+  const auto* box = std::get_if<Box>(&body.shape);
+  if (box == nullptr) return is_over(table, body);
+  const Vec3 half = std::get<Box>(table.shape).half_extents, off = body.X_WB.p_WB - table.X_WB.p_WB;
+  return std::abs(off.x()) + box->half_extents.x() < half.x() && std::abs(off.y()) + box->half_extents.y() < half.y();
+}
+
 bool clear_of_each_other(const Scene& scene) {
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     for (std::size_t j = i + 1; j < scene.bodies.size(); ++j) {
@@ -317,7 +327,7 @@ Finding rests(const Scene& scene, Subject& subject) {
   });
 }
 
-/// A ball that is thrown straight up or down over a table and bounces to decreasing heights.
+/// A body that is thrown straight up or down over a table and bounces to decreasing heights.
 struct Bounces {
   Real height = 0, v = 0, g = 0, e = 0;
 
@@ -358,10 +368,10 @@ Finding bounces(const Scene& scene, Subject& subject) {
     const auto moving = std::ranges::find_if(scene.bodies, [](const Body& b) { return !is_fixed(b); });
     const bool one = table != nullptr && scene.bodies.size() == 2 && moving != scene.bodies.end() &&
                      scene.motion->start_times.empty();
-    if (!one || !scene.motion->forces.empty()) return judge::outside("not a ball over a level table");
+    if (!one || !scene.motion->forces.empty()) return judge::outside("not one body over a level table");
     const Velocity& V = moving->velocity;
-    const bool upright = V.v_WBcm.x() == 0 && V.v_WBcm.y() == 0 && V.w_WB.isZero(0) && is_over(*table, *moving) &&
-                         std::holds_alternative<Sphere>(moving->shape) && scene.gravity.z() < 0;
+    const bool upright = V.v_WBcm.x() == 0 && V.v_WBcm.y() == 0 && V.w_WB.isZero(0) &&
+                         lands_centrally(*table, *moving) && scene.gravity.z() < 0;
     const std::optional<double> start = upright ? height(*table, *moving) : std::nullopt;
     if (!start || *start < 0 || (*start == 0 && V.v_WBcm.z() <= 0)) return judge::outside("not thrown over the table");
     const Bounces ball{*start, V.v_WBcm.z(), -scene.gravity.z(),
@@ -416,7 +426,7 @@ std::vector<Property> simulation_scene_properties() {
       {"simulation.bounces",
        query,
        {clause + "19"},
-       "each bounce of a ball has the height that its restitution allows, and the ball comes to rest",
+       "each bounce of a ball, or of a box that falls flat, has the height that its restitution allows, until it rests",
        bounces},
   };
 }

@@ -324,17 +324,20 @@ std::vector<PairPoints> acting_with(Run& run, BodyId a, BodyId b, const Touch& t
   };
   reach(a);
   reach(b);
+  // Only if another contact is due may one act that is connected through contacts that do not approach.
+  const PairEvent* next = run.schedule.next();
+  const bool another_is_due = next != nullptr && next->time <= world.now() - world.envelope() / u_n;
   for (std::size_t i = 0; i < reached.size(); ++i) {
     for (const BodyId other : near_bodies(run, reached[i])) {
       const BodyPair pair{std::min(reached[i], other), std::max(reached[i], other)};
       if (std::ranges::count(asked, pair) > 0) continue;
       asked.push_back(pair);
-      const std::vector<PairPoints> fast = acting(contacts_of(run, pair.a, pair.b), [&](BodyId p, BodyId q) {
+      const std::vector<PairPoints> contacts = contacts_of(run, pair.a, pair.b);
+      const std::vector<PairPoints> fast = acting(contacts, [&](BodyId p, BodyId q) {
         return std::max(acts_above * rebound_speed(world, run.islands, p, q), -acts_beside * u_n);
       });
-      if (fast.empty()) continue;
       all.insert(all.end(), fast.begin(), fast.end());
-      reach(other);
+      if (!fast.empty() || (another_is_due && !contacts.empty())) reach(other);
     }
   }
   return all;

@@ -18,8 +18,9 @@ std::vector<PairPoints> acting(const std::vector<PairPoints>& contacts,
 bool acts_alone(Run& run, BodyId a, BodyId b);
 
 /// The contacts that act together with a pair that collides now, itself included: those of pairs within the envelope
-/// that approach, connected to it through bodies that move. Pairs that approach so slowly that they may stay together
-/// do not count. Requires a < b and that islands of the two have been advanced to the current time.
+/// that approach, connected to it through bodies that move, by contacts that approach or, if another one is due before
+/// this one would cross the envelope, by any. Pairs that approach so slowly that they may stay together do not count.
+/// Requires a < b and that islands of the two have been advanced to the current time.
 std::vector<PairPoints> acting_with(Run& run, BodyId a, BodyId b, const Touch& touch);
 
 /// The point of the contact region of two bodies through which it acts, and the normal. With C this point, u the

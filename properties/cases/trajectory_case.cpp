@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <tuple>
 #include <utility>
 
@@ -205,14 +206,15 @@ bool acts_together(const TrajectoryCase& asked, const Event& impact) {
     return !std::holds_alternative<Compound>(asked.scene.bodies[static_cast<std::size_t>(body)].shape);
   };
   const auto at = static_cast<std::size_t>(&impact - events.data());
-  const Timeline all = timeline(asked.scene, asked.said);
+  std::optional<Timeline> all;
   for (std::size_t k = 0; k < events.size(); ++k) {
     const Event& other = events[k];
     const bool shares = (moves(impact.a) && acts_on(other, impact.a)) || (moves(impact.b) && acts_on(other, impact.b));
     const bool one_region = other.a == impact.a && other.b == impact.b && is_convex(impact.a) && is_convex(impact.b);
     if (k == at || one_region || other.kind != Event::Kind::impact || other.time != impact.time || !shares) continue;
     const std::size_t first = std::min(k, at);
-    if (approaches_before(asked, all, impact, first) && approaches_before(asked, all, other, first)) return true;
+    if (!all) all = timeline(asked.scene, asked.said);
+    if (approaches_before(asked, *all, impact, first) && approaches_before(asked, *all, other, first)) return true;
   }
   return false;
 }

@@ -5,7 +5,9 @@
 #include <cmath>
 #include <utility>
 
+#include "model/box_vertices.h"
 #include "model/limits.h"
+#include "oracle/truth/truth.h"
 #include "properties/scenes/families.h"
 #include "properties/scenes/pair.h"
 #include "properties/scenes/thrown.h"
@@ -228,6 +230,107 @@ Scene bouncing(Random& random) {
   return run(random, {std::move(table), std::move(ball)}, motion_until(8, 16), {0, 0, -8});
 }
 
+/// The same for a box that falls flat, which touches at four corners at once.
+Scene falls_flat(Random& random) {
+  Body box = with_mass(random, some_box(random));
+  box.X_WB = {};
+  const double e = random.pick({0.0, 0.25, 0.5, 0.75, 1.0});
+  box.material = {e, random.pick({0.0, 0.5})};
+  Body table = floor_at_0();
+  table.material = {1, 1};
+  box.X_WB.p_WB = {random.whole(-4, 4), 0, std::get<Box>(box.shape).half_extents.z() + random.whole(0, 4) + 0.5};
+  box.velocity.v_WBcm = {0, 0, random.whole(-2, 2)};
+  return run(random, {std::move(table), std::move(box)}, motion_until(8, 16), {0, 0, -8});
+}
+
+Body of_mass(Body body, double mass) {
+  const double m = mass * size(body.shape) * size(body.shape);
+  body.mass = MassProperties{mass, Vec3::Zero(), Mat3(0.5 * m * Mat3::Identity())};
+  return body;
+}
+
+Body ball_at(const Vec3& p, const Vec3& v, double radius = 1) {
+  Body ball = at_rest(Sphere{radius});
+  ball.X_WB.p_WB = p;
+  ball.velocity.v_WBcm = v;
+  return ball;
+}
+
+/// Bodies that touch in a row, hit from one side or from both.
+std::vector<Body> row(Random& random) {
+  const int count = random.between(2, 4);
+  std::vector<Body> bodies = {ball_at({-3, 0, 0}, {2, 0, 0})};
+  for (int n = 0; n < count; ++n) bodies.push_back(ball_at({2.0 * n, 0, 0}, Vec3::Zero()));
+  if (random.one_in(2)) bodies.push_back(ball_at({2.0 * count + 1, 0, 0}, {-2, 0, 0}));
+  return bodies;
+}
+
+/// A ball that hits two at once: normals (4/5, ±3/5).
+std::vector<Body> symmetric_break(Random& random) {
+  const double speed = random.whole(1, 4);
+  return {ball_at({-5, 0, 0}, {5 * speed, 0, 0}, 2.5), ball_at({4, 3, 0}, Vec3::Zero(), 2.5),
+          ball_at({4, -3, 0}, Vec3::Zero(), 2.5)};
+}
+
+/// A ball that falls into a wedge of two fixed boxes with normals (±4/5, 0, 3/5).
+std::vector<Body> wedge(Random& random) {
+  std::vector<Body> bodies = {ball_at({0, 0, 5}, {0, 0, -4}, 1)};
+  for (const double side : {1.0, -1.0}) {
+    Body plane = fixed(at_rest(Box{Vec3(5, 5, 5)}));
+    plane.X_WB = {{-side * 4, 0, -3}, {2, 0, side, 0}};  // its top touches the origin
+    bodies.push_back(std::move(plane));
+  }
+  if (random.one_in(2)) std::swap(bodies[0], bodies[1]);
+  return bodies;
+}
+
+/// A box that falls flat on two pillars, or is pressed by two balls at once from the sides.
+std::vector<Body> pillars(Random& random) {
+  std::vector<Body> bodies;
+  Body beam = at_rest(Box{Vec3(4, 1, 0.5)});
+  beam.X_WB.p_WB = {0, 0, 1};
+  beam.velocity.v_WBcm = {random.one_in(2) ? 0 : random.whole(-1, 1), 0, -2};
+  bodies.push_back(std::move(beam));
+  const double inner = random.whole(0, 1), outer = random.whole(2, 3);
+  for (const double side : {1.0, -1.0}) {
+    Body pillar = fixed(at_rest(Box{Vec3((outer - inner) / 2, 2, 1)}));
+    pillar.X_WB.p_WB = {side * (outer + inner) / 2, 0, -1};
+    bodies.push_back(std::move(pillar));
+  }
+  return bodies;
+}
+
+/// A cube of listed vertices in a random order, that lands flat or slides when it lands.
+std::vector<Body> polytope_lands(Random& random) {
+  Body cube = some_box(random);
+  const Box box = std::get<Box>(cube.shape);
+  std::vector<Vec3> vertices = as_polytope(box).vertices;
+  for (std::size_t k = vertices.size() - 1; k > 0; --k) {
+    std::swap(vertices[k], vertices[static_cast<std::size_t>(random.below(static_cast<int>(k) + 1))]);
+  }
+  cube.shape = oracle::truth::convex_hull(vertices);
+  cube.X_WB = {{0, 0, box.half_extents.z() + 1}, {}};
+  cube.velocity.v_WBcm = {random.whole(-1, 1), 0, -2};
+  return {floor_at_0(), std::move(cube)};
+}
+
+using Bodies = std::vector<Body> (*)(Random&);
+
+/// Bodies of equal material, and samples shortly after the impacts.
+Scene at_one_time(Random& random, Bodies kind) {
+  std::vector<Body> bodies = kind(random);
+  const double e = random.pick({0.0, 0.5, 1.0}), mu = random.pick({0.0, 0.0, 0.5}), mass = random.pick({1.0, 4.0});
+  for (Body& body : bodies) {
+    body.material = {e, mu};
+    if (!std::holds_alternative<Fixed>(body.mass)) body = of_mass(std::move(body), mass);
+  }
+  return run(random, std::move(bodies), motion_until(1.25, 5));
+}
+
+Scene together(Random& random) { return at_one_time(random, random.pick<Bodies>({symmetric_break, wedge, pillars})); }
+
+Scene touching(Random& random) { return at_one_time(random, random.pick<Bodies>({row, polytope_lands})); }
+
 /// Two bodies that start 2^4 to 2^60 of their sizes apart, and come within a few sizes or into contact halfway through
 /// the motion. Positions and velocities are exact: one axis has the approach, the others have the offset.
 Scene far_apart(Random& random) {
@@ -259,6 +362,10 @@ std::vector<Family> run_families() {
       {"runs.at_rest", "balls and blocks at rest on a table", queries, true, at_rest_on_a_table},
       {"runs.skims", "balls on a table that bounce within the envelope", queries, true, skims},
       {"runs.bouncing", "a ball that bounces, and comes to rest", queries, true, bouncing},
+      {"runs.falls_flat", "a box that falls flat, bounces, and comes to rest", queries, true, falls_flat},
+      {"runs.together", "one body that collides with two at one time", queries, true, together},
+      {"runs.touching", "a row of balls that touch, hit at its ends; a polytope that lands on a face", queries, true,
+       touching},
       {"runs.far_apart", "two bodies that start 2^4 to 2^60 sizes apart", queries, false, far_apart},
   };
 }

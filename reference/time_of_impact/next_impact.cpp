@@ -5,9 +5,6 @@
 
 #include "reference/ballistic_motion.h"
 #include "reference/distance.h"
-#include "reference/exact/linear.h"
-#include "reference/exact/rational.h"
-#include "reference/time_of_impact/initial_contact.h"
 
 namespace touchstone::reference {
 namespace {
@@ -40,14 +37,6 @@ std::optional<double> time_outside(const Scene& pair, double envelope, double fr
   return std::nullopt;
 }
 
-Triple exact(const RationalVec3& v) { return {value_of(v.x), value_of(v.y), value_of(v.z)}; }
-
-Vec3 rounded(const Three<Float>& v) {
-  return {static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])};
-}
-
-double radius(const Body& body, int part) { return core_of(body, part).radius; }
-
 }  // namespace
 
 Body moved(const Scene& scene, std::size_t index, double time) {
@@ -74,38 +63,6 @@ NextImpact next_impact(const Scene& pair, double envelope) {
   NextImpact next = next_of(nearer);
   next.micro_bounces = true;
   return next;
-}
-
-std::optional<Contact> contact(const Scene& pair) {
-  const Body& A = pair.bodies[0];
-  const Body& B = pair.bodies[1];
-  const DistanceTruth apart = distance(pair);
-  const BallisticStart a = ballistic_start(pair, 0), b = ballistic_start(pair, 1);
-  InitialContact touch;
-  if (apart.verdict == Verdict::separated) {
-    touch.n = exact(apart.difference);
-    const auto speed = [&](const Triple& x) {
-      return mpq_class(dot(touch.n, minus(velocity(a, x), velocity(b, minus(x, touch.n)))));
-    };
-    const std::vector<Triple> points = closest_points_on_A(A, apart.part_A, B, apart.part_B, touch.n);
-    touch.x = *std::ranges::min_element(points, {}, speed);
-    touch.y = minus(touch.x, touch.n);
-    if (speed(touch.x) >= 0) return std::nullopt;
-  } else {
-    touch = initial_contact(A, apart.part_A, a, B, apart.part_B, b, 0);
-    if (touch.kind != InitialContact::Kind::approaching) return std::nullopt;
-  }
-  const Three<Float> n = float_of(touch.n);
-  const Three<Float> nhat = scaled(Float(1 / sqrt(inner(n, n))), n);
-  const Float half(0.5);
-  const Float lean = half * (Float(radius(B, apart.part_B)) - Float(radius(A, apart.part_A)));
-  Contact result;
-  result.p_WC = rounded(plus(scaled(half, float_of(plus(touch.x, touch.y))), scaled(lean, nhat)));
-  result.nhat_BA_W = rounded(nhat);
-  result.law = pair.motion->law;
-  result.restitution = std::min(A.material.restitution, B.material.restitution);
-  result.friction = std::min(A.material.friction, B.material.friction);
-  return result;
 }
 
 }  // namespace touchstone::reference

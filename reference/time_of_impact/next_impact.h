@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
 #include <stdexcept>
 
 #include "model/infinity.h"
@@ -30,9 +29,5 @@ struct NextImpact {
 /// the envelope and come back, or come nearer still: by a 64th of their gap. Requires two bodies with a motion. Throws
 /// MotionUnknown.
 NextImpact next_impact(const Scene& pair, double envelope);
-
-/// Where the impulse acts, for two bodies at the poses of the scene: the midpoint of their closest points; among
-/// several such points the one where the bodies approach fastest. None if they overlap or do not approach.
-std::optional<Contact> contact(const Scene& pair);
 
 }  // namespace touchstone::reference

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "model/box_vertices.h"
 #include "oracle/truth/truth.h"
 #include "tests/properties/scenes.h"
 
@@ -153,6 +154,11 @@ std::vector<Scene> build_runs() {
       scene_of("a ball that bounces", {with(floor_box, 1, 0), with(body(Sphere{1}, {0, 0, 2}), 0.5, 0)},
                {0.25, 0.75, 1.25}, down),
       scene_of("a ball against a wall", {moving(at(0.5, 0, 8), {1, 0, -8}), with(floor_box, 1, 0)}, {0.5, 1.5}, still),
+      scene_of("a ball that hits two at one time", {moving(at(-3, 0, 0), {4, 0, 0}), at(0.5, 1.25, 0), at(0.5, -1.25, 0)},
+               {0.25, 1.5}, still),
+      scene_of("a polytope that lands on a face",
+               {with(floor_box, 1, 0), with(moving(body(as_polytope(cube), {0, 0, 2}), {0, 0, -2}), 0.5, 0)},
+               {0.25, 0.75}, still),
       scene_of("a ball from 2^24 radii away", {at(0, 0, 0), moving(at(0x1p24, 1, 0), {-0x1p25, 0, 0})}, {0.25, 1},
                still),
   };

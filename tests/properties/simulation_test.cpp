@@ -72,6 +72,7 @@ void place_after(Trajectory& said, double error) { event_of(said).after_a.X_WB.p
 void speed_after(Trajectory& said, double error) { event_of(said).after_a.velocity.v_WBcm.x() += error; }
 void spin_after(Trajectory& said, double error) { event_of(said).after_a.velocity.w_WB.x() += error; }
 void contact_point(Trajectory& said, double error) { event_of(said).p_WC.z() += error; }
+void last_speed(Trajectory& said, double error) { said.states.back().back().velocity.v_WBcm.z() += error; }
 void slides_faster(Trajectory& said, double error) { said.states.back()[1].velocity.v_WBcm.x() += error; }
 
 const std::vector<Beyond> beyond = {
@@ -96,6 +97,9 @@ const std::vector<Beyond> beyond = {
     {"renumbered", "a ball against a wall", 1e-8, time, true},
     {"mirrored", "a ball against a wall", 1e-8, time, true},
     {"resumed", "a ball against a wall", 1e-8, time, true},
+    {"together_renumbered", "a ball that hits two at one time", 0x1p-6, speed, true},
+    {"together_mirrored", "a ball that hits two at one time", 0x1p-6, speed, true},
+    {"together_relabelled", "a polytope that lands on a face", 0x1p-6, last_speed, true},
     {"slides", "balls that bounce within the envelope: one slides, one stays", 0.125, slides_faster},
 };
 

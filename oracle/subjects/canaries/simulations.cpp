@@ -290,6 +290,70 @@ void last_sample(Subject&, const Scene&, Trajectory& said) {
   for (State& state : said.states.back()) state.X_WB.p_WB.y() += 1e-9;
 }
 
+// The first impact by the law of one contact point at p_WC.
+void resolved_at(Subject& truthful, const Scene& scene, Event& event, const Vec3& p_WC) {
+  Scene pair;
+  for (const auto& [body, after] : {std::pair(event.a, &event.after_a), {event.b, &event.after_b}}) {
+    const auto b = static_cast<std::size_t>(body);
+    pair.bodies.push_back(scene.bodies[b]);
+    pair.bodies.back().X_WB = after->X_WB;
+    pair.bodies.back().velocity = ballistic_state(scene, b, event.time).velocity;
+  }
+  const Material &A = pair.bodies[0].material, &B = pair.bodies[1].material;
+  pair.contact.emplace();
+  pair.contact->p_WC = p_WC;
+  pair.contact->nhat_BA_W = event.nhat_BA_W;
+  pair.contact->restitution = std::min(A.restitution, B.restitution);
+  pair.contact->friction = std::min(A.friction, B.friction);
+  pair.contact->law = scene.motion->law;
+  with(truthful.impulse(pair), [&](const Impulse& said) {
+    if (!said.P_A_W) return;
+    event.p_WC = p_WC;
+    event.P_A_W = *said.P_A_W;
+    event.after_a.velocity = said.after[0];
+    event.after_b.velocity = said.after[1];
+  });
+}
+
+// The first of the corners that touch takes the impact alone.
+void one_corner(Subject& truthful, const Scene& scene, Trajectory& said) {
+  from_first_impact_on(truthful, scene, said, [&](Event& event, const Scene&) {
+    const bool second = is_fixed(scene.bodies[static_cast<std::size_t>(event.a)]);
+    const Body& body = scene.bodies[static_cast<std::size_t>(second ? event.b : event.a)];
+    if (std::holds_alternative<Sphere>(body.shape)) return;
+    const Pose& X_WB = second ? event.after_b.X_WB : event.after_a.X_WB;
+    const Eigen::Quaterniond R(X_WB.q_WB.w, X_WB.q_WB.x, X_WB.q_WB.y, X_WB.q_WB.z);
+    for (const Vec3& corner : corners(body)) {
+      const Vec3 p_WC = R.normalized() * corner + X_WB.p_WB;
+      if (std::abs(event.nhat_BA_W.dot(p_WC - event.p_WC)) > 2 * envelope(scene)) continue;
+      return resolved_at(truthful, scene, event, p_WC);
+    }
+  });
+}
+
+// Of several pairs that collide at one time, the first does so alone.
+void one_pair_first(Subject& truthful, const Scene& scene, Trajectory& said) {
+  from_first_impact_on(truthful, scene, said,
+                       [&](Event& event, const Scene&) { resolved_at(truthful, scene, event, event.p_WC); });
+}
+
+// Impulses at one time on one body are reported with a millionth of friction too much.
+void sticky_together(Subject&, const Scene& scene, Trajectory& said) {
+  if (!said.events) return;
+  for (Event& event : *said.events) {
+    const auto acts_with = [&](const Event& other) {
+      const bool shares = event.a == other.a || event.a == other.b || event.b == other.a || event.b == other.b;
+      return &other != &event && other.time == event.time && other.kind == Event::Kind::impact && shares;
+    };
+    if (event.kind != Event::Kind::impact || std::ranges::none_of(*said.events, acts_with)) continue;
+    const double mu = std::min(scene.bodies[static_cast<std::size_t>(event.a)].material.friction,
+                               scene.bodies[static_cast<std::size_t>(event.b)].material.friction);
+    const Vec3& n = event.nhat_BA_W;
+    const double P_n = event.P_A_W.dot(n);
+    event.P_A_W = P_n * n + (1 + 1e-6) * mu * P_n * n.unitOrthogonal() + 1e-6 * P_n * n.unitOrthogonal();
+  }
+}
+
 }  // namespace
 
 std::vector<Canary> canaries_about_simulations() {
@@ -351,6 +415,12 @@ std::vector<Canary> canaries_about_simulations() {
       lying("canary.slippery", "halves all friction, and reports no events", [] { return runs(slippery); }),
       lying("canary.clings", "keeps a body that starts in contact where it is, whatever it is on",
             [] { return runs(clings); }),
+      lying("canary.one_corner", "lets the first corner that touches take an impact alone",
+            [] { return runs(one_corner); }),
+      lying("canary.one_pair_first", "resolves the first of several pairs that collide at one time alone",
+            [] { return runs(one_pair_first); }),
+      lying("canary.sticky_together", "reports impulses that act together with a millionth of friction too much",
+            [] { return runs(sticky_together); }),
       lying("canary.last_sample", "moves all bodies by a nanometre in the last sample alone",
             [] { return runs(last_sample); }),
   };

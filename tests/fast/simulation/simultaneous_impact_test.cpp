@@ -152,6 +152,24 @@ TEST_CASE("simultaneous impact: Newton's cradle, and a row that is hit from both
   CHECK(are_near(row({-3, -1, 0, 1, 3}, {1, 0, 0, 0, -1}), {-1, 0, 0, 0, 1}));
 }
 
+TEST_CASE("simultaneous impact: a row that touches and is hit from both ends stays symmetric") {
+  for (const double e : {1.0, 0.5, 0.0}) {
+    std::vector<Body> bodies;
+    for (const double x : {-3.0, 0.0, 2.0, 4.0, 7.0}) bodies.push_back(ball(1, {x, 0, 0}, none, {e, 0}));
+    bodies.front().velocity.v_WBcm = {2, 0, 0};
+    bodies.back().velocity.v_WBcm = {-2, 0, 0};
+    const Simulated done = simulate(moving_scene(bodies, none, {1}));
+    const std::vector<State>& after = done.trajectory.states.back();
+    for (std::size_t k = 0; k < 5; ++k) {
+      CHECK(after[k].velocity.v_WBcm.x() == Approx(-after[4 - k].velocity.v_WBcm.x()).margin(1e-12));
+    }
+    const std::vector<Event>& events = *done.trajectory.events;
+    CHECK(events[0].time == events[1].time);
+    CHECK(std::pair(events[0].a, events[0].b) == std::pair(0, 1));
+    CHECK(std::pair(events[1].a, events[1].b) == std::pair(3, 4));
+  }
+}
+
 TEST_CASE("simultaneous impact: a box onto two pillars") {
   const auto pillar = [](double from, double to, double e) {
     return fixed(brick({(to - from) / 2, 1, 1}, {(from + to) / 2, 0, -1}, {e, 10}));

@@ -1,0 +1,40 @@
+// Impacts in several contact regions at one time, without friction: compression in exact numbers.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "model/scene.h"
+#include "reference/impulse.h"
+
+namespace touchstone::reference {
+
+/// The points at which two bodies are closest, with one normal. The normal velocity is affine over them, so the corners
+/// of their convex hull are enough.
+struct ContactRegion {
+  int a = 0, b = 0;                 ///< indices of the bodies A and B
+  Vec3 nhat_BA_W = {0, 0, 0};       ///< of any length but 0, from B to A
+  std::vector<Vec3> points_W = {};  ///< midpoints of closest points, in doubles; also inner ones
+};
+
+/// The contact region of bodies a and b at the poses of the scene. None if they overlap, or approach at none of its
+/// points. Requires a completed scene with a motion. Throws what `distance` throws.
+std::optional<ContactRegion> approaching_region(const Scene& scene, int a, int b);
+
+/// What one region does in compression.
+struct RegionImpulse {
+  ExactVec3 P_A_W;                       ///< on A (N s): Σ p n̂ over the region's points
+  Vec3 centre_W = {0, 0, 0};             ///< the centre of pressure Σ p x / Σ p, to the nearest doubles; 0 if P is 0
+  std::array<ExactVelocity, 2> changes;  ///< of A and B, by this region's impulses alone
+};
+
+/// The impulses p n̂, p ≥ 0, at the points of all regions that change the velocities to the nearest in kinetic energy at
+/// which no point approaches (Moreau 1988). Exact in the given doubles, in which a sphere's π is the rational of
+/// reference/impulse.h. With 1 + e times the impulses, kinetic energy falls by exactly (1 − e²) of what compression
+/// took (docs/design/simultaneous.md). The velocities are unique, and so are P and the centre of one region alone; of
+/// several regions P may not be. None if there are no such velocities: a body is clamped between others. Throws what
+/// `impulse` throws.
+std::optional<std::vector<RegionImpulse>> compression(const Scene& scene, const std::vector<ContactRegion>& regions);
+
+}  // namespace touchstone::reference
