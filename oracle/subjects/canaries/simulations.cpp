@@ -337,6 +337,11 @@ void one_pair_first(Subject& truthful, const Scene& scene, Trajectory& said) {
                        [&](Event& event, const Scene&) { resolved_at(truthful, scene, event, event.p_WC); });
 }
 
+// A rounding that always goes the same way, as if the world had a right-hand side.
+void leans(Event& event, const Scene&) {
+  event.after_a.velocity.v_WBcm.x() += std::abs(event.after_a.velocity.v_WBcm.x()) / 64;
+}
+
 // Impulses at one time on one body are reported with a millionth of friction too much.
 void sticky_together(Subject&, const Scene& scene, Trajectory& said) {
   if (!said.events) return;
@@ -419,6 +424,8 @@ std::vector<Canary> canaries_about_simulations() {
             [] { return runs(one_corner); }),
       lying("canary.one_pair_first", "resolves the first of several pairs that collide at one time alone",
             [] { return runs(one_pair_first); }),
+      lying("canary.leans", "makes a body faster to the right and slower to the left by the first impact",
+            [] { return first_impact_with(leans); }),
       lying("canary.sticky_together", "reports impulses that act together with a millionth of friction too much",
             [] { return runs(sticky_together); }),
       lying("canary.last_sample", "moves all bodies by a nanometre in the last sample alone",
