@@ -64,7 +64,7 @@ const std::vector<Caught> caught = {
     {"canary.last_sample", "simulation.flights", "runs.ties", 0},
     {"canary.one_corner", "simulation.bounces", "runs.falls_flat", 0},
     {"canary.one_pair_first", "simulation.together_renumbered", "runs.together", 1},
-    {"canary.leans", "simulation.together_mirrored", "runs.together", 0},
+    {"canary.leans", "simulation.together_mirrored", "runs.together", 1},
     {"canary.sticky_together", "simulation.together_pushes", "runs.together", 0},
     {"canary.endless_table", "constraint.contacts", "tables.falls", 0},
     {"canary.hollow_ball", "constraint.velocity", "tables.slope", 0},
