@@ -1,7 +1,6 @@
 #include "reference/simulation.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
 #include <map>
@@ -14,27 +13,13 @@
 
 #include "model/input_error.h"
 #include "model/limits.h"
-#include "reference/distance.h"
-#include "reference/exact/linear.h"
-#include "reference/exact/rational.h"
-#include "reference/impulse.h"
-#include "reference/motion/plain_pose.h"
-#include "reference/simultaneous.h"
+#include "reference/simultaneous/outcome.h"
 #include "reference/time_of_impact/next_impact.h"
 
 namespace touchstone::reference {
 namespace {
 
 bool is_fixed(const Body& body) { return std::holds_alternative<Fixed>(body.mass); }
-
-Vec3 nearest(const ExactVec3& v) { return {v[0].nearest(), v[1].nearest(), v[2].nearest()}; }
-
-Triple exact(const ExactVec3& v) { return {value_of(v[0]), value_of(v[1]), value_of(v[2])}; }
-
-Vec3 rounded(const Triple& v) {
-  using reference::nearest;
-  return {nearest(v[0]), nearest(v[1]), nearest(v[2])};
-}
 
 State state_of(const Body& body) { return {body.X_WB, body.velocity}; }
 
@@ -178,136 +163,28 @@ class Simulation {
     if (impacts_so_far_++ == limits_.impacts) return "more impacts than allowed";
     if (micro_bounces > limits_.micro_bounces) return "impacts pile up: they rest on each other, which is not followed";
     const Scene then = at(pending.time);
-    const std::vector<ContactRegion> regions = acting_with(then, pending);
-    if (regions.empty()) return "where they touch is undecided";
-    return regions.size() == 1 ? apply_alone(then, pending.time, regions.front())
-                               : apply_together(then, pending.time, regions);
+    const std::vector<ContactRegion> regions = acting_regions(then, pending.time, pending.a, pending.b, envelope(now_));
+    const ImpactOutcome outcome = impact_outcome(then, pending.time, regions);
+    if (!outcome.undecided.empty()) return outcome.undecided;
+    std::set<int> hit;
+    for (const Event& event : outcome.events) {
+      for (const auto& [i, after] : {std::pair(event.a, &event.after_a), {event.b, &event.after_b}}) {
+        if (hit.insert(i).second) restart(i, pending.time);
+        body(i).velocity = after->velocity;
+      }
+      trajectory_.events->push_back(event);
+    }
+    predict_impacts_of({hit.begin(), hit.end()});
+    return {};
   }
 
-  /// All bodies at this time.
+  /// All bodies at this time; those that start later, as they start.
   Scene at(double time) {
     Scene then = now_;
     for (int i = 0; i < bodies(); ++i) {
       if (start_time(i) < time) then.bodies[static_cast<std::size_t>(i)] = moved(alone({i}), 0, time);
     }
-    then.motion->start_times.assign(then.bodies.size(), time);
     return then;
-  }
-
-  /// The regions of all pairs within the envelope that approach, connected to the pair of this event through bodies
-  /// that move and have started, sorted. Empty if the pair itself has none.
-  std::vector<ContactRegion> acting_with(const Scene& then, const PendingEvent& pending) {
-    std::vector<ContactRegion> regions;
-    std::set<std::pair<int, int>> asked;
-    std::vector<int> connected;
-    const auto ask = [&](int i, int j) {
-      const auto [a, b] = std::minmax(i, j);
-      if (!asked.emplace(a, b).second) return;
-      const std::optional<ContactRegion> region = approaching_region(then, a, b);
-      if (!region) return;
-      regions.push_back(*region);
-      connected.insert(connected.end(), {a, b});
-    };
-    ask(pending.a, pending.b);
-    for (std::size_t k = 0; k < connected.size(); ++k) {
-      const int i = connected[k];
-      if (is_fixed(body(i))) continue;
-      for (int j = 0; j < bodies(); ++j) {
-        if (j != i && start_time(j) <= pending.time && gap(then, i, j) <= envelope(now_)) ask(i, j);
-      }
-    }
-    std::ranges::sort(regions, {}, [](const ContactRegion& region) { return std::pair(region.a, region.b); });
-    return regions;
-  }
-
-  static double gap(const Scene& then, int i, int j) {
-    Scene pair;
-    pair.bodies = {then.bodies[static_cast<std::size_t>(i)], then.bodies[static_cast<std::size_t>(j)]};
-    return distance(pair).distance.lo;
-  }
-
-  double restitution(const ContactRegion& region) {
-    return std::min(body(region.a).material.restitution, body(region.b).material.restitution);
-  }
-
-  double friction(const ContactRegion& region) {
-    return std::min(body(region.a).material.friction, body(region.b).material.friction);
-  }
-
-  /// One region acts through its centre of pressure, by the law of one contact point.
-  std::string apply_alone(const Scene& then, double time, const ContactRegion& region) {
-    Scene pair = alone({region.a, region.b});
-    pair.bodies = {then.bodies[static_cast<std::size_t>(region.a)], then.bodies[static_cast<std::size_t>(region.b)]};
-    pair.contact.emplace();
-    pair.contact->p_WC =
-        region.points_W.size() == 1 ? region.points_W.front() : compression(then, {region}).value().front().centre_W;
-    pair.contact->nhat_BA_W = region.nhat_BA_W;
-    pair.contact->law = pair.motion->law;
-    pair.contact->restitution = restitution(region);
-    pair.contact->friction = friction(region);
-    const ImpulseTruth impulse = reference::impulse(pair);
-    if (impulse.modes.separating) return "whether they approach is undecided";
-    if (impulse.ambiguous) return "more than one impulse is right";
-    restart(region.a, time);
-    restart(region.b, time);
-    const auto velocity = [&](std::size_t k) {
-      return Velocity{nearest(impulse.after[k].v_WBcm), nearest(impulse.after[k].w_WB)};
-    };
-    body(region.a).velocity = velocity(0);
-    body(region.b).velocity = velocity(1);
-    report_impact(region, time, pair.contact->p_WC, nearest(impulse.P_A_W));
-    predict_impacts_of({region.a, region.b});
-    return {};
-  }
-
-  /// Several regions act at once, without friction and with one coefficient of restitution: 1 + e times the impulses of
-  /// compression.
-  std::string apply_together(const Scene& then, double time, const std::vector<ContactRegion>& regions) {
-    const double e = restitution(regions.front());
-    for (const ContactRegion& region : regions) {
-      if (friction(region) != 0) return "impacts act together with friction: the law leaves the outcome open";
-      if (restitution(region) != e)
-        return "impacts with unlike restitution act together: the law leaves the outcome open";
-    }
-    const auto impulses = compression(then, regions);
-    if (!impulses) return "a body is clamped between others";
-    const mpq_class factor = 1 + mpq_class(e);
-    std::map<int, std::array<Triple, 2>> velocities;  // v and w so far, by body, not yet rounded
-    for (std::size_t k = 0; k < regions.size(); ++k) {
-      const RegionImpulse& impulse = (*impulses)[k];
-      const Triple P = scaled(factor, exact(impulse.P_A_W));
-      if (P == Triple{}) continue;
-      const std::array<int, 2> ends = {regions[k].a, regions[k].b};
-      for (std::size_t side = 0; side < 2; ++side) {
-        const int i = ends[side];
-        if (!velocities.contains(i)) {
-          restart(i, time);
-          velocities[i] = {triple(body(i).velocity.v_WBcm), triple(body(i).velocity.w_WB)};
-        }
-        auto& [v, w] = velocities[i];
-        v = plus(v, scaled(factor, exact(impulse.changes[side].v_WBcm)));
-        w = plus(w, scaled(factor, exact(impulse.changes[side].w_WB)));
-        body(i).velocity = {rounded(v), rounded(w)};
-      }
-      report_impact(regions[k], time, impulse.centre_W, rounded(P));
-    }
-    std::vector<int> hit;
-    for (const auto& [i, velocity] : velocities) hit.push_back(i);
-    predict_impacts_of(hit);
-    return {};
-  }
-
-  void report_impact(const ContactRegion& region, double time, const Vec3& p_WC, const Vec3& P_A_W) {
-    Event event;
-    event.time = time;
-    event.a = region.a;
-    event.b = region.b;
-    event.p_WC = p_WC;
-    event.nhat_BA_W = region.nhat_BA_W;
-    event.P_A_W = P_A_W;
-    event.after_a = state_of(body(region.a));
-    event.after_b = state_of(body(region.b));
-    trajectory_.events->push_back(event);
   }
 
   /// Reports the states at the sample times up to `time`.

@@ -1,11 +1,10 @@
-#include "reference/simultaneous.h"
-
 #include <cstddef>
 #include <utility>
 
 #include "reference/exact/linear.h"
 #include "reference/exact/rational.h"
 #include "reference/impulse/impact.h"
+#include "reference/simultaneous.h"
 #include "reference/simultaneous/complementary.h"
 
 namespace touchstone::reference {

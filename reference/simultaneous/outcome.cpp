@@ -1,0 +1,138 @@
+#include "reference/simultaneous/outcome.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "reference/distance.h"
+#include "reference/exact/linear.h"
+#include "reference/exact/rational.h"
+#include "reference/impulse.h"
+#include "reference/motion/plain_pose.h"
+
+namespace touchstone::reference {
+namespace {
+
+Vec3 rounded(const ExactVec3& v) { return {v[0].nearest(), v[1].nearest(), v[2].nearest()}; }
+
+Vec3 rounded(const Triple& v) { return {nearest(v[0]), nearest(v[1]), nearest(v[2])}; }
+
+Triple exact(const ExactVec3& v) { return {value_of(v[0]), value_of(v[1]), value_of(v[2])}; }
+
+const Body& body(const Scene& scene, int i) { return scene.bodies[static_cast<std::size_t>(i)]; }
+
+Scene pair_of(const Scene& scene, int a, int b) {
+  Scene pair;
+  pair.bodies = {body(scene, a), body(scene, b)};
+  return pair;
+}
+
+double restitution(const Scene& scene, const ContactRegion& region) {
+  return std::min(body(scene, region.a).material.restitution, body(scene, region.b).material.restitution);
+}
+
+double friction(const Scene& scene, const ContactRegion& region) {
+  return std::min(body(scene, region.a).material.friction, body(scene, region.b).material.friction);
+}
+
+Event event_of(const Scene& then, double time, const ContactRegion& region, const Vec3& p_WC, const Vec3& P_A_W,
+               const std::array<Velocity, 2>& after) {
+  Event event;
+  event.time = time;
+  event.a = region.a;
+  event.b = region.b;
+  event.p_WC = p_WC;
+  event.nhat_BA_W = region.nhat_BA_W;
+  event.P_A_W = P_A_W;
+  event.after_a = {body(then, region.a).X_WB, after[0]};
+  event.after_b = {body(then, region.b).X_WB, after[1]};
+  return event;
+}
+
+ImpactOutcome alone(const Scene& then, double time, const ContactRegion& region) {
+  Scene pair = pair_of(then, region.a, region.b);
+  pair.contact.emplace();
+  pair.contact->p_WC =
+      region.points_W.size() == 1 ? region.points_W.front() : compression(then, {region}).value().front().centre_W;
+  pair.contact->nhat_BA_W = region.nhat_BA_W;
+  pair.contact->law = then.motion->law;
+  pair.contact->restitution = restitution(then, region);
+  pair.contact->friction = friction(then, region);
+  const ImpulseTruth impulse = reference::impulse(pair);
+  if (impulse.modes.separating) return {{}, "whether they approach is undecided"};
+  if (impulse.ambiguous) return {{}, "more than one impulse is right"};
+  const auto velocity = [&](std::size_t k) {
+    return Velocity{rounded(impulse.after[k].v_WBcm), rounded(impulse.after[k].w_WB)};
+  };
+  return {{event_of(then, time, region, pair.contact->p_WC, rounded(impulse.P_A_W), {velocity(0), velocity(1)})}, ""};
+}
+
+ImpactOutcome together(const Scene& then, double time, const std::vector<ContactRegion>& regions) {
+  const double e = restitution(then, regions.front());
+  for (const ContactRegion& region : regions) {
+    if (friction(then, region) != 0) return {{}, "impacts act together with friction: the law leaves the outcome open"};
+    if (restitution(then, region) != e)
+      return {{}, "impacts with unlike restitution act together: the law leaves the outcome open"};
+  }
+  const auto impulses = compression(then, regions);
+  if (!impulses) return {{}, "a body is clamped between others"};
+  const mpq_class factor = 1 + mpq_class(e);
+  std::map<int, std::array<Triple, 2>> velocities;  // v and w so far, by body, not yet rounded
+  ImpactOutcome outcome;
+  for (std::size_t k = 0; k < regions.size(); ++k) {
+    const RegionImpulse& impulse = (*impulses)[k];
+    const Triple P = scaled(factor, exact(impulse.P_A_W));
+    if (P == Triple{}) continue;
+    const std::array<int, 2> ends = {regions[k].a, regions[k].b};
+    std::array<Velocity, 2> after;
+    for (std::size_t side = 0; side < 2; ++side) {
+      const Velocity& before = body(then, ends[side]).velocity;
+      const auto now =
+          velocities.try_emplace(ends[side], std::array<Triple, 2>{triple(before.v_WBcm), triple(before.w_WB)});
+      auto& [v, w] = now.first->second;
+      v = plus(v, scaled(factor, exact(impulse.changes[side].v_WBcm)));
+      w = plus(w, scaled(factor, exact(impulse.changes[side].w_WB)));
+      after[side] = {rounded(v), rounded(w)};
+    }
+    outcome.events.push_back(event_of(then, time, regions[k], impulse.centre_W, rounded(P), after));
+  }
+  return outcome;
+}
+
+}  // namespace
+
+std::vector<ContactRegion> acting_regions(const Scene& then, double time, int a, int b, double envelope) {
+  std::vector<ContactRegion> regions;
+  std::set<std::pair<int, int>> asked;
+  std::vector<int> connected;
+  const auto ask = [&](int i, int j) {
+    const std::pair<int, int> pair = std::minmax(i, j);
+    if (!asked.insert(pair).second) return;
+    const std::optional<ContactRegion> region = approaching_region(then, pair.first, pair.second);
+    if (!region) return;
+    regions.push_back(*region);
+    connected.insert(connected.end(), {i, j});
+  };
+  ask(a, b);
+  const auto has_started = [&](int j) { return then.motion->start_times[static_cast<std::size_t>(j)] <= time; };
+  for (std::size_t k = 0; k < connected.size(); ++k) {
+    const int i = connected[k];
+    if (std::holds_alternative<Fixed>(body(then, i).mass)) continue;
+    for (int j = 0; j < static_cast<int>(then.bodies.size()); ++j) {
+      if (j != i && has_started(j) && distance(pair_of(then, i, j)).distance.lo <= envelope) ask(i, j);
+    }
+  }
+  std::ranges::sort(regions, {}, [](const ContactRegion& region) { return std::pair(region.a, region.b); });
+  return regions;
+}
+
+ImpactOutcome impact_outcome(const Scene& then, double time, const std::vector<ContactRegion>& regions) {
+  if (regions.empty()) return {{}, "where they touch is undecided"};
+  return regions.size() == 1 ? alone(then, time, regions.front()) : together(then, time, regions);
+}
+
+}  // namespace touchstone::reference

@@ -1,0 +1,27 @@
+// What an impact does: the contact regions that act at one time, and their impulses.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "model/answers.h"
+#include "model/scene.h"
+#include "reference/simultaneous.h"
+
+namespace touchstone::reference {
+
+/// The regions of all pairs within the envelope that approach, connected to the pair a, b through bodies that move and
+/// have started, sorted by pair. Empty if the pair itself has none. The scene is that of all bodies at `time`.
+std::vector<ContactRegion> acting_regions(const Scene& then, double time, int a, int b, double envelope);
+
+/// The events of one time in their order: the velocities after each are those after its impulse and the ones before.
+struct ImpactOutcome {
+  std::vector<Event> events;
+  std::string undecided;  ///< why there is no outcome; else ""
+};
+
+/// One region acts through its centre of pressure, by the law of one contact point. Several act at once, by 1 + e times
+/// the impulses of compression, if they have no friction and one coefficient of restitution.
+ImpactOutcome impact_outcome(const Scene& then, double time, const std::vector<ContactRegion>& regions);
+
+}  // namespace touchstone::reference
