@@ -91,7 +91,7 @@ double residual(const ContactRow& row, const Vec3& u) {
   return std::max(std::abs(std::min(row.K_nn * P_n, u_n - row.least_u_n)), row.K_tt * (P_t - corrected).norm());
 }
 
-void solve(std::vector<ContactRow>& rows, const std::vector<Mobility>& bodies, std::vector<Twist>& twists,
+bool solve(std::vector<ContactRow>& rows, const std::vector<Mobility>& bodies, std::vector<Twist>& twists,
            const SolverLimits& limits) {
   double fastest = 0;
   for (ContactRow& row : rows) {
@@ -103,7 +103,7 @@ void solve(std::vector<ContactRow>& rows, const std::vector<Mobility>& bodies, s
   for (int i = 1; i <= limits.sweeps; ++i) {
     descent.begin(rows);
     const double change = sweep(rows, bodies, twists);
-    if (change <= std::max(convergence * fastest, limits.enough)) return;
+    if (change <= std::max(convergence * fastest, limits.enough)) return true;
     if (i % limits.sweeps_per_active_set == 0 && rows.size() <= limits.most_active_set_contacts) {
       try_active_set(rows, bodies, twists, change);
       descent = Descent(rows.size());
@@ -111,6 +111,7 @@ void solve(std::vector<ContactRow>& rows, const std::vector<Mobility>& bodies, s
       descent.go_on(rows, bodies, twists);
     }
   }
+  return false;
 }
 
 }  // namespace touchstone::fast::contact

@@ -22,8 +22,8 @@ struct SolverLimits {
 /// friction disc as a whole (no pyramid). Sweeps end when none of a sweep's changes of velocity exceeds 2⁻⁴⁴ of the
 /// greatest velocity, or `enough`. Between sweeps P is extrapolated along a conjugate direction. After every
 /// `sweeps_per_active_set` sweeps an active-set solve (active_set.h) is tried; it is undone if the next sweep changes
-/// no less than the one before.
-void solve(std::vector<ContactRow>& rows, const std::vector<Mobility>& bodies, std::vector<Twist>& twists,
+/// no less than the one before. Returns whether they ended before `sweeps` of them.
+bool solve(std::vector<ContactRow>& rows, const std::vector<Mobility>& bodies, std::vector<Twist>& twists,
            const SolverLimits& limits);
 
 /// How much a velocity at the contact would change if its impulse were corrected once for the relative velocity u

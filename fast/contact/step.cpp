@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "fast/contact/solver.h"
+#include "fast/contact/sparse/balance.h"
+#include "fast/contact/sparse/newton.h"
 #include "fast/lin_canny/rotation.h"
 #include "fast/motion/quaternion.h"
 #include "fast/motion/steady_turn.h"
@@ -13,8 +15,10 @@ namespace touchstone::fast::contact {
 namespace {
 
 constexpr int most_rounds = 16;
-constexpr int sweeps_of_rest_test = 2000;
 constexpr int sweeps_of_a_round = 400;
+constexpr std::size_t most_swept_contacts = 64;
+constexpr int sweeps_between_newton = 128;
+constexpr int first_factorisations = 16, next_factorisations = 32, last_factorisations = 128;
 constexpr double of_recovery = 0x1p-12;  // of `recovery`: smaller changes of velocity count as converged
 constexpr int projection_sweeps = 8;
 
@@ -150,6 +154,33 @@ std::vector<ContactRow> rows_at(const std::vector<StepBody>& step_bodies,
   return rows;
 }
 
+/// Up to `most_swept_contacts`: by sweeps, and from where they led by Newton's method if they do not converge. Beyond
+/// it sweeps converge only where few contacts lie above one another, so Newton's method is first: from the given
+/// impulses, which often are nearly right; then after sweeps; then from the impulses of bonded contacts.
+void solve_island(std::vector<ContactRow>& rows, const std::vector<Mobility>& mobilities, std::vector<Twist>& twists,
+                  const SolverLimits& sweeps) {
+  const std::vector<Twist> free = twists;
+  const auto newton = [&](int factorisations) {
+    twists = free;
+    return solve_newton(rows, mobilities, twists, {sweeps.enough, factorisations});
+  };
+  if (rows.size() <= most_swept_contacts) {
+    if (!solve(rows, mobilities, twists, sweeps)) newton(next_factorisations);
+    return;
+  }
+  if (newton(first_factorisations)) return;
+  twists = free;
+  SolverLimits few = sweeps;
+  few.sweeps = sweeps_between_newton;
+  if (solve(rows, mobilities, twists, few) || newton(next_factorisations)) return;
+  const std::vector<ContactRow> best = rows;
+  const std::vector<Twist> best_twists = twists;
+  for (ContactRow& row : rows) row.P.setZero();
+  if (newton(last_factorisations)) return;
+  rows = best;
+  twists = best_twists;
+}
+
 std::vector<Mobility> mobilities_of(const std::vector<StepBody>& step_bodies) {
   std::vector<Mobility> all;
   for (const StepBody& step_body : step_bodies) all.push_back(step_body.mobility());
@@ -207,11 +238,11 @@ Stepped step(const std::vector<StepBody>& step_bodies, std::vector<ContactConstr
     std::vector<Twist> free;
     for (const BodyStep& body : bodies) free.push_back(body.free(h));
     mean = free;
-    solve(rows, mobilities, mean,
-          {.sweeps = sweeps_of_a_round,
-           .sweeps_per_active_set = 64,
-           .most_active_set_contacts = 16,
-           .enough = std::min(tolerance / h, of_recovery * recovery)});
+    solve_island(rows, mobilities, mean,
+                 {.sweeps = sweeps_of_a_round,
+                  .sweeps_per_active_set = 64,
+                  .most_active_set_contacts = 16,
+                  .enough = std::min(tolerance / h, of_recovery * recovery)});
     const double changed = change;
     change = 0;
     for (std::size_t i = 0; i < bodies.size(); ++i) change = std::max(change, bodies[i].go(mean[i], free[i], h));
@@ -246,7 +277,7 @@ double unbalanced(const std::vector<StepBody>& step_bodies, std::vector<ContactC
     left[i].v = step_bodies[i].acceleration;
     greatest = std::max(greatest, step_bodies[i].acceleration.norm());
   }
-  solve(rows, mobilities, left, {.sweeps = sweeps_of_rest_test});
+  balance(rows, mobilities, left);
   for (std::size_t i = 0; i < step_bodies.size(); ++i) {
     if (!step_bodies[i].is_fixed())
       most = std::max(most, left[i].v.norm() + step_bodies[i].model->radius * left[i].w.norm());
@@ -260,7 +291,7 @@ void land(std::vector<StepBody>& step_bodies, const std::vector<ContactConstrain
   std::vector<ContactRow> rows = rows_at(step_bodies, constraints, mobilities);
   std::vector<Twist> twists;
   for (const StepBody& step_body : step_bodies) twists.push_back(twist(step_body.state));
-  solve(rows, mobilities, twists, {});
+  solve_island(rows, mobilities, twists, {});
   for (std::size_t i = 0; i < step_bodies.size(); ++i) {
     if (!step_bodies[i].is_fixed()) set_velocity(step_bodies[i].state, twists[i]);
   }

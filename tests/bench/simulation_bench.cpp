@@ -1,8 +1,9 @@
 // Compares simulators: CSV of the CPU time of a whole scene, and the error.
 //
-// Workloads are the scenes of app/motion/motion_scenes.h; each defines its error. Sizes: steps per second of the
-// simulators that step; ours do not. The engines' default is 256 (oracle/subjects/). For motions of milliseconds or
-// hours the unit of time is not the second. Each run is a process of its own; the result is the fastest of the rounds.
+// Workloads are the scenes of app/motion/motion_scenes.h and simulation/piles.h; each defines its error. Sizes: steps
+// per second of the simulators that step; ours do not. The engines' default is 256 (oracle/subjects/). For motions of
+// milliseconds or hours the unit of time is not the second. Each run is a process of its own; the result is the fastest
+// of the rounds.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -14,6 +15,7 @@
 #include "oracle/subjects/simbody/simulation.h"
 #include "oracle/subjects/touchstone/fast.h"
 #include "tests/bench/command_line.h"
+#include "tests/bench/simulation/piles.h"
 #include "tests/bench/simulation/trial.h"
 
 namespace touchstone::bench {
@@ -21,9 +23,15 @@ namespace {
 
 using namespace oracle::subjects;
 
+std::vector<app::MotionScene> scenes() {
+  std::vector<app::MotionScene> all = app::motion_scenes();
+  all.insert(all.end(), piles().begin(), piles().end());
+  return all;
+}
+
 std::vector<std::string> names() {
   std::vector<std::string> all;
-  for (const app::MotionScene& motion : app::motion_scenes()) all.push_back(motion.scene.name);
+  for (const app::MotionScene& motion : scenes()) all.push_back(motion.scene.name);
   return all;
 }
 
@@ -107,7 +115,7 @@ void compare(const app::MotionScene& motion, const Options& options) {
 
 void run(const Options& options) {
   std::printf("workload,size,name,whose,ns,median_error,worst_error,left_out,impacts,changes\n");
-  for (const app::MotionScene& motion : app::motion_scenes()) {
+  for (const app::MotionScene& motion : scenes()) {
     if (std::ranges::count(options.workloads, motion.scene.name) > 0) compare(motion, options);
   }
 }

@@ -22,7 +22,7 @@ BUILDS = [[optimised, *tuned] for optimised in ["-O2", "-O3", "-O0"] for tuned i
 SCENES = ["bouncing_ball", "slide_to_roll", "ramp_sticks", "rough_ball", "newtons_cradle", "pool_break", "gas",
           "top_middle_axis", "needle", "arch", "turntable", "rocking_ball", "polytopes"]
 LONG_SCENES = ["coin", "rattleback"]  # 51 s and 25 s at -O0: not asked there
-FAST = ["bounds.cpp", "contact/*.cpp", "exact/*.cpp", "impulse.cpp", "impulse/*.cpp", "lin_canny/*.cpp", "mass.cpp",
+FAST = ["bounds.cpp", "contact/*.cpp", "contact/sparse/*.cpp", "exact/*.cpp", "impulse.cpp", "impulse/*.cpp", "lin_canny/*.cpp", "mass.cpp",
         "motion/*.cpp", "outward/*.cpp", "simulation.cpp", "simulation/*.cpp", "simulation/*/*.cpp",
         "simultaneous/*.cpp", "time_of_impact.cpp", "time_of_impact/*.cpp"]
 PROJECT = ["-std=c++20", "-ffp-contract=off", "-DEIGEN_DONT_VECTORIZE",  # cmake/flags.cmake says why
