@@ -26,34 +26,42 @@ constexpr double least_decrease = 0x1p-13;
 
 class Newton {
  public:
-  Newton(std::vector<ContactRow>& rows, const std::vector<Mobility>& bodies, std::vector<Twist>& twists,
+  Newton(std::vector<ContactRow>& rows, const std::vector<Mobility>& bodies, const std::vector<Twist>& twists,
          const NewtonLimits& limits)
-      : rows_(rows), twists_(twists), limits_(limits), system_(rows, bodies), free_(system_.moving(twists)) {
+      : rows_(rows), limits_(limits), system_(rows, bodies), free_(system_.moving(twists)) {
     std::vector<Twist> fixed = twists;
     system_.store(system_.zero(), fixed);
     double fastest = system_.greatest_speed(free_);
     for (const ContactRow& row : rows) {
-      effective_mass_.push_back(1 / row.K_nn);
-      of_fixed_.push_back(contact::relative_velocity(row, fixed));
-      fastest = std::max({fastest, std::abs(row.least_u_n), of_fixed_.back().norm()});
+      ContactState& state = contacts_.emplace_back();
+      state.mass = 1 / row.K_nn;
+      state.of_fixed = contact::relative_velocity(row, fixed);
+      fastest = std::max({fastest, std::abs(row.least_u_n), state.of_fixed.norm()});
     }
     fastest_ = fastest;
     enough_ = std::max(limits.enough, newton_convergence * fastest);
     stiffness_.resize(rows.size());
-    Q_.resize(rows.size());
   }
 
-  bool run() {
+  bool run(std::vector<Twist>& twists) {
     if (std::ranges::all_of(rows_, [](const ContactRow& row) { return row.P.isZero(0); })) start_bonded();
     v_ = with_impulses();
     const bool done = keep_best() || rounds();
-    for (std::size_t i = 0; i < rows_.size(); ++i) rows_[i].P = best_[i];
-    system_.store(with_impulses(), twists_);
+    for (std::size_t i = 0; i < rows_.size(); ++i) rows_[i].P = contacts_[i].best;
+    system_.store(with_impulses(), twists);
     return done;
   }
 
  private:
-  Vec3 velocity(std::size_t i, const Vector& v) const { return system_.relative_velocity(i, v) + of_fixed_[i]; }
+  struct ContactState {
+    double mass = 0;                             ///< the effective one along the normal (kg)
+    Vec3 of_fixed = Vec3::Zero();                ///< the part of u that bodies which do not react have (m/s)
+    Vec3 Q = Vec3::Zero(), best = Vec3::Zero();  ///< N s
+  };
+
+  Vec3 velocity(std::size_t i, const Vector& v) const {
+    return system_.relative_velocity(i, v) + contacts_[i].of_fixed;
+  }
   /// u − least_u_n n
   Vec3 excess(std::size_t i, const Vector& v) const { return velocity(i, v) - rows_[i].least_u_n * rows_[i].n; }
 
@@ -67,10 +75,9 @@ class Newton {
   bool keep_best() {
     residual_ = 0;
     for (std::size_t i = 0; i < rows_.size(); ++i) residual_ = std::max(residual_, residual(rows_[i], velocity(i, v_)));
-    if (residual_ < least_ || best_.empty()) {
+    if (residual_ < least_) {
       least_ = residual_;
-      best_.resize(rows_.size());
-      for (std::size_t i = 0; i < rows_.size(); ++i) best_[i] = rows_[i].P;
+      for (std::size_t i = 0; i < rows_.size(); ++i) contacts_[i].best = rows_[i].P;
     }
     return residual_ <= enough_;
   }
@@ -79,14 +86,14 @@ class Newton {
   void start_bonded() {
     Vector wrenches = system_.momentum(free_);
     for (std::size_t i = 0; i < rows_.size(); ++i) {
-      const double k = bonded_penalty * effective_mass_[i];
+      const double k = bonded_penalty * contacts_[i].mass;
       stiffness_[i] = k * Mat3::Identity();
-      system_.add_impulse(i, -k * (of_fixed_[i] - rows_[i].least_u_n * rows_[i].n), wrenches);
+      system_.add_impulse(i, -k * (contacts_[i].of_fixed - rows_[i].least_u_n * rows_[i].n), wrenches);
     }
     system_.factor(1, stiffness_);
     const Vector v = system_.solve(std::move(wrenches));
     for (std::size_t i = 0; i < rows_.size(); ++i) {
-      const Vec3 P = -bonded_penalty * effective_mass_[i] * excess(i, v);
+      const Vec3 P = -bonded_penalty * contacts_[i].mass * excess(i, v);
       rows_[i].P = nearest_in_disc(P, rows_[i].n, rows_[i].friction).P;
     }
   }
@@ -95,11 +102,11 @@ class Newton {
   double evaluate(const Vector& v, double penalty, Vector& missing) {
     missing = system_.momentum(v - free_);
     for (std::size_t i = 0; i < rows_.size(); ++i) {
-      const double k = penalty * effective_mass_[i];
+      const double k = penalty * contacts_[i].mass;
       const ConeImpulse impulse = nearest_in_disc(rows_[i].P - k * excess(i, v), rows_[i].n, rows_[i].friction);
-      Q_[i] = impulse.P;
+      contacts_[i].Q = impulse.P;
       stiffness_[i] = k * impulse.derivative;
-      system_.add_impulse(i, -Q_[i], missing);
+      system_.add_impulse(i, -contacts_[i].Q, missing);
     }
     return system_.greatest_speed(system_.response(missing));
   }
@@ -138,7 +145,7 @@ class Newton {
     const double residual_before = residual_;
     for (std::size_t i = 0; i < rows_.size(); ++i) {
       ContactRow& row = rows_[i];
-      const double mass = effective_mass_[i];
+      const double mass = contacts_[i].mass;
       const Vec3 u = velocity(i, v_), z = row.P - penalty * mass * excess(i, v_);
       const double z_n = row.n.dot(z), P_n = std::max(0.0, row.n.dot(row.P));
       const Vec3 z_t = z - z_n * row.n;
@@ -184,7 +191,7 @@ class Newton {
         penalty = most = penalty * penalty_cut;
         continue;
       }
-      for (std::size_t i = 0; i < rows_.size(); ++i) rows_[i].P = Q_[i];
+      for (std::size_t i = 0; i < rows_.size(); ++i) rows_[i].P = contacts_[i].Q;
       v_ = with_impulses();
       if (keep_best()) return true;
       while (polish(penalty)) {
@@ -197,14 +204,12 @@ class Newton {
   }
 
   std::vector<ContactRow>& rows_;
-  std::vector<Twist>& twists_;
   const NewtonLimits& limits_;
   TwistSystem system_;
   Vector free_, v_;
   double fastest_ = 0, enough_ = 0, least_ = infinity, residual_ = 0;
   int factorisations_ = 0;
-  std::vector<double> effective_mass_;
-  std::vector<Vec3> of_fixed_, Q_, best_;
+  std::vector<ContactState> contacts_;
   std::vector<Mat3> stiffness_;
 };
 
@@ -212,7 +217,7 @@ class Newton {
 
 bool solve_newton(std::vector<ContactRow>& rows, const std::vector<Mobility>& bodies, std::vector<Twist>& twists,
                   const NewtonLimits& limits) {
-  return Newton(rows, bodies, twists, limits).run();
+  return Newton(rows, bodies, twists, limits).run(twists);
 }
 
 }  // namespace touchstone::fast::contact
