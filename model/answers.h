@@ -129,7 +129,7 @@ struct Event {
   enum class Kind {
     impact,           ///< an impulse at one point
     micro_collision,  ///< one of many impulses that replace a resting contact
-    completed,        ///< an infinite sequence of impacts, summed in closed form, that ends at `time`
+    completed,        ///< a sequence of impacts, mostly infinite, summed in closed form until `time`
     contact,          ///< the pair starts to roll, slide or rest on each other, or changes between these
     release,          ///< such a contact ends
     force             ///< an applied force on body a starts, changes or ends; b = −1

@@ -14,6 +14,7 @@ constexpr int most_impacts_in_place = 32;
 void apply_impulse(Run& run, Event::Kind kind, BodyId id_a, BodyId id_b, const Touch& touch, ImpactResult result) {
   World& world = run.world;
   if (run.exact_momentum) run.exact_momentum->apply(id_a, id_b, result);
+  for (const BodyId id : {id_a, id_b}) sum_up_bounces(run, id);
   const State a{run.islands.state(id_a).X_WB, result.after_a}, b{run.islands.state(id_b).X_WB, result.after_b};
   Statistics& statistics = run.recorder.statistics();
   statistics.loss += result.loss;

@@ -6,15 +6,11 @@
 #include "fast/simulation/rest/rest_event.h"
 
 namespace touchstone::fast::simulation {
-namespace {
 
-/// For a tumbling body a frame may be too long even if it restarts; then the run stops.
 void keep_orientation(Run& run, BodyId id) {
   if (run.world.keep_orientation(id, run.schedule.frame_end())) return;
-  run.guard.stop(run.world.now(), id, {}, "tumbles too fast to be followed for a frame");
+  run.guard.stop(run.world.now(), id, {}, "turns too fast to be followed for a frame");
 }
-
-}  // namespace
 
 void begin_frame(Run& run) {
   run.schedule.begin_frame();

@@ -9,6 +9,10 @@ namespace touchstone::fast::simulation {
 /// pair the lower bound of its time of impact.
 void begin_frame(Run& run);
 
+/// Restarts the body's trajectory if its orientation would be lost before the end of the frame. For a tumbling body,
+/// and for a ball whose axis turns, a frame may be too long even so; then the run stops.
+void keep_orientation(Run& run, BodyId id);
+
 /// The body moves on from the state: in its island, or ballistically. A fixed body is left alone.
 void set_trajectory(Run& run, BodyId id, const State& state);
 

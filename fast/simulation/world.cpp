@@ -59,7 +59,7 @@ bool World::keep_orientation(BodyId id, double until) {
   BodyMotion& body = bodies_[id];
   if (!body.needs_restart(until)) return true;
   const double from = std::max(now_, body.path().since);
-  body.restart(from, body.state(from), body.path().a);
+  body.restart(from, body.state(from), body.path().a, body.path().alpha);
   return body.follows(until);
 }
 

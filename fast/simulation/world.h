@@ -29,8 +29,9 @@ class World {
   double start_time(BodyId id) const;
   Coefficients coefficients(BodyId a, BodyId b) const;
 
-  /// Restarts a body's trajectory from its reported state if by `until` it will have turned so far that doubles lose
-  /// its orientation. Returns false if it tumbles too fast to be followed until then even so.
+  /// Restarts a body's trajectory from its reported state if by `until` it will have turned so far that its orientation
+  /// is lost or slow to compute (BodyMotion::needs_restart). Returns false if it turns too fast to be followed until
+  /// then even so.
   bool keep_orientation(BodyId id, double until);
 
   const Vec3& acceleration(BodyId id) const { return acceleration_[id]; }  ///< m/s²; by gravity and the applied force

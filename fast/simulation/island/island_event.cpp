@@ -189,6 +189,7 @@ bool merge_islands(Run& run, BodyId a, BodyId b) {
   for (const IslandBody& island_body : graph.bodies()) {
     if (island_body.fixed()) continue;
     if (run.islands.of(island_body.id)) run.islands.take(island_body.id);
+    sum_up_bounces(run, island_body.id);
     run.rests.erase(island_body.id);
   }
   run.islands.insert(std::move(merged));

@@ -12,7 +12,8 @@ namespace touchstone::fast::simulation {
 namespace {
 
 /// rad. By then rounding has changed the orientation by 2^-33 (motion/ballistic_motion.cpp), and half of the time that
-/// a tumble covers in one piece has passed (motion/tumble.h).
+/// a tumble covers in one piece has passed (motion/tumble.h). The power series of a ball whose axis turns takes so many
+/// steps (prediction/spin.h): milliseconds.
 constexpr double most_turn = 0x1p13;
 
 bool is_multiple_of_one(const Mat3& I) { return I == I(0, 0) * Mat3::Identity(); }
@@ -33,6 +34,11 @@ Range swept(double p, double v, double a, double from, double until) {
   }
   const double error = 16 * u * (std::abs(p) + until * (std::abs(v) + until * std::abs(a))) + 0x1p-1000;
   return {range.lo - error, range.hi + error};
+}
+
+/// Whether a ball turns by more than so many radians until t, about an axis that turns.
+bool turns_by(const Path& path, double t, double turn) {
+  return axis_turns(path.w, path.alpha) && turning_steps(path.w, path.alpha, t - path.since) > turn;
 }
 
 }  // namespace
@@ -82,15 +88,18 @@ void BodyMotion::set_trajectory(double since, const State& state, const Vec3& ac
 State BodyMotion::state(double t) const {
   if (kind_ == Kind::other) return ballistic().state(t);
   const double tau = t - path_.since;
-  const Vec3 angle = tau * (path_.w + tau / 2 * path_.alpha);
-  return {{path_.place(t), turned(path_.q, angle)}, {path_.velocity(t), path_.w + tau * path_.alpha}};
+  return {{path_.place(t), turned(path_.q, path_.w, path_.alpha, tau)},
+          {path_.velocity(t), path_.w + tau * path_.alpha}};
 }
 
 bool BodyMotion::needs_restart(double t) const {
-  return kind_ == Kind::other && !fixed_ && !follows_step_ && (t - path_.since) * ballistic().rate() > most_turn;
+  if (kind_ != Kind::other) return turns_by(path_, t, most_turn);
+  return !fixed_ && !follows_step_ && (t - path_.since) * ballistic().rate() > most_turn;
 }
 
-bool BodyMotion::follows(double t) const { return kind_ != Kind::other || ballistic().follows(t); }
+bool BodyMotion::follows(double t) const {
+  return kind_ == Kind::other ? ballistic().follows(t) : !turns_by(path_, t, 2 * most_turn);
+}
 
 Aabb BodyMotion::box(double from, double until, double margin) const {
   Aabb box;

@@ -63,9 +63,11 @@ class BodyMotion {
   void follow_step(double since, const State& state, const Vec3& acceleration, const Vec3& spin);
 
   /// Whether by t the body has turned so far that doubles begin to lose its orientation (motion/steady_turn.h,
-  /// motion/tumble.h).
+  /// motion/tumble.h), or that the power series of a ball's orientation becomes slow (prediction/spin.h).
   bool needs_restart(double t) const;
-  bool follows(double t) const;  ///< whether doubles determine its orientation at t at all (motion/tumble.h)
+  /// Whether its orientation at t is determined at all: by doubles (motion/tumble.h), or by so many steps of the
+  /// series.
+  bool follows(double t) const;
 
   /// Encloses the body from `from` to `until` (≥ since), with `margin` added on each side.
   Aabb box(double from, double until, double margin) const;

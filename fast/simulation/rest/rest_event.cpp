@@ -34,6 +34,12 @@ void record_contact(Run& run, Event::Kind kind, BodyId id, const Vec3& v_before,
   run.recorder.record(rest_event(run, kind, id, state, id < run.rests.of(id)->on ? P : -P));
 }
 
+/// The body's velocity when the law of the resting contact began. Its first micro-bounce may just have begun.
+Vec3 v_before(const RestingContact& rest) { return rest.start.velocity.v_WBcm + rest.bounces.speed * rest.nhat_W; }
+
+/// Whether the law of the resting contact sums up micro-bounces.
+bool are_under_way(const RestingContact& rest) { return rest.bounces_end > rest.since; }
+
 /// Sets the body's trajectory in the resting contact.
 void set_rest(Run& run, const RestCandidate& candidate, RestingContact rest, const MicroBounces& bounces,
               double bounces_end) {
@@ -43,11 +49,13 @@ void set_rest(Run& run, const RestCandidate& candidate, RestingContact rest, con
     rest.ends_by = RestingContact::End::bounces_end;
   }
   rest.on = candidate.on;
+  rest.since = now;
   rest.bounces = bounces;
   rest.bounces_end = bounces_end;
   const RestingContact* before = run.rests.of(candidate.id);
   if (before && before->on != candidate.on) release_rest(run, candidate.id, candidate.state);
   run.world.body(candidate.id).restart(now, rest.start, rest.acceleration, rest.alpha);
+  keep_orientation(run, candidate.id);
   run.schedule.trajectory_changed(candidate.id);
   run.rests.set(candidate.id, rest);
   run.schedule.predict_all(candidate.id);
@@ -104,24 +112,32 @@ bool try_rest(Run& run, const RestCandidate& candidate, const Vec3& v_before, co
 void end_rest_phase(Run& run, BodyId id) {
   const RestingContact was = *run.rests.of(id);
   const BodyMotion &body = run.world.body(id), &on = run.world.body(was.on);
-  const double now = run.world.now(), since = body.path().since;
-  const Vec3 v_before = body.path().v + was.bounces.speed * was.nhat_W;
+  const double now = run.world.now();
   State state = without_normal(on, body.state(now), was.nhat_W);
   if (was.ends_by == RestingContact::End::slip_ends) state = without_slip(body, on, state, was.nhat_W);
   const bool bounces_on = was.bounces_end > now;
   if (was.ends_by != RestingContact::End::leaves &&
       try_set_rest(run, {id, was.on, was.nhat_W, state},
                    bounces_on ? MicroBounces{0, was.bounces.load} : MicroBounces{}, was.bounces_end)) {
-    return record_contact(
-        run, was.ends_by == RestingContact::End::bounces_end ? Event::Kind::completed : Event::Kind::contact, id,
-        v_before, since);
+    return record_contact(run, are_under_way(was) ? Event::Kind::completed : Event::Kind::contact, id, v_before(was),
+                          was.since);
   }
   release_rest(run, id, state);
   set_trajectory(run, id, state);
   run.schedule.predict_all(id);
 }
 
+void sum_up_bounces(Run& run, BodyId id) {
+  const RestingContact* rest = run.rests.of(id);
+  if (!rest || !are_under_way(*rest)) return;
+  record_contact(run, Event::Kind::completed, id, v_before(*rest), rest->since);
+  RestingContact summed_up = *rest;
+  summed_up.bounces_end = summed_up.since;
+  run.rests.set(id, summed_up);
+}
+
 void release_rest(Run& run, BodyId id, const State& state) {
+  sum_up_bounces(run, id);
   run.recorder.record(rest_event(run, Event::Kind::release, id, state, Vec3::Zero()));
   run.rests.erase(id);
 }

@@ -29,6 +29,10 @@ bool try_rest(Run& run, const RestCandidate& candidate, const Vec3& v_before, co
 /// A resting contact ends or changes: its micro-bounces are over, slip ends, or the contact point leaves the face.
 void end_rest_phase(Run& run, BodyId id);
 
+/// If micro-bounces of the body are under way, reports those until now as completed. Called before another event ends
+/// them early, since the body was not in ballistic motion since they began.
+void sum_up_bounces(Run& run, BodyId id);
+
 /// The body, which rests, does no longer. Records the event, with the body's state; changes no trajectory.
 void release_rest(Run& run, BodyId id, const State& state);
 

@@ -25,7 +25,7 @@ TEST_CASE("trajectory: a tumbling body that cannot be followed for a frame stops
   Run run(scene, {.frame = 2});
   begin_frame(run);
   REQUIRE(run.stopped());
-  CHECK(run.guard.stopped()->why == "tumbles too fast to be followed for a frame");
+  CHECK(run.guard.stopped()->why == "turns too fast to be followed for a frame");
   CHECK(run.guard.stopped()->a == 0);
   CHECK(run.guard.stopped()->b == -1);
 }

@@ -79,6 +79,19 @@ TEST_CASE("body motion: what restarts at a reported state continues from exactly
   CHECK(motion.state(0.7).velocity == state.velocity);
 }
 
+TEST_CASE("body motion: a ball whose axis turns restarts before its orientation takes too long to compute") {
+  BodyMotion motion(ball(1, Vec3::Zero(), Vec3::Zero(), {}), 0, g);
+  const State spins{{Vec3::Zero(), {}}, {{7, 0, 0}, {0, 0, 0x1p13}}};
+  motion.restart(0, spins, {-2, 0, 0}, {0, -5, 0});
+  CHECK_FALSE(motion.needs_restart(0.5));
+  CHECK(motion.needs_restart(1.5));
+  CHECK(motion.follows(1.5));
+  CHECK_FALSE(motion.follows(2.5));
+  motion.restart(0, spins, {-2, 0, 0}, {0, 0, -5});  // about its own axis: in closed form
+  CHECK_FALSE(motion.needs_restart(4));
+  CHECK(motion.follows(4));
+}
+
 TEST_CASE("body motion: a step has a constant angular velocity even about no principal axis, and is never too long") {
   Body body = brick({1, 2, 3}, Vec3::Zero(), {});
   BodyMotion motion(body, 0, g);

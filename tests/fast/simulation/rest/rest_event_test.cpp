@@ -74,6 +74,34 @@ TEST_CASE("rest event: slip ends in rolling") {
   CHECK(ball.run.recorder.statistics().of(Event::Kind::contact) == 2);
 }
 
+TEST_CASE("rest event: a ball that spins fast about the normal restarts, and its contact's impulse is still whole") {
+  OnTable ball({7, 0, 0});
+  RestCandidate candidate = ball.candidate();
+  candidate.state.velocity.w_WB.z() = 0x1p11;
+  REQUIRE(try_rest(ball.run, candidate, {7, 0, 0}, {}, 0));
+  const double until = ball.run.rests.of(0)->until;
+  CHECK(until == Approx(0.4));
+  ball.run.advance_to(0.25);
+  REQUIRE(ball.run.world.keep_orientation(0, 4.25));
+  CHECK(ball.run.world.body(0).path().since == 0.25);
+  CHECK(ball.run.world.body(0).path().alpha.y() == Approx(12.5));
+  CHECK(ball.run.world.body(0).path().w.y() == Approx(0.25 * 12.5));
+  ball.run.advance_to(until);
+  end_rest_phase(ball.run, 0);
+  const Event event = ball.last_event();
+  CHECK(event.P_A_W.x() == Approx(-2));
+  CHECK(event.P_A_W.z() == Approx(4));
+}
+
+TEST_CASE("rest event: a ball that spins too fast about the normal stops the run") {
+  OnTable ball({7, 0, 0});
+  RestCandidate candidate = ball.candidate();
+  candidate.state.velocity.w_WB.z() = 0x1p13;
+  REQUIRE(try_rest(ball.run, candidate, {7, 0, 0}, {}, 0));
+  REQUIRE(ball.run.stopped());
+  CHECK(ball.run.guard.stopped()->why == "turns too fast to be followed for a frame");
+}
+
 TEST_CASE("rest event: micro-bounces that remain are completed, with their impulse, when they end") {
   OnTable ball(still);
   // The first has 1/64 m/s, e = 0.5: they last 2v/(g (1 − e)) = 1/160 s with the mean force (1 + e)/2.
@@ -101,6 +129,30 @@ TEST_CASE("rest event: a ball that leaves the face is released, and flies") {
   CHECK(ball.run.world.body(0).path().a == g);
   CHECK(ball.run.world.body(0).path().since == 0.5);
   CHECK(ball.last_event().kind == Event::Kind::release);
+}
+
+// Slip at 0.01 m/s ends at 0.01/(3.5 · 0.5 · 7.5) s, before the bounces of 1/160 s.
+TEST_CASE("rest event: micro-bounces that something ends early are completed until then") {
+  const auto bounces_under_way = [](OnTable& ball) {
+    REQUIRE(try_rest(ball.run, ball.candidate(), {0.01, 0, 0}, {1.0 / 64, 0.75}, 1.0 / 160));
+    CHECK(ball.run.recorder.statistics().events() == 0);
+  };
+  OnTable slips({0.01, 0, 0});
+  bounces_under_way(slips);
+  const double ends = slips.run.rests.of(0)->until;
+  CHECK(ends == Approx(0.01 / 13.125));
+  slips.run.advance_to(ends);
+  end_rest_phase(slips.run, 0);
+  CHECK(slips.run.rests.of(0)->bounces_end == 1.0 / 160);
+  const Event event = slips.last_event();
+  CHECK(event.kind == Event::Kind::completed);
+  CHECK(event.P_A_W.z() == Approx(10 * ends - 1.0 / 64));
+  OnTable released({0.01, 0, 0});
+  bounces_under_way(released);
+  released.run.advance_to(ends / 2);
+  release_rest(released.run, 0, released.run.world.body(0).state(ends / 2));
+  CHECK(released.run.recorder.statistics().of(Event::Kind::completed) == 1);
+  CHECK(released.last_event().kind == Event::Kind::release);
 }
 
 }  // namespace
