@@ -10,6 +10,7 @@
 #include "oracle/tolerance/motion.h"
 #include "oracle/tolerance/tolerance.h"
 #include "oracle/truth/impact.h"
+#include "oracle/truth/turn.h"
 #include "oracle/truth/world_points.h"
 #include "properties/cases/time_of_impact_case.h"
 #include "properties/cases/trajectory_case.h"
@@ -113,6 +114,7 @@ std::optional<BodyOnFace> body_on_face(const Scene& scene, std::size_t index, co
 struct Phase {
   Real until = infinite;  ///< s, from the start of the phase
   Point p, v, a;
+  Real slip_rate = 0;  ///< m/s²: at which its slip ends, if it does
 
   Point place(Real t) const { return p + t * v + t * t / 2 * a; }
   Point velocity(Real t) const { return v + t * a; }
@@ -141,8 +143,8 @@ std::optional<Phase> without_slip(const BodyOnFace& on_face, const Load& load, c
   const Real needs = load.along.norm(), most = (1 + on_face.lambda) * load.friction * load.press;
   if (needs > 0 && std::abs(needs - most) < negligible * most) return std::nullopt;
   const Real share = on_face.ball ? on_face.lambda / (1 + on_face.lambda) : 0;
-  if (needs <= most) return Phase{infinite, p, v, Point(share * load.along)};
-  return Phase{infinite, p, v, Point((1 - load.friction * load.press / needs) * load.along)};
+  if (needs <= most) return Phase{infinite, p, v, Point(share * load.along), 0};
+  return Phase{infinite, p, v, Point((1 - load.friction * load.press / needs) * load.along), 0};
 }
 
 // Slip has the direction σ; it changes at the rate g_t σ − (1 + λ) μ g_n, and the velocity at g_t − μ g_n σ.
@@ -158,7 +160,7 @@ std::vector<Phase> phases_of(const BodyOnFace& on_face, const Load& load) {
     if (sigma.cross(load.along).norm() > negligible * load.along.norm()) return {};  // the slip would turn
     const Real rate = load.along.dot(sigma) - (1 + on_face.lambda) * load.friction * load.press;
     const Real until = rate < 0 ? speed / -rate : infinite;
-    phases.push_back({until, p, v, Point(load.along - load.friction * load.press * sigma)});
+    phases.push_back({until, p, v, Point(load.along - load.friction * load.press * sigma), std::max<Real>(-rate, 0)});
     if (until == infinite) return phases;
     p = phases.back().place(until);
     v = phases.back().velocity(until);
@@ -206,6 +208,8 @@ struct FaceMotion {
   BodyOnFace on_face;
   Load load;
   std::vector<Phase> phases;
+
+  Real slip_ends() const { return phases.front().slip_rate > 0 ? phases.front().until : 0; }  ///< s; 0 if it rolls
 };
 
 // A box must not tip: friction acts at its base, so the force that supports it moves forward by μ times its height. It
@@ -271,6 +275,86 @@ Real rounding_of(const FaceMotion& motion, Real time, oracle::Precision precisio
   const Real speeds = motion.on_face.v.norm() + motion.on_face.height * motion.on_face.w.norm();
   const Real accelerations = motion.load.along.norm() + (1 + motion.load.friction) * motion.load.press;
   return 64 * oracle::unit_roundoff(precision) * (speeds + accelerations * time);
+}
+
+// A step that is granted to a subject which reports no events: the longest of the adapters (docs/design/simulation.md).
+constexpr Real granted_step = 1.0L / 256;
+
+/// Whether friction has one direction from one time to another, although velocities along the face may differ by dv:
+/// then slip differs by (1 + λ) dv, so it may end that much earlier or later, and in a step.
+bool keeps_phase(const FaceMotion& motion, Real from, Real until, Real dv, Real step) {
+  const Real ends = motion.slip_ends();
+  if (ends == 0) return true;
+  const Real doubt = 2 * (1 + motion.on_face.lambda) * dv / motion.phases.front().slip_rate + step;
+  return until < ends - doubt || from > ends + doubt;
+}
+
+/// rad/s: how far a ball's angular velocity may be from the line between those at two samples.
+///
+/// While it slips, friction's impulse differs from an even one by μ times the normal velocity, which bounces within the
+/// envelope keep within b of 0: from the line between two times by at most 2bμ, which is part of dv, and so is the
+/// effect of the lever. It changes r ω by λ times what it changes v by. When the ball rolls, its slip is at most
+/// (1 + λ) dv and v is right within dv, so r ω is right within (2 + λ) dv, at both samples too. A step of length h has
+/// the angular velocity of one of its ends, and turns by 2 atan(h |ω|/2) instead of h |ω| if it is added to the
+/// quaternion, which is less by at most h³|ω|³/12.
+Real spin_freedom(const FaceMotion& motion, bool slips, const Point& from, const Point& until, Real seconds, Real dv,
+                  Real step) {
+  const Real w = std::max(from.norm(), until.norm()), lambda = motion.on_face.lambda;
+  return (slips ? lambda : 2 * (2 + lambda)) * dv / motion.on_face.height + step / 2 * (until - from).norm() / seconds +
+         step * step * w * w * w / 12;
+}
+
+/// rad: of the rotation that takes a to b.
+Real angle_between(const Matrix& a, const Matrix& b) {
+  return 2 * std::asin(std::min<Real>(1, (b - a).norm() / std::sqrt(8.0L)));
+}
+
+Finding turns_between(const TrajectoryCase& asked, const FaceMotion& motion, const State& before, Real from,
+                      const State& after, Real until) {
+  const Point w0 = before.velocity.w_WB.cast<Real>(), w1 = after.velocity.w_WB.cast<Real>();
+  const Real seconds = until - from, step = asked.said.events ? 0 : granted_step;
+  const Real dv =
+      freedom_of(motion.on_face, motion.load, envelope(asked.scene)) + rounding_of(motion, until, asked.precision);
+  if (seconds <= 0 || !oracle::is_short_turn(w0, w1, seconds)) return judge::outside("no time, or too many turns");
+  if (!keeps_phase(motion, from, until, dv, step)) return judge::outside("slip ends between the samples");
+  // 64 roundings of each quaternion, and of each radian since the start.
+  const Real turned = 1 + std::max(w0.norm(), w1.norm()) * until;
+  const double u = oracle::unit_roundoff(asked.precision), unit = u * static_cast<double>(turned);
+  const Real allowed = seconds * spin_freedom(motion, until < motion.slip_ends(), w0, w1, seconds, dv, step) +
+                       oracle::turn_error(w0, w1, seconds) + 64 * unit;
+  const Real off = angle_between(oracle::turn(w0, w1, seconds) * rotation(before.X_WB), rotation(after.X_WB));
+  return counted(allowed < 0x1p-4L,
+                 judge::at_most(
+                     static_cast<double>(off), {static_cast<double>(allowed), unit, "ulps of what it has turned"},
+                     Defect::wrong_motion,
+                     [&] {
+                       return "body " + std::to_string(motion.body) + " turns otherwise from " +
+                              words::text(static_cast<double>(from)) + " s to " +
+                              words::text(static_cast<double>(until)) + " s";
+                     },
+                     [] { return std::string("the rotation by its angular velocities"); }));
+}
+
+// The torque on a ball that slides or rolls on a face is constant, so its angular velocity changes evenly. Its
+// orientation follows from that; it is not turned by the sum of angles, unless the axis stays.
+Finding turns(const Scene& scene, Subject& subject) {
+  return of_trajectory(scene, subject, [&](const TrajectoryCase& asked) {
+    if (!moves_by_gravity_alone(scene)) return judge::outside("applied forces, or no gravity");
+    Finding worst = judge::outside("no ball that slides or rolls on a fixed face, apart from others");
+    for (const FaceMotion& motion : motions_on_faces(scene, asked.precision)) {
+      State before{scene.bodies[motion.body].X_WB, scene.bodies[motion.body].velocity};
+      Real from = 0;
+      for (std::size_t sample = 0; motion.on_face.ball && sample < asked.samples(); ++sample) {
+        const Real until = asked.time(sample);
+        if (!place_at(motion.phases, motion.on_face, motion.face, until)) break;
+        const State& after = asked.said.states[sample][motion.body];
+        if (worse(worst, turns_between(asked, motion, before, from, after, until))) return worst;
+        before = after;
+        from = until;
+      }
+    }
+    return worst;
+  });
 }
 
 // A body that slides on a face slows by friction until its slip ends. Then a ball rolls, and a box rests.
@@ -470,6 +554,11 @@ std::vector<Property> simulation_face_properties() {
        {clause + "28"},
        "a body on a fixed face slides, rolls or rests as friction has it",
        slides},
+      {"simulation.turns",
+       query,
+       {clause + "32"},
+       "a ball on a face turns as the reported angular velocities say",
+       turns},
       {"simulation.supported", query, {clause + "29"}, "a body that rests is over its support", supported},
   };
 }

@@ -218,6 +218,21 @@ Scene skims(Random& random) {
   return run(random, std::move(bodies), std::move(motion), {0, 0, -8});
 }
 
+/// A ball on a table that spins about the vertical while friction turns it about a horizontal axis. It bounces within
+/// the envelope, so that all subjects may answer: those that know no resting contact too.
+Scene spins(Random& random) {
+  Body table = floor_at_0(), ball = at_rest(Sphere{1});
+  table.material = {1, 1};
+  ball.material = {1, random.pick({0.25, 0.5})};
+  ball.X_WB.p_WB = {0, 0, 1 + 0x1p-18};
+  ball.velocity.v_WBcm = {random.whole(2, 4), random.whole(-2, 2), 0};
+  const double side = random.sign();
+  ball.velocity.w_WB = {0, 0, side * random.whole(40, 72)};
+  Motion motion = motion_until(0.0625, 2);
+  motion.envelope = 0x1p-17;
+  return run(random, {std::move(table), std::move(ball)}, std::move(motion), {0, 0, -8});
+}
+
 /// A ball above a table: for e < 1 the last sample comes after infinitely many impacts.
 Scene bouncing(Random& random) {
   Body ball = some_ball(random);
@@ -361,6 +376,7 @@ std::vector<Family> run_families() {
       {"runs.apart", "bodies that never touch", queries, true, apart},
       {"runs.at_rest", "balls and blocks at rest on a table", queries, true, at_rest_on_a_table},
       {"runs.skims", "balls on a table that bounce within the envelope", queries, true, skims},
+      {"runs.spins", "a ball that slides on a table and spins about the vertical", queries, true, spins},
       {"runs.bouncing", "a ball that bounces, and comes to rest", queries, true, bouncing},
       {"runs.falls_flat", "a box that falls flat, bounces, and comes to rest", queries, true, falls_flat},
       {"runs.together", "one body that collides with two at one time", queries, true, together},

@@ -58,6 +58,7 @@ const std::vector<Caught> caught = {
     {"canary.foresees", "simulation.no_foresight", "runs.pushed", 0},
     {"canary.half_a_twist", "simulation.impulses_apply", "runs.on_a_table", 0},
     {"canary.top_leads", "simulation.flights", "runs.tops", 0},
+    {"canary.adds_angles", "simulation.turns", "runs.spins", 0},
     {"canary.starts_anew", "simulation.resumed", "runs.one_impact", 0},
     {"canary.slippery", "simulation.slides", "runs.skims", 0},
     {"canary.clings", "simulation.supported", "tables.overhangs", 0},

@@ -121,6 +121,11 @@ std::vector<Scene> build_runs() {
                 with(body(Sphere{1}, {0, 5, 1 + 0x1p-12}), 1, 0.25)},
                {0.03125, 0.0625}, down);
   bouncing.motion->envelope = 0x1p-11;
+  Scene spinning = scene_of(
+      "a ball that spins about the vertical and slides, in bounces within the envelope",
+      {with(floor_box, 1, 0.25), with(moving(body(Sphere{1}, {0, 0, 1 + 0x1p-18}), {2, 0, 0}, {0, 0, 64}), 1, 0.25)},
+      {0.03125, 0.0625}, down);
+  spinning.motion->envelope = 0x1p-17;
   return {
       scene_of("balls that rub",
                {with(moving(body(Sphere{1}, {0, 0, 0}), {3, 0, 0}, {0, 0, 4}), 0.5, 0.25),
@@ -150,6 +155,7 @@ std::vector<Scene> build_runs() {
                {0.125, 0.25}, down),
       resting,
       bouncing,
+      spinning,
       scene_of("a cube that hangs over an edge", {floor_box, body(cube, {8.5, 0, 1})}, {0.5, 1}, down),
       scene_of("a ball that bounces", {with(floor_box, 1, 0), with(body(Sphere{1}, {0, 0, 2}), 0.5, 0)},
                {0.25, 0.75, 1.25}, down),

@@ -73,6 +73,10 @@ void speed_after(Trajectory& said, double error) { event_of(said).after_a.veloci
 void spin_after(Trajectory& said, double error) { event_of(said).after_a.velocity.w_WB.x() += error; }
 void contact_point(Trajectory& said, double error) { event_of(said).p_WC.z() += error; }
 void last_speed(Trajectory& said, double error) { said.states.back().back().velocity.v_WBcm.z() += error; }
+void turns_further(Trajectory& said, double error) {
+  Quaternion& q = said.states.back()[1].X_WB.q_WB;
+  q = {q.w - error / 2 * q.x, q.x + error / 2 * q.w, q.y - error / 2 * q.z, q.z + error / 2 * q.y};
+}
 void slides_faster(Trajectory& said, double error) { said.states.back()[1].velocity.v_WBcm.x() += error; }
 
 const std::vector<Beyond> beyond = {
@@ -101,6 +105,7 @@ const std::vector<Beyond> beyond = {
     {"together_mirrored", "a ball that hits two at one time", 0x1p-6, speed, true},
     {"together_relabelled", "a polytope that lands on a face", 0x1p-6, last_speed, true},
     {"slides", "balls that bounce within the envelope: one slides, one stays", 0.125, slides_faster},
+    {"turns", "a ball that spins about the vertical and slides, in bounces within the envelope", 0x1p-8, turns_further},
 };
 
 /// The truth, but for one error.

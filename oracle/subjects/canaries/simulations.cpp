@@ -157,8 +157,11 @@ void lower_end(Event& event, const Scene& scene) {
     const Velocity V = ballistic_state(scene, body, event.time).velocity;
     return V.v_WBcm.norm() + size(scene.bodies[body].shape) * V.w_WB.norm();
   };
+  const auto start = [&](std::size_t body) {
+    return scene.motion->start_times.empty() ? 0 : scene.motion->start_times[body];
+  };
   const double early = 0x1p14 * envelope(scene) / (speed(a) + speed(b));
-  if (!(early < event.time)) return;
+  if (!(early < event.time - std::max(start(a), start(b)))) return;
   event.time -= early;
   event.after_a.X_WB = ballistic_state(scene, a, event.time).X_WB;
   event.after_b.X_WB = ballistic_state(scene, b, event.time).X_WB;
@@ -247,6 +250,18 @@ void top_leads(State& state, const Scene& scene, std::size_t body, double time) 
   const Eigen::Quaterniond turned = ahead * R_WB;
   state.X_WB.q_WB = {turned.w(), turned.x(), turned.y(), turned.z()};
   state.velocity.w_WB = ahead * w;
+}
+
+// Turns balls by the integral of their angular velocity, as if rotations about different axes commuted.
+void adds_angles(State& state, const Scene& scene, std::size_t body, double time) {
+  const Body& start = scene.bodies[body];
+  if (!std::holds_alternative<Sphere>(start.shape) || !scene.motion->start_times.empty()) return;
+  const Vec3 angle = time / 2 * (start.velocity.w_WB + state.velocity.w_WB);
+  if (is_fixed(start) || angle.isZero(0)) return;
+  const Quaternion& q = start.X_WB.q_WB;
+  const Eigen::Quaterniond turned =
+      Eigen::AngleAxisd(angle.norm(), angle.normalized()) * Eigen::Quaterniond(q.w, q.x, q.y, q.z).normalized();
+  state.X_WB.q_WB = {turned.w(), turned.x(), turned.y(), turned.z()};
 }
 
 // Half of the friction. Without events, the law of single impacts does not show it.
@@ -415,6 +430,8 @@ std::vector<Canary> canaries_about_simulations() {
             [] { return first_impact_with(half_a_twist); }),
       lying("canary.top_leads", "turns tops a millionth of a radian too far each second",
             [] { return each_state(top_leads); }),
+      lying("canary.adds_angles", "turns balls by the sum of angles, about whatever axes",
+            [] { return each_state(adds_angles); }),
       lying("canary.starts_anew", "takes a state at a later time for one at time 0",
             [] { return as_if([](Scene& scene) { scene.motion->start_times.clear(); }); }),
       lying("canary.slippery", "halves all friction, and reports no events", [] { return runs(slippery); }),
