@@ -103,6 +103,8 @@ Json json_of(const Finding& finding) {
   json["allowed"] = number(finding.allowed);
   write_if_there(json, "unit", finding.unit);
   if (finding.rounding != 0) json["rounding"] = number(finding.rounding);
+  if (finding.relative) json["relative"] = number(*finding.relative);
+  if (finding.of_body) json["of_body"] = number(*finding.of_body);
   if (finding.margin) json["margin"] = {number(finding.margin->lo), number(finding.margin->hi)};
   write_if_there(json, "certificate", finding.certificate);
   write_if_there(json, "why", finding.why);
@@ -111,8 +113,8 @@ Json json_of(const Finding& finding) {
 
 Finding read_finding(const Json& json, const std::string& place) {
   const Node node(json, place);
-  node.expect_object({"outcome", "defect", "observed", "expected", "error", "allowed", "unit", "rounding", "margin",
-                      "certificate", "why"});
+  node.expect_object({"outcome", "defect", "observed", "expected", "error", "allowed", "unit", "rounding", "relative",
+                      "of_body", "margin", "certificate", "why"});
   Finding finding;
   finding.outcome = read_name(node.at("outcome"), Outcome::outside);
   finding.defect = read_name(node.at("defect"), Defect::garbage);
@@ -124,6 +126,8 @@ Finding read_finding(const Json& json, const std::string& place) {
   finding.allowed = read_number(json.at("allowed"), allowed);
   read_if_there(node, "unit", finding.unit);
   if (const auto rounding = node.find("rounding")) finding.rounding = read_number(json.at("rounding"), *rounding);
+  if (const auto relative = node.find("relative")) finding.relative = read_number(json.at("relative"), *relative);
+  if (const auto of_body = node.find("of_body")) finding.of_body = read_number(json.at("of_body"), *of_body);
   if (const auto margin = node.find("margin")) {
     margin->expect_size(2);
     finding.margin = {read_number(json.at("margin")[0], (*margin)[0]), read_number(json.at("margin")[1], (*margin)[1])};

@@ -66,6 +66,8 @@ struct Finding {
   double allowed = 0;              ///< in `unit`; the named bound that `error` is compared with
   std::string unit;                ///< usually "ulps of the scene's scale"
   double rounding = 0;             ///< in `unit`: what rounding explains, where the clause allows less; 0: nothing more
+  std::optional<double> relative;  ///< 1: a failure's error over the exact value; infinite if that is 0
+  std::optional<double> of_body;   ///< 1: a failure's error, if it is a length, over the size of the smaller body
   std::optional<Interval> margin;  ///< m: how far the input is from changing the truth
   std::string certificate;         ///< the proof of the truth, in words
   std::string why;                 ///< for abstains, breaks and outside

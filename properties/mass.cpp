@@ -53,9 +53,11 @@ double bound(const Body& body, Part part, oracle::Precision precision) {
 judge::Allowance allowance(const Body& body, const MassTruth& exact, Part part, double bound,
                            oracle::Precision precision) {
   const double u = oracle::unit_roundoff(precision), m = exact.mass.hi, size = tolerance::size(body);
-  if (part == Part::mass) return {bound, u * m, "ulps of the mass"};
-  if (part == Part::centre) return {bound, u * tolerance::radius(body), "ulps of the body's radius"};
-  return {bound, u * m * size * size, "ulps of mass times size squared"};
+  const auto& I = exact.I_BBcm_B;
+  const double radius = tolerance::radius(body), moment = std::max({I[0].lo, I[1].lo, I[2].lo});
+  if (part == Part::mass) return {bound, u * m, "ulps of the mass", 0, exact.mass.lo};
+  if (part == Part::centre) return {bound, u * radius, "ulps of the body's radius", size, radius};
+  return {bound, u * m * size * size, "ulps of mass times size squared", 0, moment};
 }
 
 // The worse of two findings.

@@ -75,7 +75,8 @@ std::size_t changes(const TrajectoryCase& asked) {
 /// The rounding allowance of a sum whose terms have total size `size`.
 judge::Allowance of_sum(const TrajectoryCase& asked, Real size, const char* name) {
   const double u = oracle::unit_roundoff(asked.precision), unit = u * std::max(static_cast<double>(size), 0x1p-900);
-  return {tolerance::accumulated(changes(asked), asked.scene.bodies.size()) * unit, unit, name};
+  return {tolerance::accumulated(changes(asked), asked.scene.bodies.size()) * unit, unit, name, 0,
+          static_cast<double>(size)};
 }
 
 /// 1: the relative error of a body's mass as the subject computes it.

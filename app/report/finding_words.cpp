@@ -12,6 +12,15 @@ std::string error_of(const oracle::Finding& finding) {
   return fmt::format("{:.4g} {}; allowed {:.4g}{}", finding.error, finding.unit, finding.allowed, rounding);
 }
 
+std::string size_of(const oracle::Finding& finding) {
+  std::string words;
+  if (finding.relative) words = fmt::format("{:.3g} times the exact value", *finding.relative);
+  if (finding.of_body) {
+    words += fmt::format("{}{:.3g} times the size of the smaller body", words.empty() ? "" : ", ", *finding.of_body);
+  }
+  return words;
+}
+
 std::string margin_of(const oracle::Finding& finding) {
   if (!finding.margin) return "";
   if (finding.margin->hi == 0) return "none: the scene lies exactly between two truths";
@@ -27,7 +36,8 @@ std::string outcome_of(const oracle::Finding& finding) {
 
 Lines lines_of(const oracle::Finding& finding) {
   Lines lines = {{"outcome", outcome_of(finding)}, {"observed", finding.observed}, {"expected", finding.expected},
-                 {"error", error_of(finding)},     {"margin", margin_of(finding)}, {"because", finding.why}};
+                 {"error", error_of(finding)},     {"that is", size_of(finding)},  {"margin", margin_of(finding)},
+                 {"because", finding.why}};
   std::erase_if(lines, [](const auto& line) { return line.second.empty(); });
   return lines;
 }

@@ -40,7 +40,7 @@ constexpr const char* legend = R"html(<dl class="legend">
 <dt><span class="g B">B</span></dt><dd>wrong by up to 2¹⁰ times that</dd>
 <dt><span class="g C">C</span></dt><dd>up to 2²⁰ times</dd>
 <dt><span class="g D">D</span></dt><dd>beyond: an absolute epsilon, a wrong formula, a broken law</dd>
-<dt><span class="g F">F</span></dt><dd>a wrong verdict or pair, or no answer at all: crash, hang, NaN</dd>
+<dt><span class="g F">F</span></dt><dd>a wrong verdict or pair, no right digit (0 for 0.83 m), or no answer at all: crash, hang, NaN</dd>
 </dl><p class="soft">A cell’s grade is the worst that was seen. <i>abstains</i>: the engine does not offer this; that is no pass.
 <i>outside</i>: no scene of the property’s domain has numbers that the engine’s precision can hold.</p>)html";
 

@@ -152,18 +152,34 @@ Finding wrong_by(double error, const Allowance& allowance, Defect defect, std::s
   finding.error = error / allowance.unit;
   finding.allowed = allowance.bound / allowance.unit;
   finding.unit = allowance.unit_name;
+  measure(finding, error, allowance);
   return finding;
 }
 
 Allowance in_ulps(const Scene& scene, const Card& card, double allowed) {
-  return {allowed, std::max(tolerance::ulp(scene, card.precision), std::numeric_limits<double>::denorm_min())};
+  Allowance allowance;
+  allowance.bound = allowed;
+  allowance.unit = std::max(tolerance::ulp(scene, card.precision), std::numeric_limits<double>::denorm_min());
+  allowance.body = infinity;
+  for (const Body& body : scene.bodies) allowance.body = std::min(allowance.body, tolerance::size(body));
+  return allowance;
+}
+
+void measure(Finding& finding, double error, const Allowance& allowance) {
+  if (allowance.body > 0) finding.of_body = error / allowance.body;
+  if (allowance.value > 0) finding.relative = error / allowance.value;
 }
 
 Finding near(double claimed, const Interval& truth, const Allowance& allowance, Defect below, Defect above) {
-  const double under = truth.lo - claimed, over = claimed - truth.hi;
-  return at_most(
-      std::max({under, over, 0.0}), allowance, under > over ? below : above, [&] { return words::text(claimed); },
+  const double under = truth.lo - claimed, over = claimed - truth.hi, error = std::max({under, over, 0.0});
+  Finding finding = at_most(
+      error, allowance, under > over ? below : above, [&] { return words::text(claimed); },
       [&] { return words::text(truth); });
+  if (finding.outcome == Outcome::fails && !finding.relative) {
+    const double least = std::max({truth.lo, -truth.hi, 0.0});  // of the truth's absolute values
+    finding.relative = least > 0 ? error / least : infinity;
+  }
+  return finding;
 }
 
 bool is_held_to_touching(const Card& card) { return card.knows_touching || card.precision == Precision::exact; }

@@ -28,6 +28,8 @@ struct Allowance {
   double bound = 0;  ///< SI
   double unit = 1;   ///< SI; > 0
   std::string unit_name = "ulps of the scene's scale";
+  double body = 0;   ///< m: size of the smaller body, if the error is a length; else 0
+  double value = 0;  ///< SI: size of the exact value; 0: not known in advance
 };
 
 /// `allowed` in metres, counted in ulps of the scene's scale in the subject's precision.
@@ -45,8 +47,12 @@ Finding wrong(Defect defect, std::string observed, std::string expected);
 /// Wrong whatever the magnitude of the error, which is reported nevertheless.
 Finding wrong_by(double error, const Allowance& allowance, Defect defect, std::string observed, std::string expected);
 
-/// Holds if `claimed` is within the bound of the interval that contains the truth.
+/// Holds if `claimed` is within the bound of the interval that contains the truth. The exact value is the truth, unless
+/// the allowance says another one: that of a vector or matrix of which the truth is one entry.
 Finding near(double claimed, const Interval& truth, const Allowance& allowance, Defect below, Defect above);
+
+/// Says how large a failure's error (SI) is beside the body and beside the exact value, as far as the allowance knows.
+void measure(Finding& finding, double error, const Allowance& allowance);
 
 /// Holds if error ≤ the bound. `observed` and `expected` return strings; they are called only for a failure.
 template <std::invocable Observed, std::invocable Expected>
@@ -58,6 +64,7 @@ Finding at_most(double error, const Allowance& allowance, Defect defect, Observe
   if (error <= allowance.bound) return finding;
   finding.outcome = Outcome::fails;
   finding.defect = defect;
+  measure(finding, error, allowance);
   finding.observed = observed();
   finding.expected = expected();
   return finding;

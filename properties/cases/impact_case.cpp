@@ -88,7 +88,8 @@ Real difference(const ImpactCase& asked, const After& a, const After& b) {
 
 oracle::judge::Allowance in_ulps_of(const ImpactCase& asked, Real size, double bound, const std::string& name) {
   const Real unit = oracle::unit_roundoff(asked.precision) * size;
-  return {bound, std::max(static_cast<double>(unit), std::numeric_limits<double>::denorm_min()), "ulps of " + name};
+  return {bound, std::max(static_cast<double>(unit), std::numeric_limits<double>::denorm_min()), "ulps of " + name, 0,
+          static_cast<double>(size)};
 }
 
 oracle::judge::Allowance of_energy(const ImpactCase& asked, double bound) {

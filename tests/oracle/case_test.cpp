@@ -28,6 +28,8 @@ Case a_case() {
   c.finding.allowed = 12.5;
   c.finding.unit = "ulps of the scene's scale";
   c.finding.rounding = 208;
+  c.finding.relative = HUGE_VAL;
+  c.finding.of_body = 0.5;
   c.finding.margin = Interval{0.1, std::numeric_limits<double>::infinity()};
   c.finding.certificate = "a proof";
   c.note = "line one\nline two";

@@ -1,7 +1,10 @@
 #include "oracle/judge/grade.h"
 
+#include "oracle/judge/judge.h"
+#include "oracle/tolerance/tolerance.h"
 #include "tests/catch.h"
 
+using namespace touchstone;
 using namespace touchstone::oracle;
 
 namespace {
@@ -41,4 +44,62 @@ TEST_CASE("grades: by how many times the allowance, F for no answer and for wron
   broken.outcome = Outcome::breaks;
   CHECK(grade(broken) == Grade::F);
   CHECK(name_of(Grade::A) + name_of(Grade::A_minus) + name_of(Grade::B) + name_of(Grade::F) == "AA-BF");
+}
+
+TEST_CASE("grades: F for an answer without a right digit, if the error shows on the body") {
+  // A binary32 engine says 0 for 0.83 m between balls of 1 m at a scale of 3 m: 250 ulps are allowed, 4.6e6 are
+  // missing.
+  Finding zero = failing(0.83 / 3 * 0x1p24, 250, Defect::too_near);
+  CHECK(grade(zero) == Grade::C);
+  zero.relative = 1;
+  zero.of_body = 0.83;
+  CHECK(grade(zero) == Grade::F);
+  zero.relative = 0.99;  // a digit of it is right
+  CHECK(grade(zero) == Grade::C);
+  zero.relative = 1;
+  zero.of_body = 0.9 * 0x1p-10;  // less than a thousandth of the body
+  CHECK(grade(zero) == Grade::C);
+  Finding no_mass = failing(0x1p24, 300, Defect::wrong_mass);
+  no_mass.relative = 1;  // not a length
+  CHECK(grade(no_mass) == Grade::F);
+  Finding little = failing(250 * 0x1p10, 250, Defect::too_near);  // no more was promised than B forgives
+  little.relative = 7;
+  little.of_body = 7;
+  CHECK(grade(little) == Grade::B);
+  Finding verdict = failing(250 * 0x1p11, 250, Defect::phantom);
+  verdict.of_body = 0.1;
+  CHECK(grade(verdict) == Grade::F);
+  verdict.of_body = 1e-4;
+  CHECK(grade(verdict) == Grade::C);
+}
+
+TEST_CASE("grades: a failure says how large its error is beside the exact value and beside the smaller body") {
+  Scene scene;
+  scene.bodies.assign(2, Body{"", Sphere{1}, {}, {}, {}, {}});
+  scene.bodies[0].shape = Sphere{2};
+  scene.bodies[1].X_WB.p_WB.x() = 3.75;
+  Card card;
+  card.precision = Precision::binary32;
+  const auto said = [&](double distance, const Interval& truth) {
+    const double allowed = tolerance::distance(scene, card.precision);
+    return judge::near(distance, truth, judge::in_ulps(scene, card, allowed), Defect::too_near, Defect::too_far);
+  };
+  const Finding zero = said(0, {0.75, 0.75});
+  CHECK(zero.relative == 1.0);
+  CHECK(zero.of_body == 0.75);
+  CHECK(grade(zero) == Grade::F);
+  const Finding half = said(0.375, {0.75, 0.75});
+  CHECK(half.relative == 0.5);
+  CHECK(grade(half) == Grade::C);
+  CHECK(grade(said(0.75, {0, 0})) == Grade::F);  // for bodies that overlap
+  const Finding right = said(0.75, {0.75, 0.75});
+  CHECK_FALSE(right.relative);
+  CHECK_FALSE(right.of_body);
+}
+
+TEST_CASE("grades: the exact value of an entry is that of its vector or matrix") {
+  const judge::Allowance allowed{0x1p-20, 0x1p-24, "ulps", 0, 2.0};
+  const Finding product = judge::near(0.5, {0, 0}, allowed, Defect::wrong_mass, Defect::wrong_mass);
+  CHECK(product.relative == 0.25);
+  CHECK_FALSE(product.of_body);
 }

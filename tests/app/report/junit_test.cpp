@@ -26,7 +26,7 @@ TEST_CASE("Abstaining is skipped, failing fails, holding is neither") {
   failing.counts.fails = 1;
   failing.examples.worst.emplace();
   failing.examples.worst->finding = {
-      oracle::Outcome::fails, oracle::Defect::wrong_mass, "<1>", "2", 1, 0.5, "kg", 0, {}, "", ""};
+      oracle::Outcome::fails, oracle::Defect::wrong_mass, "<1>", "2", 1, 0.5, "kg", 0, {}, {}, {}, "", ""};
   const std::string xml = report_junit(ledger);
   CHECK_THAT(xml, Catch::Contains("name=\"&lt;engine&gt;\" tests=\"3\" failures=\"1\" errors=\"0\" skipped=\"1\""));
   CHECK_THAT(xml, Catch::Contains("<skipped message=\"a &amp; b\"/>"));
