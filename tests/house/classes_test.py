@@ -18,7 +18,7 @@ DEFENDED = {
     "app/commands/command_line.cpp: Options": (
         0, 16, "has one member for each command of the program, into which the parser writes; nothing reads two."),
     "oracle/finding.h: Finding": (
-        0, 14, "is the record of one verdict, field by field as case files and reports have it."),
+        1, 14, "is the record of one verdict, field by field as case files and reports have it."),
     "oracle/subjects/canaries/lie.h: Lies": (
         0, 13, "has one lie for each of the eleven queries, and two for all of them."),
     "reference/rational.h: Rational": (
