@@ -13,14 +13,29 @@
 namespace touchstone::fast::simulation {
 namespace {
 
-/// The contact point of two bodies in ballistic motion or at rest in closed form; none if they are farther apart than
+/// Two bodies that touch.
+struct PairContact {
+  Touch touch;                     ///< of the contact point that approaches fastest
+  std::vector<PairPoints> points;  ///< all contact points; empty if `touch` is the only one
+};
+
+/// None if the two have no contact points within the envelope.
+std::optional<PairContact> with_all_points(const Run& run, const PairEvent& pair) {
+  std::vector<PairPoints> points = contact_points_of(run, pair.a, pair.b);
+  const std::optional<ImpactCandidate> fastest = fastest_approach(points);
+  if (!fastest) return {};
+  return PairContact{fastest->touch, std::move(points)};
+}
+
+/// The contact of two bodies in ballistic motion or at rest in closed form; none if they are farther apart than
 /// predicted.
-std::optional<Touch> contact_of(Run& run, const PairEvent& pair) {
+std::optional<PairContact> contact_of(Run& run, const PairEvent& pair) {
   const World& world = run.world;
   const BodyMotion &a = world.body(pair.a), &b = world.body(pair.b);
   const Touch nearest = run.schedule.nearest_points(pair.a, pair.b, world.now());
   if (nearest.gap > std::max(world.envelope(), 2 * clearance(a, b, world.now(), never))) return {};
-  return has_closed_form(a, b) ? nearest : fastest_approach(run, pair.a, pair.b).value_or(nearest);
+  if (has_closed_form(a, b)) return PairContact{nearest, {}};
+  return with_all_points(run, pair).value_or(PairContact{nearest, {}});
 }
 
 /// A body that may start to rest now, and its closed form, if there is one.
@@ -45,7 +60,8 @@ void complete_bounces(Run& run, const PairEvent& pair, const Touch& touch, doubl
            world.now() + 2 * rebound / (presses * (1 - restitution)));
 }
 
-void respond(Run& run, const PairEvent& pair, const Touch& touch) {
+void respond(Run& run, const PairEvent& pair, const PairContact& contact) {
+  const Touch& touch = contact.touch;
   const World& world = run.world;
   const BodyMotion &a = world.body(pair.a), &b = world.body(pair.b);
   const State at_a = run.islands.state(pair.a), at_b = run.islands.state(pair.b);
@@ -76,7 +92,7 @@ void respond(Run& run, const PairEvent& pair, const Touch& touch) {
   if (is_alone) {
     apply_impulse(run, Event::Kind::impact, pair.a, pair.b, touch, impact(a, at_a, b, at_b, touch, c));
   } else {
-    const std::vector<PairPoints> together = acting_with(run, pair.a, pair.b, touch);
+    const std::vector<PairPoints> together = acting_with(run, pair.a, pair.b, touch, contact.points);
     is_alone = together.size() == 1;
     resolve_impacts(run, together);
   }
@@ -92,9 +108,9 @@ void resolve_island_contact(Run& run, const PairEvent& pair) {
   cut_step(run, pair.b);
   if (run.islands.follows_steps(pair.a) && run.islands.follows_steps(pair.b))
     return merge_islands(run, pair.a, pair.b) ? void() : recheck(run, pair.a, pair.b);
-  const std::optional<Touch> touch = fastest_approach(run, pair.a, pair.b);
-  if (!touch) return recheck(run, pair.a, pair.b);
-  respond(run, pair, *touch);
+  const std::optional<PairContact> contact = with_all_points(run, pair);
+  if (!contact) return recheck(run, pair.a, pair.b);
+  respond(run, pair, *contact);
   run.guard.check_events(run.recorder.statistics(), run.world.now(), pair.a, pair.b);
 }
 
@@ -110,9 +126,9 @@ void resolve_contact(Run& run, const PairEvent& pair) {
   if (run.islands.of(pair.a) || run.islands.of(pair.b)) return resolve_island_contact(run, pair);
   if (!positions_resolved(world.body(pair.a), world.body(pair.b), world.now()))
     return run.stop_before_now(pair.a, pair.b, "rounding moves the two by more than a thousandth of the smaller one");
-  const std::optional<Touch> touch = contact_of(run, pair);
-  if (!touch) return recheck(run, pair.a, pair.b);
-  respond(run, pair, *touch);
+  const std::optional<PairContact> contact = contact_of(run, pair);
+  if (!contact) return recheck(run, pair.a, pair.b);
+  respond(run, pair, *contact);
   run.guard.check_events(run.recorder.statistics(), world.now(), pair.a, pair.b);
 }
 

@@ -309,13 +309,12 @@ bool acts_alone(Run& run, BodyId a, BodyId b) {
   return !is_beside(a, b) && !is_beside(b, a);
 }
 
-std::vector<PairPoints> acting_with(Run& run, BodyId a, BodyId b, const Touch& touch) {
+std::vector<PairPoints> acting_with(Run& run, BodyId a, BodyId b, const Touch& touch,
+                                    const std::vector<PairPoints>& points) {
   const World& world = run.world;
   const BodyMotion &A = world.body(a), &B = world.body(b);
   const double u_n = normal_velocity(A, run.islands.state(a), B, run.islands.state(b), touch);
-  std::vector<PairPoints> all;
-  if (!touch_at_a_point(run, a, b))
-    all = acting(contact_points_of(run, a, b), [&](BodyId, BodyId) { return -acts_beside * u_n; });
+  std::vector<PairPoints> all = acting(points, [&](BodyId, BodyId) { return -acts_beside * u_n; });
   if (all.empty()) all = {{{a, b, touch, u_n}}};
   std::vector<BodyPair> asked{{a, b}};
   std::vector<BodyId> reached;

@@ -20,8 +20,10 @@ bool acts_alone(Run& run, BodyId a, BodyId b);
 /// The contacts that act together with a pair that collides now, itself included: those of pairs within the envelope
 /// that approach, connected to it through bodies that move, by contacts that approach or, if another one is due before
 /// this one would cross the envelope, by any. Pairs that approach so slowly that they may stay together do not count.
-/// Requires a < b and that islands of the two have been advanced to the current time.
-std::vector<PairPoints> acting_with(Run& run, BodyId a, BodyId b, const Touch& touch);
+/// `touch` is the contact point of the pair that approaches fastest, and `points` are all of them, empty if it is the
+/// only one. Requires a < b and that islands of the two have been advanced to the current time.
+std::vector<PairPoints> acting_with(Run& run, BodyId a, BodyId b, const Touch& touch,
+                                    const std::vector<PairPoints>& points);
 
 /// The point of the contact region of two bodies through which it acts, and the normal. With C this point, u the
 /// velocities before and u' those after the impact at C, the mean u_n' + e u_n is least over the region at C: where it

@@ -153,9 +153,9 @@ std::vector<ContactGraph> ContactGraph::components() const {
   return graphs;
 }
 
-std::optional<ImpactCandidate> fastest_approach(const ContactGraph& graph) {
+std::optional<ImpactCandidate> fastest_approach(const std::vector<PairPoints>& contacts) {
   std::optional<ImpactCandidate> most;
-  for (const PairPoints& points : graph.points()) {
+  for (const PairPoints& points : contacts) {
     for (const ImpactCandidate& found : points) {
       if (!most || found.u_n < most->u_n) most = found;
     }

@@ -52,7 +52,7 @@ class ContactGraph {
   std::vector<ContactPair> contact_pairs_;
 };
 
-/// The contact point that approaches fastest; none without contact points.
-std::optional<ImpactCandidate> fastest_approach(const ContactGraph& graph);
+/// The contact point that approaches fastest, and the first one of several; none without contact points.
+std::optional<ImpactCandidate> fastest_approach(const std::vector<PairPoints>& contacts);
 
 }  // namespace touchstone::fast::simulation

@@ -60,10 +60,10 @@ void release_from_island(Run& run, const IslandBody& island_body, const std::vec
 }
 
 /// One round of impacts: of the contact pairs that approach faster than an impact must.
-void impacts_in_island(Run& run, const ContactGraph& graph, const ImpactCandidate& fastest) {
+void impacts_in_island(Run& run, const std::vector<PairPoints>& contacts, const ImpactCandidate& fastest) {
   if (!run.guard.makes_progress(run.world.now(), fastest.a, fastest.b)) return;
-  resolve_impacts(
-      run, acting(graph.points(), [&](BodyId a, BodyId b) { return collides_above * rebound_speed(run, a, b); }));
+  resolve_impacts(run,
+                  acting(contacts, [&](BodyId a, BodyId b) { return collides_above * rebound_speed(run, a, b); }));
 }
 
 /// Turns an island of one body on a fixed one into a resting contact, if that has a closed form.
@@ -129,9 +129,10 @@ void set_trajectories(Run& run, const Island& island) {
 /// After too many impacts at one time the approach at all contact points is removed at once, without restitution.
 void resolve_island(Run& run, Island& island) {
   ContactGraph& graph = island.graph();
-  const std::optional<ImpactCandidate> found = fastest_approach(graph);
+  const std::vector<PairPoints> contacts = graph.points();
+  const std::optional<ImpactCandidate> found = fastest_approach(contacts);
   const bool collides = found && found->u_n < -collides_above * rebound_speed(run, found->a, found->b);
-  if (collides && island.allows_impact()) return impacts_in_island(run, graph, *found);
+  if (collides && island.allows_impact()) return impacts_in_island(run, contacts, *found);
   if (try_closed_form(run, graph)) return;
   const double before = energy(graph);
   const bool begins = collides || std::ranges::any_of(graph.contact_pairs(), [](const ContactPair& pair) {
@@ -156,11 +157,6 @@ void resolve_island(Run& run, Island& island) {
 
 std::vector<PairPoints> contact_points_of(const Run& run, BodyId a, BodyId b) {
   return graph_of_pair(run, a, b).points();
-}
-
-std::optional<Touch> fastest_approach(const Run& run, BodyId a, BodyId b) {
-  const std::optional<ImpactCandidate> found = fastest_approach(graph_of_pair(run, a, b));
-  return found ? std::optional(found->touch) : std::nullopt;
 }
 
 bool merge_islands(Run& run, BodyId a, BodyId b) {

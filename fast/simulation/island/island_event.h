@@ -8,9 +8,6 @@ namespace touchstone::fast::simulation {
 /// The contact points of each pair of parts of two bodies that are within the envelope.
 std::vector<PairPoints> contact_points_of(const Run& run, BodyId a, BodyId b);
 
-/// The contact point of the pair that approaches fastest; the first one of several. None if the two do not touch.
-std::optional<Touch> fastest_approach(const Run& run, BodyId a, BodyId b);
-
 /// Puts both bodies, with all bodies that they are in contact with, into one island. Returns false if they are out of
 /// reach.
 bool merge_islands(Run& run, BodyId a, BodyId b);

@@ -64,11 +64,6 @@ BodyMotion::BodyMotion(const Body& body, double since, const Vec3& gravity)
   restart(since, {body.X_WB, body.velocity}, fixed_ ? Vec3(Vec3::Zero()) : gravity);
 }
 
-bool is_stationary(const BodyMotion& motion) {
-  const Path& path = motion.path();
-  return path.v.isZero(0) && path.a.isZero(0) && (motion.kind() != Kind::other || path.w.isZero(0));
-}
-
 void BodyMotion::restart(double since, const State& state, const Vec3& acceleration, const Vec3& alpha) {
   follows_step_ = false;
   set_trajectory(since, state, acceleration, alpha);

@@ -108,7 +108,10 @@ class BodyMotion {
 /// About the centre of mass, in B's axes; 0 for a fixed body.
 Mat3 inertia(const BodyMotion& motion);
 /// Whether its pose never changes.
-bool is_stationary(const BodyMotion& motion);
+inline bool is_stationary(const BodyMotion& motion) {
+  const Path& path = motion.path();
+  return path.v.isZero(0) && path.a.isZero(0) && (motion.kind() != Kind::other || path.w.isZero(0));
+}
 inline const Vec3& half_extents(const BodyMotion& block) { return std::get<Box>(block.body().shape).half_extents; }
 
 }  // namespace touchstone::fast::simulation

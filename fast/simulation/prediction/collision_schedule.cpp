@@ -52,13 +52,6 @@ void CollisionSchedule::begin_frame() {
   frame_end_ = std::min(world_->end(), static_cast<double>(statistics_->frames) * frame_);
 }
 
-/// Whether the body's box is renewed and its neighbours are queried in each frame; in the first frame this includes
-/// bodies at rest that are not fixed.
-bool CollisionSchedule::moves(BodyId id) const {
-  const BodyMotion& body = world_->body(id);
-  return !is_stationary(body) || (statistics_->frames == 1 && !body.fixed());
-}
-
 void CollisionSchedule::predict_frame() {
   const auto bodies = static_cast<BodyId>(world_->bodies().size());
   for (BodyId id = 0; id < bodies; ++id) {

@@ -51,7 +51,12 @@ class CollisionSchedule {
  private:
   struct Search;
 
-  bool moves(BodyId id) const;
+  /// Whether the body's box is renewed and its neighbours are queried in each frame; in the first frame this includes
+  /// bodies at rest that are not fixed.
+  bool moves(BodyId id) const {
+    const BodyMotion& body = world_->body(id);
+    return !is_stationary(body) || (statistics_->frames == 1 && !body.fixed());
+  }
   void update_proxy(BodyId id);
   std::optional<Search> search_of(BodyId a, BodyId b, double from);
   PairMemory& search_memory(BodyId a, BodyId b);

@@ -113,12 +113,12 @@ TEST_CASE("contact graph: a pair that never touched is dropped without being rep
 
 TEST_CASE("contact graph: the fastest approach of all contact points") {
   const IslandBodies bodies({table(), ball_at(0, 0, {0, 0, -1}), ball_at(9, 0, {5, 0, -3})}, still);
-  const std::optional<ImpactCandidate> found = fastest_approach(bodies.graph(near, reach));
+  const std::optional<ImpactCandidate> found = fastest_approach(bodies.graph(near, reach).points());
   REQUIRE(found.has_value());
   CHECK(found->u_n == Approx(-3));
   CHECK(found->b == 2);
   const IslandBodies apart({table(), ball_at(0, 0.0625)}, still);
-  CHECK_FALSE(fastest_approach(apart.graph(near, reach)).has_value());
+  CHECK_FALSE(fastest_approach(apart.graph(near, reach).points()).has_value());
 }
 
 TEST_CASE("contact graph: only the pairs of a body are emitted again") {

@@ -47,11 +47,13 @@ struct OnResting {
 
 TEST_CASE("island event: the contact point of a pair, if it touches") {
   Stack stack;
-  const std::optional<Touch> touch = fastest_approach(stack.run, 1, 2);
-  REQUIRE(touch.has_value());
-  CHECK(touch->p_WC.z() == Approx(2));
-  CHECK(touch->nhat_BA_W.z() == Approx(1));
-  CHECK_FALSE(fastest_approach(stack.run, 1, 3).has_value());
+  const std::vector<PairPoints> points = contact_points_of(stack.run, 1, 2);
+  REQUIRE(points.size() == 1);
+  REQUIRE(points[0].size() == 1);
+  const Touch& touch = points[0][0].touch;
+  CHECK(touch.p_WC.z() == Approx(2));
+  CHECK(touch.nhat_BA_W.z() == Approx(1));
+  CHECK(contact_points_of(stack.run, 1, 3).empty());
 }
 
 TEST_CASE("island event: a pair joins with all that it is in contact with, or not if it is out of reach") {
