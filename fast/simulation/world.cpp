@@ -55,9 +55,8 @@ Coefficients World::coefficients(BodyId a, BodyId b) const {
   return simulation::coefficients(bodies_[a], bodies_[b], motion().law);
 }
 
-bool World::keep_orientation(BodyId id, double until) {
+bool World::restart_orientation(BodyId id, double until) {
   BodyMotion& body = bodies_[id];
-  if (!body.needs_restart(until)) return true;
   const double from = std::max(now_, body.path().since);
   body.restart(from, body.state(from), body.path().a, body.path().alpha);
   return body.follows(until);

@@ -32,7 +32,9 @@ class World {
   /// Restarts a body's trajectory from its reported state if by `until` it will have turned so far that its orientation
   /// is lost or slow to compute (BodyMotion::needs_restart). Returns false if it turns too fast to be followed until
   /// then even so.
-  bool keep_orientation(BodyId id, double until);
+  bool keep_orientation(BodyId id, double until) {
+    return !bodies_[id].needs_restart(until) || restart_orientation(id, until);
+  }
 
   const Vec3& acceleration(BodyId id) const { return acceleration_[id]; }  ///< m/s²; by gravity and the applied force
   double next_force_time() const;                                          ///< s; infinity if there is none
@@ -44,6 +46,8 @@ class World {
   std::uint64_t impacts(BodyId a, BodyId b) const { return impacts_[a] + impacts_[b]; }  ///< of either, with any body
 
  private:
+  bool restart_orientation(BodyId id, double until);
+
   const Scene* scene_;
   double envelope_, reach_, end_;
   double now_ = 0;

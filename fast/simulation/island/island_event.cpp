@@ -62,8 +62,7 @@ void release_from_island(Run& run, const IslandBody& island_body, const std::vec
 /// One round of impacts: of the contact pairs that approach faster than an impact must.
 void impacts_in_island(Run& run, const std::vector<PairPoints>& contacts, const ImpactCandidate& fastest) {
   if (!run.guard.makes_progress(run.world.now(), fastest.a, fastest.b)) return;
-  resolve_impacts(run,
-                  acting(contacts, [&](BodyId a, BodyId b) { return collides_above * rebound_speed(run, a, b); }));
+  resolve_impacts(run, acting(contacts, [&](BodyId a, BodyId b) { return collides_above * rebound_speed(run, a, b); }));
 }
 
 /// Turns an island of one body on a fixed one into a resting contact, if that has a closed form.

@@ -36,11 +36,6 @@ Range swept(double p, double v, double a, double from, double until) {
   return {range.lo - error, range.hi + error};
 }
 
-/// Whether a ball turns by more than so many radians until t, about an axis that turns.
-bool turns_by(const Path& path, double t, double turn) {
-  return axis_turns(path.w, path.alpha) && turning_steps(path.w, path.alpha, t - path.since) > turn;
-}
-
 }  // namespace
 
 BodyMotion::BodyMotion(const Body& body, double since, const Vec3& gravity)
@@ -76,6 +71,7 @@ void BodyMotion::follow_step(double since, const State& state, const Vec3& accel
 
 void BodyMotion::set_trajectory(double since, const State& state, const Vec3& acceleration, const Vec3& alpha) {
   path_ = {since, state.X_WB.p_WB, state.velocity.v_WBcm, acceleration, state.X_WB.q_WB, state.velocity.w_WB, alpha};
+  axis_turns_ = kind_ != Kind::other && axis_turns(path_.w, path_.alpha);
   if (other_) other_->ballistic.reset();
   if (kind_ == Kind::other) path_.p = ballistic().centre(since).p_WOBcm;
 }
@@ -88,12 +84,16 @@ State BodyMotion::state(double t) const {
 }
 
 bool BodyMotion::needs_restart(double t) const {
-  if (kind_ != Kind::other) return turns_by(path_, t, most_turn);
+  if (kind_ != Kind::other) return axis_turns_ && turns_by(t, most_turn);
   return !fixed_ && !follows_step_ && (t - path_.since) * ballistic().rate() > most_turn;
 }
 
+bool BodyMotion::turns_by(double t, double turn) const {
+  return turning_steps(path_.w, path_.alpha, t - path_.since) > turn;
+}
+
 bool BodyMotion::follows(double t) const {
-  return kind_ == Kind::other ? ballistic().follows(t) : !turns_by(path_, t, 2 * most_turn);
+  return kind_ == Kind::other ? ballistic().follows(t) : !axis_turns_ || !turns_by(t, 2 * most_turn);
 }
 
 Aabb BodyMotion::box(double from, double until, double margin) const {

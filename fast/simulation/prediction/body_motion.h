@@ -91,12 +91,14 @@ class BodyMotion {
   };
   Other& other() const;
   void set_trajectory(double since, const State& state, const Vec3& acceleration, const Vec3& alpha);
+  /// Whether a ball whose axis turns does so by more than `turn` radians until t.
+  bool turns_by(double t, double turn) const;
 
   // Kept small for scenes of many balls: data that few kinds need is allocated apart, and data that time-of-impact
   // queries need comes first.
   double radius_ = 0;
   Kind kind_ = Kind::other;
-  bool fixed_ = false, follows_step_ = false;
+  bool fixed_ = false, follows_step_ = false, axis_turns_ = false;
   Path path_;
   double inverse_mass_ = 0, inverse_moment_ = 0;
   Material material_;

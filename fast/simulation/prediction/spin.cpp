@@ -54,7 +54,9 @@ Quaternion turned(const Quaternion& start, const Vec3& angle) {
   return {w * shrink, x * shrink, y * shrink, z * shrink};
 }
 
-bool axis_turns(const Vec3& w, const Vec3& alpha) { return length(w.cross(alpha)) > 8 * u * length(w) * length(alpha); }
+bool axis_turns(const Vec3& w, const Vec3& alpha) {
+  return !alpha.isZero(0) && length(w.cross(alpha)) > 8 * u * length(w) * length(alpha);
+}
 
 double turning_steps(const Vec3& w, const Vec3& alpha, double tau) {
   const double fastest = std::max(length(w), length(w + tau * alpha));
