@@ -256,12 +256,13 @@ std::vector<PairPoints> contacts_of(Run& run, BodyId a, BodyId b) {
   return contact_points_of(run, a, b);
 }
 
-/// Whether the boxes of two bodies that have started are within the envelope of each other.
+/// Whether two bodies that have started are within the envelope of each other: the balls around them, and their boxes.
 bool is_near(const Run& run, const BodyPair& pair) {
   const World& world = run.world;
   const BodyMotion &a = world.body(pair.a), &b = world.body(pair.b);
   const double reach = a.radius() + b.radius() + world.envelope();
   if ((a.path().place(world.now()) - b.path().place(world.now())).squaredNorm() > reach * reach) return false;
+  if (a.kind() == Kind::ball && b.kind() == Kind::ball) return true;
   return overlap(a.box(world.now(), world.now(), world.envelope()), b.box(world.now(), world.now(), 0));
 }
 

@@ -79,8 +79,9 @@ void BodyMotion::set_trajectory(double since, const State& state, const Vec3& ac
 State BodyMotion::state(double t) const {
   if (kind_ == Kind::other) return ballistic().state(t);
   const double tau = t - path_.since;
-  return {{path_.place(t), turned(path_.q, path_.w, path_.alpha, tau)},
-          {path_.velocity(t), path_.w + tau * path_.alpha}};
+  const Quaternion q = axis_turns_ ? turned(path_.q, path_.w, path_.alpha, tau)
+                                   : turned(path_.q, tau * (path_.w + tau / 2 * path_.alpha));
+  return {{path_.place(t), q}, {path_.velocity(t), path_.w + tau * path_.alpha}};
 }
 
 bool BodyMotion::needs_restart(double t) const {
