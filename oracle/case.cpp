@@ -68,7 +68,7 @@ Case read_case_json(const Json& json, const std::string& place) {
     node.at("touchstone").refuse("expected \"" + std::string(case_format) + "\", found " + Json(format).dump());
   }
   node.expect_object({"touchstone", "property", "subject", "folder", "family", "seed", "index", "note", "finding",
-                      "scene", "changed"});
+                      "scene", "changed", "snippet"});
   Case a_case;
   a_case.property = node.at("property").text();
   read_if_there(node, "subject", a_case.subject);
@@ -77,6 +77,7 @@ Case read_case_json(const Json& json, const std::string& place) {
   a_case.seed = read_uint64(json, "seed", node);
   a_case.index = read_uint64(json, "index", node);
   read_if_there(node, "note", a_case.note);
+  read_if_there(node, "snippet", a_case.snippet);
   const std::string dot = place.empty() ? "" : ".";
   node.at("finding");
   a_case.finding = read_finding(json.at("finding"), place + dot + "finding");
@@ -84,10 +85,11 @@ Case read_case_json(const Json& json, const std::string& place) {
   a_case.scene = read<Scene>(json.at("scene"), place + dot + "scene");
   validate_at(a_case.scene, place + dot + "scene.");
   if (const auto changed = node.find("changed")) {
-    changed->expect_object({"how", "scene"});
+    changed->expect_object({"how", "scene", "snippet"});
     changed->at("scene");
     const std::string there = place + dot + "changed.scene";
     a_case.changed = {changed->at("how").text(), read<Scene>(json.at("changed").at("scene"), there)};
+    read_if_there(*changed, "snippet", a_case.changed->snippet);
     validate_at(a_case.changed->scene, there + '.');
   }
   return a_case;
@@ -147,8 +149,10 @@ Json json_of(const Case& a_case) {
   write_if_there(json, "note", a_case.note);
   json["finding"] = json_of(a_case.finding);
   json["scene"] = touchstone::json_of(a_case.scene);
+  write_if_there(json, "snippet", a_case.snippet);
   if (a_case.changed) {
     json["changed"] = {{"how", a_case.changed->how}, {"scene", touchstone::json_of(a_case.changed->scene)}};
+    write_if_there(json["changed"], "snippet", a_case.changed->snippet);
   }
   return json;
 }

@@ -16,6 +16,7 @@ namespace touchstone::oracle {
 struct ChangedScene {
   std::string how;  ///< "all lengths times 2^20"
   Scene scene;
+  std::string snippet = {};  ///< as in Case
 
   bool operator==(const ChangedScene&) const = default;
 };
@@ -32,6 +33,7 @@ struct Case {
   std::string note;
   std::optional<ChangedScene> changed = {};  ///< if the answer about this scene broke a law, or is missing
   std::string folder = {};                   ///< of a subject "exec:...": the absolute path where its command ran
+  std::string snippet = {};                  ///< a program in the engine's own API that asks the question; may be empty
 
   bool operator==(const Case&) const = default;
 };

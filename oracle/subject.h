@@ -6,6 +6,7 @@
 
 #include "model/answers.h"
 #include "model/scene.h"
+#include "oracle/domain.h"
 
 namespace touchstone::oracle {
 
@@ -30,6 +31,9 @@ struct Card {
   std::string about;                 ///< one line: which functions of the engine are called, with which settings
   std::string homepage;
   std::vector<Deviation> deviations;
+  Domain domain = {};  ///< the scenes by which it wants to be judged; others are asked too, and counted apart
+  DistanceTolerance distance_tolerance = {};
+  std::vector<std::string> reproduces = {};  ///< the queries for which it writes a snippet
 };
 
 /// An adapter overrides the queries that its engine answers. It never repairs the engine's answer. An exception that
@@ -52,6 +56,9 @@ class Subject {
   virtual Answer<TimeOfImpact> time_of_impact(const Scene&) { return Abstains{"no time of impact"}; }
   virtual Answer<Trajectory> simulation(const Scene&) { return Abstains{"no simulation"}; }
   virtual Answer<Trajectory> constraint(const Scene&) { return Abstains{"no constraint-based simulation"}; }
+
+  /// A program in the engine's own API that asks it the query about the scene and prints what it says.
+  virtual Answer<std::string> reproduce(const std::string& /*query*/, const Scene&) { return Abstains{"no snippets"}; }
 };
 
 }  // namespace touchstone::oracle

@@ -27,6 +27,11 @@ Finding of_answer(const Scene& scene, Subject& subject, JudgeIt&& judge_it) {
   return of_pair(scene, subject, [&] { return judge::given(subject.distance(scene), judge_it); });
 }
 
+/// m: rounding, and what the subject's card declares.
+double allowed_error(const Scene& scene, const oracle::Card& card) {
+  return tolerance::distance(scene, card.precision) + card.distance_tolerance.of(truth::distance(scene).distance.lo);
+}
+
 // Agreement with the exact answer
 
 Finding verdict(const Scene& scene, Subject& subject) {
@@ -38,7 +43,7 @@ Finding verdict(const Scene& scene, Subject& subject) {
 Finding value(const Scene& scene, Subject& subject) {
   return of_answer(scene, subject, [&](const Distance& said) {
     if (!said.distance) return judge::silent("the distance");
-    const double allowed = tolerance::distance(scene, subject.card().precision);
+    const double allowed = allowed_error(scene, subject.card());
     return judge::explained(
         judge::near(*said.distance, truth::distance(scene).distance, judge::in_ulps(scene, subject.card(), allowed),
                     Defect::too_near, Defect::too_far),
@@ -101,7 +106,7 @@ Finding witnesses_on_bodies(const Scene& scene, Subject& subject) {
 
 Finding witnesses_apart(const Scene& scene, Subject& subject) {
   return of_witnesses(scene, subject, [&](const Vec3& p_WCa, const Vec3& p_WCb) {
-    const double allowed = tolerance::distance(scene, subject.card().precision);
+    const double allowed = allowed_error(scene, subject.card());
     return judge::near((p_WCa - p_WCb).stableNorm(), truth::distance(scene).distance,
                        judge::in_ulps(scene, subject.card(), allowed), Defect::wrong_witness, Defect::wrong_witness);
   });

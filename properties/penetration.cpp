@@ -37,6 +37,11 @@ Finding of_answer(const Scene& scene, Subject& subject, JudgeIt&& judge_it) {
   return of_convex_pair(scene, subject, [&] { return judge::given(subject.penetration(scene), judge_it); });
 }
 
+/// m: by how much a depth may be off as the subject's card declares.
+double declared(const Scene& scene, const oracle::Card& card) {
+  return card.distance_tolerance.of(truth::penetration(scene).depth.lo);
+}
+
 // Agreement with the exact answer
 
 Finding verdict(const Scene& scene, Subject& subject) {
@@ -48,7 +53,7 @@ Finding verdict(const Scene& scene, Subject& subject) {
 Finding depth(const Scene& scene, Subject& subject) {
   return of_answer(scene, subject, [&](const Penetration& said) {
     if (!said.depth) return judge::silent("the depth");
-    const double allowed = tolerance::penetration(scene, subject.card().precision);
+    const double allowed = tolerance::penetration(scene, subject.card().precision) + declared(scene, subject.card());
     return judge::explained(
         judge::near(*said.depth, truth::penetration(scene).depth, judge::in_ulps(scene, subject.card(), allowed),
                     Defect::shallow, Defect::overdeep),
@@ -69,7 +74,7 @@ Finding of_direction(const Scene& scene, Subject& subject, JudgeIt&& judge_it) {
 Finding separates(const Scene& scene, Subject& subject) {
   return of_direction(scene, subject, [&](double said_depth, const Vec3& nhat_BA_W) {
     const double left = judge::depth_left(scene, said_depth * nhat_BA_W);
-    const double allowed = tolerance::separation(scene, subject.card().precision);
+    const double allowed = tolerance::separation(scene, subject.card().precision) + declared(scene, subject.card());
     return judge::at_most(
         left, judge::in_ulps(scene, subject.card(), allowed), Defect::wrong_normal,
         [&] {

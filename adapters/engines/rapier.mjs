@@ -1,6 +1,7 @@
 // An adapter of Rapier 3D for Touchstone: `npm ci` in this folder, then
 //     touchstone adapter check "exec:node adapters/engines/rapier.mjs"
 import { Abstain, rotated, serve, unitQuaternion } from "../js/touchstone_adapter.mjs";
+import * as snippets from "./rapier_snippets.mjs";
 import { readFileSync } from "node:fs";
 
 const { default: RAPIER } = await import("@dimforge/rapier3d-compat");
@@ -11,6 +12,9 @@ const card = {
   name: "rapier", version: JSON.parse(readFileSync(installed)).version, precision: "binary32",
   about: "Shape.contactShape; mass, localCom and principalInertia of a rigid body with one collider",
   homepage: "https://rapier.rs",
+  // The reasons: docs/how_to/add_a_subject.md.
+  domain: { lengths: [(10 * 2 ** -23) ** 0.25, 100], reach: 100, aspect: 1000 },
+  distance_tolerance: { absolute: 100 * 2 ** -23, relative: Math.sqrt(10 * 2 ** -23) },
 };
 
 const vector = ([x, y, z]) => ({ x, y, z });
@@ -71,4 +75,4 @@ function mass(scene) {
   });
 }
 
-serve(card, { mass, distance, penetration });
+serve(card, { mass, distance, penetration }, snippets);

@@ -58,9 +58,13 @@ function plain(value, place) {
   return Object.fromEntries(Object.entries(value).map(([key, part]) => [key, plain(part, `${place}.${key}`)]));
 }
 
-async function answer(message, card, queries) {
+async function answer(message, card, queries, snippets) {
   if (message.op === "start") return { protocol: 1, card };
   if (typeof message.query !== "string") throw new Error("query: missing");
+  if (message.op === "reproduce") {
+    if (!(message.query in snippets)) return { abstains: `no snippets of ${message.query}` };
+    return { snippet: await snippets[message.query](message.scene) };
+  }
   if (!(message.query in queries)) return { abstains: `no ${message.query} query` };
   return { result: plain(await queries[message.query](message.scene), "result") };
 }
@@ -82,9 +86,12 @@ function writeAll(line) {
   }
 }
 
-/** Answers until `stop` or the end of stdin. `queries`: name -> function of a scene. */
-export async function serve(card, queries) {
-  const whole = { ...card, answers: Object.keys(queries) };
+/**
+ * Answers until `stop` or the end of stdin. `queries`: name -> function of a scene. `snippets`: name of a query -> function
+ * of a scene that returns a program in the engine's own API, as text, which asks the engine the same.
+ */
+export async function serve(card, queries, snippets = {}) {
+  const whole = { ...card, answers: Object.keys(queries), reproduces: Object.keys(snippets) };
   for await (const line of createInterface({ input: process.stdin, crlfDelay: Infinity })) {
     let seq = 0;
     let said;
@@ -92,7 +99,7 @@ export async function serve(card, queries) {
       const message = JSON.parse(line);
       seq = message.seq;
       if (message.op === "stop") break;
-      said = await answer(message, whole, queries);
+      said = await answer(message, whole, queries, snippets);
     } catch (error) {
       said = breaks(error);
     }

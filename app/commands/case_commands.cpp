@@ -16,6 +16,7 @@
 #include "app/system/progress.h"
 #include "app/system/terminal.h"
 #include "app/system/writable.h"
+#include "app/trial/domain_watch.h"
 #include "app/trial/last_asked.h"
 #include "app/trial/smallest.h"
 #include "app/trial/subject_list.h"
@@ -161,7 +162,9 @@ int minimise(const CaseCommand& command) {
   require_writable_file(out);
   const auto subject = connect(connectable, limits_of(command.time_limit));
   watch_for_interruption();
-  const Example example{a_case.family, a_case.index, a_case.scene, property.check(a_case.scene, *subject)};
+  DomainWatch watch(*subject);
+  const Finding found = property.check(a_case.scene, watch);
+  const Example example{a_case.family, a_case.index, a_case.scene, found, watch.beyond()};
   if (interrupted()) {
     complain("interrupted before the case was asked once");
     return interrupted_exit_code();

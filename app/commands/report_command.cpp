@@ -104,8 +104,8 @@ bool is_case_of_a_report(const fs::path& file) {
 }
 
 /// Names the cases' commands before the page and the JUnit XML print them.
-void name_replay_commands(Ledger& ledger, const TrialPlan& plan, const fs::path& folder) {
-  for (Row& row : ledger.results.all()) {
+void name_replay_commands(ResultMatrix& results, const TrialPlan& plan, const fs::path& folder) {
+  for (Row& row : results.all()) {
     if (!row.minimised.result) continue;
     std::optional<double> limit;
     if (row.minimised.result->finding.defect == oracle::Defect::hung) {
@@ -123,8 +123,10 @@ void write_report(const fs::path& folder, const Ledger& ledger) {
   for (const fs::directory_entry& old : fs::directory_iterator(folder / "cases")) {
     if (is_case_of_a_report(old.path())) fs::remove(old.path());
   }
-  for (const Row& row : ledger.results.all()) {
-    if (row.minimised.result) oracle::write_case(*row.minimised.result, (folder / row.minimised.case_file).string());
+  for (const ResultMatrix* results : {&ledger.results, &ledger.beyond}) {
+    for (const Row& row : results->all()) {
+      if (row.minimised.result) oracle::write_case(*row.minimised.result, (folder / row.minimised.case_file).string());
+    }
   }
   write_text((folder / "report.json").string(), text_of(report_json(ledger)));
   write_text((folder / "junit.xml").string(), report_junit(ledger));
@@ -222,6 +224,18 @@ void print_impacts(const Ledger& ledger) {
   }
 }
 
+/// Of a subject whose card declares a domain, what was asked outside.
+void print_beyond(const Ledger& ledger, const TestedSubject& subject) {
+  long holds = 0;
+  long fails = 0;
+  for (const Row* row : ledger.beyond.of(subject)) {
+    holds += row->counts.holds;
+    fails += row->failures();
+  }
+  if (holds + fails == 0) return;
+  print("{:<16} outside its declared domain, counted apart: {} answers hold, {} fail\n", "", holds, fails);
+}
+
 void print_summary(const Ledger& ledger) {
   for (const TestedSubject& subject : ledger.subjects) {
     long holds = 0;
@@ -230,6 +244,7 @@ void print_summary(const Ledger& ledger) {
     for (const Row* row : ledger.results.of(subject))
       ++(row->failing() ? fails : row->counts.holds > 0 ? holds : silent);
     print("{:<16} {:>3} properties hold, {:>3} fail, {:>3} not answered\n", subject.card.name, holds, fails, silent);
+    print_beyond(ledger, subject);
   }
   if (ledger.interrupted) {
     print("interrupted: only what was asked until then counts\n");
@@ -290,7 +305,8 @@ int report(const RunOptions& options) {
   const MeshSet meshes = meshes_of(options);
   if (!meshes.absent.empty()) complain("no real meshes: {}", meshes.absent);
   Ledger ledger = run(plan, meshes);
-  name_replay_commands(ledger, plan, options.files.out);
+  name_replay_commands(ledger.results, plan, options.files.out);
+  name_replay_commands(ledger.beyond, plan, options.files.out);
   write_report(options.files.out, ledger);
   write_extras(options, ledger);
   print_summary(ledger);
@@ -311,7 +327,8 @@ int check(const RunOptions& options) {
     comparison = compare(*baselines.expected, baselines.today, ledger);
   }
   if (!options.files.out.empty()) {
-    name_replay_commands(ledger, plan, options.files.out);
+    name_replay_commands(ledger.results, plan, options.files.out);
+    name_replay_commands(ledger.beyond, plan, options.files.out);
     write_report(options.files.out, ledger);
   }
   write_extras(options, ledger);

@@ -18,6 +18,14 @@ std::string clause_words(const properties::Property& property) {
   return words;
 }
 
+/// Programs in the engine's own API, one for each scene of the case.
+std::string snippets(const oracle::Case& a_case) {
+  const auto listing = [](const std::string& snippet) {
+    return snippet.empty() ? "" : fmt::format("<pre>{}</pre>", escaped(snippet));
+  };
+  return listing(a_case.snippet) + (a_case.changed ? listing(a_case.changed->snippet) : "");
+}
+
 std::string about_the_case(const Row& row) {
   if (!row.minimised.result) return "";
   const oracle::Size size = oracle::size_of(row.minimised.result->scene);
@@ -25,7 +33,9 @@ std::string about_the_case(const Row& row) {
                     fmt::format("{}; drawn as {} {} with {}", text_of(size), escaped(row.examples.smallest->family),
                                 row.examples.smallest->index, text_of(row.minimised.size_before))) +
          definition("asked of", row.minimised.result->changed ? escaped(row.minimised.result->changed->how) : "") +
+         definition("outside", escaped(row.examples.smallest->beyond)) +
          definition("note", escaped(row.minimised.result->note)) +
+         definition("in its own calls", snippets(*row.minimised.result)) +
          definition("replay", fmt::format("<code>{}</code> <a href=\"{}\">file</a>",
                                           escaped(row.minimised.replay_command), escaped(row.minimised.case_file)));
 }
@@ -58,17 +68,19 @@ std::string failing_row(const Row& row) {
       share_of(row), escaped(row.property->says), drawing.empty() ? "plain" : "drawn", drawing, facts(row));
 }
 
-std::string failures_of(const Ledger& ledger, const TestedSubject& subject) {
+std::string failures_of(const ResultMatrix& results, const TestedSubject& subject, const char* where) {
   std::string rows;
   int count = 0;
-  for (const Row* row : ledger.results.of(subject)) {
+  for (const Row* row : results.of(subject)) {
     if (!row->failing()) continue;
     rows += failing_row(*row);
     ++count;
   }
-  return fmt::format("<section><h3>{}: {}</h3>{}</section>", escaped(subject.card.name),
+  return fmt::format("<section><h3>{}{}: {}</h3>{}</section>", escaped(subject.card.name), where,
                      count == 0 ? "nothing fails" : plural(count, "failing row"), rows);
 }
+
+bool declares_domain(const TestedSubject& subject) { return !(subject.card.domain == oracle::Domain{}); }
 
 }  // namespace
 
@@ -79,7 +91,10 @@ std::string failures(const Ledger& ledger) {
       "that wrote this page. Elsewhere: <code>./touchstone replay</code> with the linked file, and "
       "<code>--subject</code> "
       "for an engine of your own.</span></p>";
-  for (const TestedSubject& subject : ledger.subjects) html += failures_of(ledger, subject);
+  for (const TestedSubject& subject : ledger.subjects) {
+    html += failures_of(ledger.results, subject, "");
+    if (declares_domain(subject)) html += failures_of(ledger.beyond, subject, ", outside its declared domain");
+  }
   return html;
 }
 

@@ -7,6 +7,7 @@
 
 #include "app/report/page.h"
 #include "app/report/xml.h"
+#include "oracle/process/protocol.h"
 
 namespace touchstone::app::page {
 namespace {
@@ -69,6 +70,18 @@ std::string deviations(const oracle::Card& card) {
   return html + "</ul>";
 }
 
+/// What the card declares, in the words of the protocol.
+std::string declared(const oracle::Card& card) {
+  std::string html;
+  if (!(card.domain == oracle::Domain{}))
+    html +=
+        fmt::format("<p>Declared domain: <code>{}</code></p>", escaped(oracle::protocol::json_of(card.domain).dump()));
+  if (!(card.distance_tolerance == oracle::DistanceTolerance{}))
+    html += fmt::format("<p>Declared tolerance of distances: {:.3g} m + {:.3g} times the distance</p>",
+                        card.distance_tolerance.absolute, card.distance_tolerance.relative);
+  return html;
+}
+
 std::string subject_card(const Ledger& ledger, const TestedSubject& subject) {
   const oracle::Card& card = subject.card;
   const Summary summary = summary_of(ledger, subject);
@@ -80,8 +93,8 @@ std::string subject_card(const Ledger& ledger, const TestedSubject& subject) {
     html += fmt::format("<p>Largest error: {:.3g} {} ({})</p>", summary.most_wrong->largest_error.size,
                         escaped(summary.most_wrong->largest_error.unit), escaped(summary.most_wrong->property->id));
   }
-  return html + fmt::format("<p class=\"soft\">{}</p>", escaped(card.about)) + deviations(card) + silences(summary) +
-         "</section>";
+  return html + fmt::format("<p class=\"soft\">{}</p>", escaped(card.about)) + declared(card) + deviations(card) +
+         silences(summary) + "</section>";
 }
 
 }  // namespace

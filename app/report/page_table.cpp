@@ -9,13 +9,14 @@ namespace {
 std::string without_query(const std::string& id) { return id.substr(id.find('.') + 1); }
 
 std::string counts_of(const Row& row) {
-  return fmt::format("holds {}, fails {}, breaks {}, abstains {}, outside {}, not asked {}", row.counts.holds,
-                     row.counts.fails, row.counts.breaks, row.counts.abstains, row.counts.outside,
-                     row.counts.not_asked);
+  return fmt::format("holds {}, fails {}, breaks {}, abstains {}, outside {}, beyond its domain {}, not asked {}",
+                     row.counts.holds, row.counts.fails, row.counts.breaks, row.counts.abstains, row.counts.outside,
+                     row.counts.beyond, row.counts.not_asked);
 }
 
 std::string silence_of(const Row& row) {
   if (row.counts.abstains > 0) return "abstains";
+  if (row.counts.beyond > 0) return "beyond its domain";
   return row.counts.not_asked > 0 ? "not asked" : "outside";
 }
 
@@ -42,7 +43,8 @@ constexpr const char* legend = R"html(<dl class="legend">
 <dt><span class="g D">D</span></dt><dd>beyond: an absolute epsilon, a wrong formula, a broken law</dd>
 <dt><span class="g F">F</span></dt><dd>a wrong verdict or pair, no right digit (0 for 0.83 m), or no answer at all: crash, hang, NaN</dd>
 </dl><p class="soft">A cell’s grade is the worst that was seen. <i>abstains</i>: the engine does not offer this; that is no pass.
-<i>outside</i>: no scene of the property’s domain has numbers that the engine’s precision can hold.</p>)html";
+<i>outside</i>: no scene of the property’s domain has numbers that the engine’s precision can hold.
+<i>beyond its domain</i>: each scene is outside what the engine’s card declares, and counted apart.</p>)html";
 
 }  // namespace
 

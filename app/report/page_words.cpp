@@ -31,7 +31,10 @@ std::string badge(oracle::Grade grade) {
   return fmt::format("<span class=\"g {0}\">{0}</span>", oracle::name_of(grade));
 }
 
-std::string anchor(const Row& row) { return escaped(row.property->id + "." + row.subject->card.name); }
+std::string anchor(const Row& row) {
+  const bool beyond = row.examples.smallest && !row.examples.smallest->beyond.empty();
+  return escaped(row.property->id + "." + row.subject->card.name + (beyond ? ".beyond" : ""));
+}
 
 std::string definition(const std::string& term, const std::string& html) {
   return html.empty() ? "" : fmt::format("<dt>{}</dt><dd>{}</dd>", term, html);

@@ -43,6 +43,7 @@ Json json_of(const Row& row) {
   Json json = {{"property", row.property->id},  {"subject", row.subject->card.name}, {"holds", row.counts.holds},
                {"fails", row.counts.fails},     {"abstains", row.counts.abstains},   {"breaks", row.counts.breaks},
                {"outside", row.counts.outside}, {"not_asked", row.counts.not_asked}};
+  if (row.counts.beyond > 0) json["beyond"] = row.counts.beyond;
   if (const auto grade = row.grade()) {
     json["grade"] = oracle::name_of(*grade);
     json["grades"] = grades_of(row);
@@ -56,12 +57,14 @@ Json json_of(const Row& row) {
   json["share"] = static_cast<double>(row.failures()) / static_cast<double>(row.answered());
   for (const auto& [defect, count] : row.defects) json["defects"][oracle::name_of(defect)] = count;
   json["worst"] = json_of(*row.examples.worst);
+  if (!row.examples.worst->beyond.empty()) json["worst"]["beyond"] = row.examples.worst->beyond;
   if (row.minimised.result) {
     json["case"] = row.minimised.case_file;
     json["size_found"] = json_of(row.minimised.size_before);
     json["size"] = json_of(oracle::size_of(row.minimised.result->scene));
     json["finding"] = oracle::json_of(row.minimised.result->finding);
     if (row.minimised.result->changed) json["changed"] = row.minimised.result->changed->how;
+    if (!row.minimised.result->snippet.empty()) json["snippet"] = row.minimised.result->snippet;
   }
   return json;
 }
@@ -101,6 +104,10 @@ Json report_json(const Ledger& ledger) {
                {"properties", properties_of(ledger)}};
   json["rows"] = Json::array();
   for (const Row& row : ledger.results.all()) json["rows"].push_back(json_of(row));
+  json["beyond"] = Json::array();  // rows outside the domain that a subject's card declares
+  for (const Row& row : ledger.beyond.all()) {
+    if (row.answered() > 0) json["beyond"].push_back(json_of(row));
+  }
   json["causes"] = Json::array();
   for (const Cause& cause : causes(ledger)) json["causes"].push_back(json_of(cause));
   json["scenes"] = ledger.scenes;

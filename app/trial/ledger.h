@@ -22,7 +22,7 @@ struct MeshCounts {
 
 struct Ledger {
   Ledger(ResultMatrix::Properties properties, std::vector<TestedSubject> tested)
-      : subjects(std::move(tested)), results(std::move(properties), subjects) {}
+      : subjects(std::move(tested)), results(properties, subjects), beyond(std::move(properties), subjects) {}
 
   /// Not copied, since the results point to the subjects.
   Ledger(Ledger&&) = default;
@@ -33,6 +33,7 @@ struct Ledger {
   bool interrupted = false;
   std::vector<TestedSubject> subjects;
   ResultMatrix results;
+  ResultMatrix beyond;  ///< of scenes outside the domain that a subject's card declares; never mixed with `results`
   std::map<std::string, std::map<std::string, long>> classes;  ///< query -> class -> scenes
   std::map<std::string, long> scenes;                          ///< query -> number of scenes
   std::vector<std::string> empty_classes;                      ///< "distance: edge-edge"

@@ -110,6 +110,7 @@ void Row::merge(const Row& later) {
   counts.breaks += later.counts.breaks;
   counts.outside += later.counts.outside;
   counts.not_asked += later.counts.not_asked;
+  counts.beyond += later.counts.beyond;
   counts.impacts += later.counts.impacts;
   for (std::size_t g = 0; g < grades.size(); ++g) grades[g] += later.grades[g];
   for (const auto& [defect, count] : later.defects) defects[defect] += count;
@@ -127,7 +128,7 @@ void Row::forget() {
   blank.property = property;
   blank.subject = subject;
   blank.counts.not_asked =
-      counts.holds + counts.fails + counts.abstains + counts.breaks + counts.outside + counts.not_asked;
+      counts.holds + counts.fails + counts.abstains + counts.breaks + counts.outside + counts.not_asked + counts.beyond;
   *this = std::move(blank);
 }
 

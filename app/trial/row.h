@@ -33,6 +33,7 @@ struct Example {
   std::uint64_t index = 0;
   Scene scene;
   oracle::Finding finding;
+  std::string beyond = {};  ///< how a question exceeds the domain that the subject's card declares; empty: none does
 };
 
 /// How many scenes had which outcome.
@@ -43,6 +44,7 @@ struct Counts {
   long breaks = 0;
   long outside = 0;
   long not_asked = 0;  ///< skipped: the subject hung too often, or would take too long
+  long beyond = 0;     ///< a question was outside the subject's declared domain: counted apart (app/trial/ledger.h)
   long impacts = 0;    ///< of simulations: each one compared with the reference by itself
 
   long failures() const { return fails + breaks; }

@@ -9,6 +9,7 @@
 #include "app/report/replay_command.h"
 #include "app/system/interruption.h"
 #include "app/system/progress.h"
+#include "app/trial/domain_watch.h"
 #include "app/trial/effort.h"
 #include "app/trial/fault_size.h"
 #include "app/trial/last_asked.h"
@@ -56,10 +57,15 @@ std::optional<oracle::ChangedScene> changed_scene(const Scene& scene, const Last
   return oracle::ChangedScene{properties::name_of_change(scene, *asked.scene()), *asked.scene()};
 }
 
-}  // namespace
+/// Empty if the subject has none.
+std::string snippet_of(oracle::Subject& subject, const std::string& query, const Scene& scene) {
+  const Answer<std::string> said = subject.reproduce(query, scene);
+  const std::string* snippet = std::get_if<std::string>(&said);
+  return snippet == nullptr ? "" : *snippet;
+}
 
-oracle::Case smallest_case(const Example& example, const properties::Property& property, oracle::Subject& subject,
-                           std::uint64_t seed, const Search& search) {
+oracle::Case smallest_without_snippet(const Example& example, const properties::Property& property,
+                                      oracle::Subject& subject, std::uint64_t seed, const Search& search) {
   oracle::Case result{property.id,   subject.card().name, example.family,  seed,
                       example.index, example.scene,       example.finding, ""};
   const oracle::Case interrupted_at_once = with_note(result, "interrupted: not reduced");
@@ -69,10 +75,12 @@ oracle::Case smallest_case(const Example& example, const properties::Property& p
   int hangs = 0;
   const auto still_fails = [&](const Scene& scene) {
     if (interrupted() || hangs >= search.hangs) return false;
-    const Finding finding = property.check(scene, subject);
+    DomainWatch watch(subject);
+    const Finding finding = property.check(scene, watch);
     if (finding.defect == Defect::hung) ++hangs;
     if (search.asked) search.asked();
-    if (interrupted() || !shows_the_same(finding, scene, example, precision)) return false;
+    if (interrupted() || watch.beyond().empty() != example.beyond.empty()) return false;
+    if (!shows_the_same(finding, scene, example, precision)) return false;
     result.finding = finding;
     return true;
   };
@@ -103,8 +111,6 @@ oracle::Case smallest_case(const Example& example, const properties::Property& p
   return result;
 }
 
-namespace {
-
 /// The rows that would be minimised as hangs, except the first of each subject.
 std::set<const Row*> hang_like_another(const std::vector<Row*>& failing) {
   std::set<const Row*> all;
@@ -115,6 +121,11 @@ std::set<const Row*> hang_like_another(const std::vector<Row*>& failing) {
   return all;
 }
 
+std::string case_file_of(const Row& row) {
+  const bool inside = row.examples.smallest->beyond.empty();
+  return "cases/" + row.property->id + "." + row.subject->file_name + (inside ? "" : ".beyond") + ".json";
+}
+
 oracle::Case as_found(const Row& row, std::uint64_t seed) {
   const Example& found = *row.examples.smallest;
   return {row.property->id, {},          found.family,  seed,
@@ -123,11 +134,22 @@ oracle::Case as_found(const Row& row, std::uint64_t seed) {
 
 }  // namespace
 
+oracle::Case smallest_case(const Example& example, const properties::Property& property, oracle::Subject& subject,
+                           std::uint64_t seed, const Search& search) {
+  oracle::Case result = smallest_without_snippet(example, property, subject, seed, search);
+  if (interrupted()) return result;
+  result.snippet = snippet_of(subject, property.query, result.scene);
+  if (result.changed) result.changed->snippet = snippet_of(subject, property.query, result.changed->scene);
+  return result;
+}
+
 void cut_down(Ledger& ledger, const std::vector<std::vector<std::unique_ptr<oracle::Subject>>>& workers,
               const Effort& effort) {
   std::vector<Row*> failing;
-  for (Row& row : ledger.results.all()) {
-    if (row.failing()) failing.push_back(&row);
+  for (ResultMatrix* results : {&ledger.results, &ledger.beyond}) {
+    for (Row& row : results->all()) {
+      if (row.failing()) failing.push_back(&row);
+    }
   }
   const std::set<const Row*> alike = hang_like_another(failing);
   Progress progress("reducing", static_cast<int>(failing.size()));
@@ -142,7 +164,7 @@ void cut_down(Ledger& ledger, const std::vector<std::vector<std::unique_ptr<orac
                                                ledger.seed, {budget, most_hangs});
     row.minimised.result->subject = subject.connectable;
     row.minimised.result->folder = folder_of(subject.connectable);
-    row.minimised.case_file = "cases/" + row.property->id + "." + subject.file_name + ".json";
+    row.minimised.case_file = case_file_of(row);
     progress.step(row.property->id + " of " + subject.card.name);
   });
 }

@@ -24,8 +24,9 @@ struct Search {
 /// beside what is allowed and beside the scene (app/trial/fault_size.h). Checks the result once more in a fresh
 /// process. If the subject does not repeat itself, the scene stays as found, and the case's note says so; it also says
 /// if the search was interrupted, or ended by hangs. If the last question was about another scene, as in a law about
-/// two answers, the case has that scene too. The case names the subject by its card, since the caller knows how to
-/// connect to it.
+/// two answers, the case has that scene too. A scene outside the domain that the subject's card declares stays outside,
+/// and one inside stays inside. The case has a snippet for each of its scenes, if the subject writes one. It names the
+/// subject by its card, since the caller knows how to connect to it.
 oracle::Case smallest_case(const Example& example, const properties::Property& property, oracle::Subject& subject,
                            std::uint64_t seed, const Search& search);
 

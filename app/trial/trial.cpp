@@ -16,6 +16,7 @@
 #include "app/system/interruption.h"
 #include "app/system/progress.h"
 #include "app/system/terminal.h"
+#include "app/trial/domain_watch.h"
 #include "app/trial/parallel.h"
 #include "app/trial/query_lines.h"
 #include "app/trial/questions.h"
@@ -52,6 +53,7 @@ struct QueryTrial {
 /// What one unit found about the properties of its query.
 struct UnitResult {
   ResultMatrix results;
+  ResultMatrix beyond;  ///< as in the ledger
   std::map<std::string, long> classes;
   std::map<std::string, long> mesh_scenes;
   long scenes = 0;
@@ -109,20 +111,29 @@ oracle::Finding checked(const Question& question, const Scene& scene, const Prop
                          std::to_string(question.index) + ": " + error.what());
 }
 
+/// `row` and `beyond`: for the answers inside and outside the domain that the subject's card declares.
 void ask(const Question& question, const Property& property, oracle::Subject& subject, int& hangs, Row& row,
-         Example& example) {
+         Row& beyond, Example& example) {
   if (hangs >= most_hangs) {
     ++row.counts.not_asked;
     return;
   }
-  example.finding = checked(question, example.scene, property, subject);
+  DomainWatch watch(subject);
+  example.finding = checked(question, example.scene, property, watch);
+  example.beyond = watch.beyond();
   if (interrupted()) return;  // a query that was cancelled is no failure
   if (example.finding.defect == oracle::Defect::hung) ++hangs;
-  row.count(example);
+  if (example.beyond.empty()) {
+    row.count(example);
+  } else {
+    ++row.counts.beyond;
+    beyond.count(example);
+  }
 }
 
 UnitResult nothing_of(const QueryTrial& query, const TestedSubjects& tested) {
-  return {ResultMatrix(query.properties, tested), {}, {}, 0, std::vector<int>(tested.size())};
+  return {ResultMatrix(query.properties, tested), ResultMatrix(query.properties, tested), {}, {}, 0,
+          std::vector<int>(tested.size())};
 }
 
 /// The first answer to the question must not be that of an earlier property.
@@ -143,7 +154,8 @@ void ask_all(const Question& question, const QueryTrial& query, const TestedSubj
     if (!is_asked || (asks_twice(*property) && hangs > hangs_before)) {
       ++row.counts.not_asked;
     } else {
-      ask(question, *property, asks_twice(*property) ? itself : remembered, hangs, row, example);
+      ask(question, *property, asks_twice(*property) ? itself : remembered, hangs, row,
+          result.beyond.at(*property, tested), example);
     }
   }
 }
@@ -157,7 +169,7 @@ UnitResult run_unit(const QueryTrial& query, const Unit& unit, const TestedSubje
   for (std::size_t q = unit.begin; q < unit.end && !interrupted(); ++q) {
     if (first_failure && any_failing(result)) break;
     const Question question = query.questions[q];
-    Example example{question.family, question.index, question.scene(), {}};
+    Example example{question.family, question.index, question.scene(), {}, {}};
     const Scene& scene = example.scene;
     ++result.scenes;
     if (question.family.starts_with("mesh.")) ++result.mesh_scenes[question.family];
@@ -213,6 +225,7 @@ Ledger opened(const TrialPlan& plan, const MeshSet& meshes, const Subjects& subj
 
 void enter(Ledger& ledger, const QueryTrial& query, const UnitResult& result) {
   ledger.results.merge(result.results);
+  ledger.beyond.merge(result.beyond);
   for (const auto& [name, count] : result.classes) ledger.classes[query.name][name] += count;
   for (const auto& [family, count] : result.mesh_scenes) ledger.meshes.scenes[family] += count;
   ledger.scenes[query.name] += result.scenes;
@@ -258,7 +271,10 @@ class Entry {
  private:
   void merge(std::size_t query, UnitResult& result) {
     for (const TestedSubject& subject : ledger_.subjects) {
-      if (given_up_[query][subject.index]) result.results.forget(subject);
+      if (given_up_[query][subject.index]) {
+        result.results.forget(subject);
+        result.beyond.forget(subject);
+      }
       if (result.hangs[subject.index] >= most_hangs) given_up_[query][subject.index] = true;
     }
     ended_ = first_failure_ && any_failing(result);
@@ -311,6 +327,7 @@ Ledger run(const TrialPlan& plan, const MeshSet& meshes) {
   }
   if (!plan.first_failure) name_empty_classes(ledger, all_trials);
   count_as_abstentions(ledger.results);
+  count_as_abstentions(ledger.beyond);
   cut_down(ledger, workers, plan.first_failure ? Effort{} : plan.effort);
   ledger.interrupted = interrupted();
   return ledger;

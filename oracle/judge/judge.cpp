@@ -185,7 +185,8 @@ Finding near(double claimed, const Interval& truth, const Allowance& allowance, 
 bool is_held_to_touching(const Card& card) { return card.knows_touching || card.precision == Precision::exact; }
 
 double verdict_allowance(const Scene& scene, const Card& card) {
-  return is_held_to_touching(card) ? 0 : tolerance::distance(scene, card.precision);
+  if (is_held_to_touching(card)) return 0;
+  return tolerance::distance(scene, card.precision) + card.distance_tolerance.absolute;
 }
 
 Interval margin(const Scene& scene) {

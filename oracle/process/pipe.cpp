@@ -34,6 +34,10 @@ const std::string& text_of(const Scene& scene) {
   return written.text;
 }
 
+void trace(const PipeLimits& limits, PipeLimits::Way way, std::string_view line) {
+  if (limits.trace != nullptr) limits.trace(way, line.ends_with('\n') ? line.substr(0, line.size() - 1) : line);
+}
+
 std::string shortened(const std::string& line) {
   constexpr std::size_t longest = 4000;
   return line.size() <= longest ? line : line.substr(0, longest) + " ...";
@@ -69,22 +73,18 @@ Answer<TimeOfImpact> PipeSubject::time_of_impact(const Scene& scene) {
 Answer<Trajectory> PipeSubject::simulation(const Scene& scene) { return ask<Trajectory>("simulation", scene); }
 Answer<Trajectory> PipeSubject::constraint(const Scene& scene) { return ask<Trajectory>("constraint", scene); }
 
-void PipeSubject::report_line(PipeLimits::Way way, std::string_view line) const {
-  if (limits_.trace != nullptr) limits_.trace(way, line.ends_with('\n') ? line.substr(0, line.size() - 1) : line);
-}
-
 std::variant<std::string, Breaks> PipeSubject::exchange(const std::string& line, double cpu_seconds,
                                                         double wall_seconds) {
-  report_line(PipeLimits::Way::sent, line);
+  trace(limits_, PipeLimits::Way::sent, line);
   auto said = child_->exchange(line, {cpu_seconds, wall_seconds, limits_.longest_line, limits_.given_up});
-  if (const std::string* answer = std::get_if<std::string>(&said)) report_line(PipeLimits::Way::received, *answer);
+  if (const std::string* answer = std::get_if<std::string>(&said)) trace(limits_, PipeLimits::Way::received, *answer);
   return said;
 }
 
 void PipeSubject::restart() {
   if (child_) {
     const std::string line = protocol::stop(++seq_);
-    report_line(PipeLimits::Way::sent, line);
+    trace(limits_, PipeLimits::Way::sent, line);
     child_->say(line);
   }
   child_.reset();
@@ -112,11 +112,10 @@ Card PipeSubject::start() try {
   throw InputError(fmt::format("subject \"{}\"", fmt::join(command_, " ")), error.what());
 }
 
-template <class T>
-Answer<T> PipeSubject::ask(const std::string& query, const Scene& scene) {
-  if (std::find(card_.answers.begin(), card_.answers.end(), query) == card_.answers.end()) {
-    return Abstains{"no " + query + " query"};
-  }
+/// `write` makes the line of the question from its number, `read` the answer from a line and the number. `times`: of
+/// the limits.
+template <class T, class Write, class Read>
+Answer<T> PipeSubject::answer_to(Write&& write, Read&& read, double times) {
   if (limits_.recycle_after > 0 && asked_ == limits_.recycle_after) restart();
   if (!child_) {
     try {
@@ -126,19 +125,30 @@ Answer<T> PipeSubject::ask(const std::string& query, const Scene& scene) {
     }
   }
   ++asked_;
-  const double times = std::same_as<T, Trajectory> ? limits_.simulation_factor : 1;
-  const auto said =
-      exchange(protocol::ask(++seq_, query, text_of(scene)), times * limits_.cpu_seconds, times * limits_.wall_seconds);
+  const auto said = exchange(write(++seq_), times * limits_.cpu_seconds, times * limits_.wall_seconds);
   if (const Breaks* breaks = std::get_if<Breaks>(&said)) {
     child_.reset();
     return *breaks;
   }
   try {
-    return protocol::read_answer<T>(std::get<std::string>(said), seq_);
+    return read(std::get<std::string>(said), seq_);
   } catch (const InputError& error) {
     child_.reset();
     return Breaks{Breaks::Kind::garbage, with_hint(error.what())};
   }
+}
+
+template <class T>
+Answer<T> PipeSubject::ask(const std::string& query, const Scene& scene) {
+  if (std::ranges::count(card_.answers, query) == 0) return Abstains{"no " + query + " query"};
+  return answer_to<T>([&](std::int64_t seq) { return protocol::ask(seq, query, text_of(scene)); },
+                      protocol::read_answer<T>, std::same_as<T, Trajectory> ? limits_.simulation_factor : 1);
+}
+
+Answer<std::string> PipeSubject::reproduce(const std::string& query, const Scene& scene) {
+  if (std::ranges::count(card_.reproduces, query) == 0) return Abstains{"no snippets of " + query};
+  return answer_to<std::string>([&](std::int64_t seq) { return protocol::reproduce(seq, query, text_of(scene)); },
+                                protocol::read_snippet, 1);
 }
 
 }  // namespace touchstone::oracle

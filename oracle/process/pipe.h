@@ -48,14 +48,18 @@ class PipeSubject : public Subject {
   Answer<Trajectory> simulation(const Scene& scene) override;
   Answer<Trajectory> constraint(const Scene& scene) override;
 
+  /// Only a query that the card's `reproduces` lists is passed on.
+  Answer<std::string> reproduce(const std::string& query, const Scene& scene) override;
+
   /// Ends the process. The next query starts a fresh one.
   void restart();
 
  private:
   template <class T>
   Answer<T> ask(const std::string& query, const Scene& scene);
+  template <class T, class Write, class Read>
+  Answer<T> answer_to(Write&& write, Read&& read, double times);
   Card start();
-  void report_line(PipeLimits::Way way, std::string_view line) const;
   std::variant<std::string, Breaks> exchange(const std::string& line, double cpu_seconds, double wall_seconds);
 
   std::vector<std::string> command_;

@@ -22,8 +22,10 @@ constexpr Words<Breaks::Kind, 4> kinds = {{{Breaks::Kind::threw, "threw"},
                                            {Breaks::Kind::crashed, "crashed"},
                                            {Breaks::Kind::hung, "hung"},
                                            {Breaks::Kind::garbage, "garbage"}}};
-constexpr Words<Request::Op, 3> ops = {
-    {{Request::Op::start, "start"}, {Request::Op::ask, "ask"}, {Request::Op::stop, "stop"}}};
+constexpr Words<Request::Op, 4> ops = {{{Request::Op::start, "start"},
+                                        {Request::Op::ask, "ask"},
+                                        {Request::Op::reproduce, "reproduce"},
+                                        {Request::Op::stop, "stop"}}};
 
 template <class Enum, std::size_t n>
 const char* word_of(Enum value, const Words<Enum, n>& words) {
@@ -54,17 +56,60 @@ Deviation read_deviation(const Node& node) {
   return {text_or(node, "clause", ""), node.at("what").text(), text_or(node, "link", "")};
 }
 
+double read_limit(const Node& node) {
+  const double limit = node.number();
+  if (!(limit >= 0)) node.refuse("expected a number of at least 0");
+  return limit;
+}
+
+void read_limit(const Node& object, const char* key, std::optional<double>& limit) {
+  if (const auto found = object.find(key)) limit = read_limit(*found);
+}
+
+Domain read_domain(const Node& node) {
+  node.expect_object({"lengths", "reach", "aspect", "vertices", "mass_ratio", "speed", "angular_speed"});
+  Domain domain;
+  if (const auto lengths = node.find("lengths")) {
+    lengths->expect_size(2);
+    domain.lengths = Interval{read_limit((*lengths)[0]), read_limit((*lengths)[1])};
+  }
+  if (const auto vertices = node.find("vertices")) domain.vertices = vertices->index();
+  read_limit(node, "reach", domain.reach);
+  read_limit(node, "aspect", domain.aspect);
+  read_limit(node, "mass_ratio", domain.mass_ratio);
+  read_limit(node, "speed", domain.speed);
+  read_limit(node, "angular_speed", domain.angular_speed);
+  return domain;
+}
+
+DistanceTolerance read_distance_tolerance(const Node& node) {
+  node.expect_object({"absolute", "relative"});
+  const auto absolute = node.find("absolute");
+  const auto relative = node.find("relative");
+  return {absolute ? read_limit(*absolute) : 0, relative ? read_limit(*relative) : 0};
+}
+
+std::vector<std::string> read_texts(const Node& node) {
+  std::vector<std::string> texts;
+  for (int i = 0; i < node.size(); ++i) texts.push_back(node[i].text());
+  return texts;
+}
+
 Card read_card(const Node& node) {
-  node.expect_object({"name", "version", "precision", "answers", "knows_touching", "broad_phase_margin", "about",
-                      "homepage", "deviations"});
+  node.expect_object({"name", "version", "precision", "answers", "knows_touching", "broad_phase_margin", "domain",
+                      "distance_tolerance", "reproduces", "about", "homepage", "deviations"});
   Card card;
   card.name = node.at("name").text();
   card.version = node.at("version").text();
   card.precision = read_word(node.at("precision"), precisions);
-  const Node answers = node.at("answers");
-  for (int i = 0; i < answers.size(); ++i) card.answers.push_back(answers[i].text());
+  card.answers = read_texts(node.at("answers"));
   if (const auto knows = node.find("knows_touching")) card.knows_touching = knows->truth();
   if (const auto margin = node.find("broad_phase_margin")) card.broad_phase_margin = margin->number();
+  if (const auto domain = node.find("domain")) card.domain = read_domain(*domain);
+  if (const auto tolerance = node.find("distance_tolerance")) {
+    card.distance_tolerance = read_distance_tolerance(*tolerance);
+  }
+  if (const auto reproduces = node.find("reproduces")) card.reproduces = read_texts(*reproduces);
   card.about = text_or(node, "about", "");
   card.homepage = text_or(node, "homepage", "");
   if (const auto deviations = node.find("deviations")) {
@@ -83,7 +128,38 @@ Breaks read_breaks(const Node& node) {
   return {read_word(node.at("kind"), kinds), node.at("how").text()};
 }
 
+/// The part that `key` names, or what the subject says in its place.
+template <class T, class Read>
+Answer<T> read_part(std::string_view line, Seq seq, const char* key, Read&& read) {
+  const Json json = parse_answer(line, answer_place);
+  const Node node(json, answer_place);
+  node.expect_object({"seq", key, "abstains", "breaks"});
+  expect_seq(node, seq);
+  if (json.size() != 2)
+    node.refuse(std::string("expected \"seq\" and one of \"") + key + "\", \"abstains\", \"breaks\"");
+  if (const auto abstains = node.find("abstains")) return Abstains{abstains->text()};
+  if (const auto breaks = node.find("breaks")) return read_breaks(*breaks);
+  return read(json[key], key);
+}
+
+std::string question(const char* op, Seq seq, std::string_view query, std::string_view scene_json) {
+  std::string line = R"({"op":")" + std::string(op) + R"(","seq":)" + std::to_string(seq) + R"(,"query":")";
+  return line.append(query).append(R"(","scene":)").append(scene_json).append("}\n");
+}
+
 }  // namespace
+
+Json json_of(const Domain& domain) {
+  Json json = Json::object();
+  if (domain.lengths) json["lengths"] = {domain.lengths->lo, domain.lengths->hi};
+  if (domain.reach) json["reach"] = *domain.reach;
+  if (domain.aspect) json["aspect"] = *domain.aspect;
+  if (domain.vertices) json["vertices"] = *domain.vertices;
+  if (domain.mass_ratio) json["mass_ratio"] = *domain.mass_ratio;
+  if (domain.speed) json["speed"] = *domain.speed;
+  if (domain.angular_speed) json["angular_speed"] = *domain.angular_speed;
+  return json;
+}
 
 Json json_of(const Card& card) {
   Json deviations = Json::array();
@@ -96,6 +172,10 @@ Json json_of(const Card& card) {
           {"answers", card.answers},
           {"knows_touching", card.knows_touching},
           {"broad_phase_margin", card.broad_phase_margin},
+          {"domain", json_of(card.domain)},
+          {"distance_tolerance",
+           {{"absolute", card.distance_tolerance.absolute}, {"relative", card.distance_tolerance.relative}}},
+          {"reproduces", card.reproduces},
           {"about", card.about},
           {"homepage", card.homepage},
           {"deviations", std::move(deviations)}};
@@ -104,8 +184,11 @@ Json json_of(const Card& card) {
 std::string start(Seq seq) { return line_of({{"op", "start"}, {"seq", seq}, {"protocol", version}}); }
 
 std::string ask(Seq seq, std::string_view query, std::string_view scene_json) {
-  std::string line = R"({"op":"ask","seq":)" + std::to_string(seq) + R"(,"query":")";
-  return line.append(query).append(R"(","scene":)").append(scene_json).append("}\n");
+  return question("ask", seq, query, scene_json);
+}
+
+std::string reproduce(Seq seq, std::string_view query, std::string_view scene_json) {
+  return question("reproduce", seq, query, scene_json);
 }
 
 std::string stop(Seq seq) { return line_of({{"op", "stop"}, {"seq", seq}}); }
@@ -128,7 +211,7 @@ Request read_request(std::string_view line) {
   Request request;
   request.op = read_word(node.at("op"), ops);
   request.seq = node.at("seq").index();
-  if (request.op == Request::Op::ask) {
+  if (request.op == Request::Op::ask || request.op == Request::Op::reproduce) {
     node.expect_object({"op", "seq", "query", "scene"});
     request.query = node.at("query").text();
     node.at("scene");
@@ -161,14 +244,12 @@ Card read_introduction(std::string_view line, Seq seq) {
 
 template <class T>
 Answer<T> read_answer(std::string_view line, Seq seq) {
-  const Json json = parse_answer(line, answer_place);
-  const Node node(json, answer_place);
-  node.expect_object({"seq", "result", "abstains", "breaks"});
-  expect_seq(node, seq);
-  if (json.size() != 2) node.refuse("expected \"seq\" and one of \"result\", \"abstains\", \"breaks\"");
-  if (const auto abstains = node.find("abstains")) return Abstains{abstains->text()};
-  if (const auto breaks = node.find("breaks")) return read_breaks(*breaks);
-  return read<T>(json["result"], "result");
+  return read_part<T>(line, seq, "result", [](const Json& json, const char* place) { return read<T>(json, place); });
+}
+
+Answer<std::string> read_snippet(std::string_view line, Seq seq) {
+  return read_part<std::string>(line, seq, "snippet",
+                                [](const Json& json, const char* place) { return Node(json, place).text(); });
 }
 
 template Answer<Masses> read_answer<Masses>(std::string_view, Seq);

@@ -16,17 +16,19 @@ inline constexpr int version = 1;
 using Seq = std::int64_t;
 
 struct Request {
-  enum class Op { start, ask, stop };
+  enum class Op { start, ask, reproduce, stop };
   Op op = Op::start;
   Seq seq = 0;
-  std::string query;  ///< if op is ask: the name of a query (oracle/query.h)
+  std::string query;  ///< if op is ask or reproduce: the name of a query (oracle/query.h)
   Scene scene;
 };
 
 /// Each returns one line, with its \n.
 std::string start(Seq seq);
 std::string ask(Seq seq, std::string_view query, std::string_view scene_json);
+std::string reproduce(Seq seq, std::string_view query, std::string_view scene_json);
 std::string stop(Seq seq);
+Json json_of(const Domain& domain);  ///< of limits that are there
 Json json_of(const Card& card);
 std::string introduction(Seq seq, const Card& card);
 std::string answer(Seq seq, const Json& result);
@@ -42,5 +44,8 @@ Seq seq_of(std::string_view line);
 Card read_introduction(std::string_view line, Seq seq);
 template <class T>
 Answer<T> read_answer(std::string_view line, Seq seq);
+
+/// The answer to `reproduce`.
+Answer<std::string> read_snippet(std::string_view line, Seq seq);
 
 }  // namespace touchstone::oracle::protocol

@@ -71,6 +71,7 @@ std::optional<std::string> reply_to(const std::string& line, const Card& card, c
     protocol::Request request = protocol::read_request(line);
     if (request.op == protocol::Request::Op::stop) return std::nullopt;
     if (request.op == protocol::Request::Op::start) return protocol::introduction(request.seq, card);
+    if (request.op == protocol::Request::Op::reproduce) return protocol::answer(request.seq, Abstains{"no snippets"});
     return answer_to(std::move(request), answer);
   } catch (const std::exception& error) {
     return breaks(error.what());

@@ -27,8 +27,9 @@ Finding same_verdict(const Scene& scene, Verdict first, Verdict second, const or
 
 Finding same_length(const Scene& before, double first, const Scene& after, double second, double times,
                     const oracle::Card& card, oracle::Defect defect) {
-  const double allowed =
-      times * oracle::tolerance::distance(before, card.precision) + oracle::tolerance::distance(after, card.precision);
+  const oracle::DistanceTolerance& declared = card.distance_tolerance;
+  const double allowed = times * (oracle::tolerance::distance(before, card.precision) + declared.of(first)) +
+                         oracle::tolerance::distance(after, card.precision) + declared.of(second);
   return judge::at_most(
       std::abs(second - times * first), judge::in_ulps(after, card, allowed), defect,
       [&] { return words::text(second); }, [&] { return words::text(times * first) + ", as before"; });

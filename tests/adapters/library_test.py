@@ -105,6 +105,19 @@ class Library(unittest.TestCase):
             expected = abs(distance) - 2.0**-1074 - 1
             self.assertEqual(float(answer["result"]["distance"]), max(expected, 0), distance)
 
+    def test_snippets_are_handed_over(self):
+        if LANGUAGE != "js":
+            self.skipTest("only the library for JavaScript hands over snippets")
+        (self.folder / "snippets.mjs").write_text("""
+            import { serve } from "./touchstone_adapter.mjs";
+            const snippets = { distance: (scene) => `ask(${scene.bodies.length})` };
+            serve({ name: "n", version: "0", precision: "binary64" }, { distance: () => ({}), mass: () => [] }, snippets);""")
+        reproduce = [{**ask(query, ball(1, [0, 0, 0])), "op": "reproduce"} for query in ("distance", "mass")]
+        (card, snippet, none), _ = self.said(["node", self.folder / "snippets.mjs"], START, *reproduce)
+        self.assertEqual(card["card"]["reproduces"], ["distance"])
+        self.assertEqual(snippet, {"seq": 2, "snippet": "ask(1)"})
+        self.assertEqual(none, {"seq": 3, "abstains": "no snippets of mass"})
+
     def test_it_is_small(self):
         for file in (ROOT / "adapters" / LANGUAGE).glob("touchstone_adapter.*"):
             self.assertLess(len(file.read_text().splitlines()), 120, file)

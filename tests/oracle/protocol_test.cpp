@@ -197,12 +197,18 @@ TEST_CASE("schema and reader refuse the same introductions") {
 }
 
 TEST_CASE("a card survives the way") {
-  const Card card{
-      "n", "1.2", Precision::binary32, {"mass"}, true, 0.05, "about", "home", {{"TS-MASS-1", "what", "link"}}};
+  Card card{"n", "1.2", Precision::binary32, {"mass"}, true, 0.05, "about", "home", {{"TS-MASS-1", "what", "link"}}};
+  card.domain = {Interval{0.25, 100}, 1000, 50, 64, 10, 8, 20};
+  card.distance_tolerance = {0.5, 0.125};
+  card.reproduces = {"mass"};
   const std::string line = protocol::introduction(9, card);
   const Card read = protocol::read_introduction(line, 9);
   CHECK(protocol::introduction(9, read) == line);
   CHECK(read.deviations.at(0).clause == "TS-MASS-1");
+  CHECK(read.domain == card.domain);
+  CHECK(read.distance_tolerance == card.distance_tolerance);
+  CHECK(read.reproduces == card.reproduces);
+  CHECK(by_schema({line.substr(0, line.size() - 1)}) == std::vector<std::string>{"ok"});
   CHECK_THROWS_WITH(protocol::read_introduction(line, 8), "introduction.seq: not that of the question");
 }
 
@@ -212,6 +218,25 @@ TEST_CASE("a question survives the way") {
   CHECK(request.seq == 7);
   CHECK(request.query == "distance");
   CHECK(request.scene == scene());
+}
+
+TEST_CASE("a request for a snippet and its answer survive the way") {
+  const std::string line = protocol::reproduce(7, "distance", json_of(scene()).dump());
+  const protocol::Request request = protocol::read_request(line);
+  CHECK(request.op == protocol::Request::Op::reproduce);
+  CHECK(request.query == "distance");
+  CHECK(request.scene == scene());
+  const std::string answer = R"({"seq":7,"snippet":"print(\"1\")\n"})";
+  CHECK(std::get<std::string>(protocol::read_snippet(answer, 7)) == "print(\"1\")\n");
+  CHECK(std::get<Abstains>(protocol::read_snippet(R"({"seq":7,"abstains":"no"})", 7)).why == "no");
+  CHECK_THROWS(protocol::read_snippet(R"({"seq":7,"result":{}})", 7));
+  CHECK(by_schema({line.substr(0, line.size() - 1), answer}) == std::vector<std::string>(2, "ok"));
+}
+
+TEST_CASE("a C++ subject abstains from snippets") {
+  ChildProcess child({TOUCHSTONE_SUBJECTS "/touchstone-subject-fast"});
+  const auto said = child.exchange(protocol::reproduce(3, "distance", json_of(scene()).dump()), {60, 60, 1 << 20});
+  CHECK(std::get<Abstains>(protocol::read_snippet(std::get<std::string>(said), 3)).why == "no snippets");
 }
 
 }  // namespace

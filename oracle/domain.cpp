@@ -1,0 +1,106 @@
+#include "oracle/domain.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "model/infinity.h"
+#include "oracle/tolerance/tolerance.h"
+#include "oracle/truth/truth.h"
+
+namespace touchstone::oracle {
+namespace {
+
+/// m: thickness and length, as the header defines them.
+Interval extent(const Sphere& s) { return {2 * s.radius, 2 * s.radius}; }
+Interval extent(const Box& b) { return {2 * b.half_extents.minCoeff(), 2 * b.half_extents.stableNorm()}; }
+Interval extent(const Polytope& p) {
+  const auto at = [&p](int i) { return p.vertices[static_cast<std::size_t>(i)]; };
+  Interval found{infinity, 0};
+  for (const Vec3& v : p.vertices) found.hi = std::max(found.hi, (v - p.vertices.front()).stableNorm());
+  for (const std::vector<int>& face : p.faces) {
+    Vec3 normal = Vec3::Zero();  // the sum of a fan of triangles, whose normals agree
+    for (std::size_t k = 2; k < face.size(); ++k) {
+      normal += (at(face[k - 1]) - at(face[0])).cross(at(face[k]) - at(face[0]));
+    }
+    normal.stableNormalize();
+    double height = 0;
+    for (const Vec3& v : p.vertices) height = std::max(height, normal.dot(at(face[0]) - v));
+    found.lo = std::min(found.lo, height);
+  }
+  return found;
+}
+
+/// Of all parts: the least thickness, the greatest length, the greatest aspect, the most vertices.
+struct Measures {
+  Interval lengths{infinity, 0};
+  double aspect = 0;
+  std::size_t vertices = 0;
+
+  template <class Shape>
+  void add(const Shape& shape) {
+    const Interval part = extent(shape);
+    lengths = {std::min(lengths.lo, part.lo), std::max(lengths.hi, part.hi)};
+    aspect = std::max(aspect, part.lo > 0 ? part.hi / part.lo : infinity);
+    if constexpr (std::is_same_v<Shape, Polytope>) vertices = std::max(vertices, shape.vertices.size());
+  }
+  void add(const Compound& compound) {
+    for (const Part& part : compound.parts) std::visit([this](const auto& shape) { add(shape); }, part.shape);
+  }
+};
+
+double mass_ratio(const Scene& scene) {
+  Interval masses{infinity, 0};
+  for (const auto& truth : truth::mass(scene)) {
+    if (truth) masses = {std::min(masses.lo, truth->mass.lo), std::max(masses.hi, truth->mass.hi)};
+  }
+  return masses.hi > 0 ? masses.hi / masses.lo : 1;
+}
+
+std::optional<std::string> above(double value, const std::optional<double>& limit, const char* what) {
+  if (!limit || value <= *limit) return std::nullopt;
+  return fmt::format("{} {:.3g} is above {:.3g}", what, value, *limit);
+}
+
+std::optional<std::string> beyond_lengths(const Interval& limits, const Interval& lengths) {
+  if (lengths.lo < limits.lo) return fmt::format("a thickness of {:.3g} m is below {:.3g} m", lengths.lo, limits.lo);
+  return above(lengths.hi, limits.hi, "a length, m:");
+}
+
+bool limits_bodies(const Domain& domain) { return domain.lengths || domain.aspect || domain.vertices; }
+
+std::optional<std::string> beyond_bodies(const Domain& domain, const Scene& scene) {
+  Measures measures;
+  for (const Body& body : scene.bodies) std::visit([&](const auto& shape) { measures.add(shape); }, body.shape);
+  if (domain.lengths) {
+    if (auto why = beyond_lengths(*domain.lengths, measures.lengths)) return why;
+  }
+  if (auto why = above(measures.aspect, domain.aspect, "an aspect of")) return why;
+  return above(static_cast<double>(measures.vertices), domain.vertices, "a number of vertices:");
+}
+
+}  // namespace
+
+std::optional<std::string> beyond(const Domain& domain, const Scene& scene) {
+  if (domain.reach) {
+    if (auto why = above(tolerance::scale(scene), domain.reach, "a coordinate, m:")) return why;
+  }
+  double speed = 0;
+  double angular_speed = 0;
+  for (const Body& body : scene.bodies) {
+    speed = std::max(speed, body.velocity.v_WBcm.stableNorm());
+    angular_speed = std::max(angular_speed, body.velocity.w_WB.stableNorm());
+  }
+  if (auto why = above(speed, domain.speed, "a speed, m/s:")) return why;
+  if (auto why = above(angular_speed, domain.angular_speed, "an angular speed, rad/s:")) return why;
+  if (limits_bodies(domain)) {
+    if (auto why = beyond_bodies(domain, scene)) return why;
+  }
+  return domain.mass_ratio ? above(mass_ratio(scene), domain.mass_ratio, "a mass ratio of") : std::nullopt;
+}
+
+}  // namespace touchstone::oracle

@@ -1,0 +1,40 @@
+// What a subject's maker vouches for, as data on its card: the scenes, and how accurate distances are there.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "model/scene.h"
+
+namespace touchstone::oracle {
+
+/// Limits that are absent limit nothing. A scene is inside if all its bodies (of a compound: all parts) are within all
+/// limits.
+struct Domain {
+  std::optional<Interval> lengths;      ///< m: a body is no thinner than lo, and no longer than hi
+  std::optional<double> reach;          ///< m: greatest absolute coordinate, plus the radius about the body's origin
+  std::optional<double> aspect;         ///< 1: length over thickness of a body
+  std::optional<int> vertices;          ///< of a polytope
+  std::optional<double> mass_ratio;     ///< 1: of the greatest and the least mass of two bodies that are not fixed
+  std::optional<double> speed;          ///< m/s: of a centre of mass at the start
+  std::optional<double> angular_speed;  ///< rad/s, likewise
+
+  bool operator==(const Domain&) const = default;
+};
+
+/// By how much a distance or a depth may be off beyond rounding: absolute + relative · length.
+struct DistanceTolerance {
+  double absolute = 0;  ///< m
+  double relative = 0;  ///< 1
+
+  double of(double length) const { return absolute + relative * length; }
+  bool operator==(const DistanceTolerance&) const = default;
+};
+
+/// The limit that the scene exceeds, in words with numbers; none if it is inside. The thickness of a polytope is its
+/// least height over one of its faces, that of a sphere its diameter, that of a box its shortest side. The length is
+/// the greatest distance from the first vertex, the diameter, or the diagonal. Errors: of doubles; a scene within 2⁻⁴⁰
+/// of a limit may be on either side.
+std::optional<std::string> beyond(const Domain& domain, const Scene& scene);
+
+}  // namespace touchstone::oracle

@@ -1,0 +1,93 @@
+"""Usage: engines_test.py ROOT PROGRAM. The adapters of engines in adapters/engines: each passes `adapter check`, and Rapier's
+snippets show three of its faults by themselves. The engines are looked for in the folder node_modules that
+TOUCHSTONE_NODE_MODULES names, or in adapters/engines/node_modules (made by `npm ci` there). Without them, or without
+Node.js, says so and exits with code 77, which CTest reports as skipped."""
+
+import json
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+ROOT, PROGRAM = pathlib.Path(sys.argv[1]), sys.argv[2]
+SKIPPED = 77
+MODULES = pathlib.Path(os.environ.get("TOUCHSTONE_NODE_MODULES", ROOT / "adapters/engines/node_modules"))
+PACKAGES = {"rapier": "@dimforge/rapier3d-compat", "mujoco": "mujoco-js"}
+NUMBER = r"(-?[\d.]+(?:e-?\d+)?)"
+
+
+def numbers_after(words, text):
+    return [float(number) for number in re.findall(words + " *" + NUMBER, text)]
+
+
+class Engines(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        holder = tempfile.TemporaryDirectory(prefix="touchstone_")
+        cls.addClassCleanup(holder.cleanup)
+        cls.folder = pathlib.Path(holder.name)
+        for part in ("engines", "js"):
+            shutil.copytree(ROOT / "adapters" / part, cls.folder / part, ignore=shutil.ignore_patterns("node_modules"))
+        (cls.folder / "engines/node_modules").symlink_to(MODULES)
+
+    def run_program(self, *words):
+        return subprocess.run([PROGRAM, *map(str, words)], cwd=self.folder, capture_output=True, text=True, timeout=300)
+
+    def test_they_are_small_and_pass(self):
+        for name in PACKAGES:
+            self.assertLess(len((ROOT / f"adapters/engines/{name}.mjs").read_text().splitlines()), 80, name)
+            done = self.run_program("adapter", "check", f"exec:node engines/{name}.mjs")
+            self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+
+    def fault(self, name):
+        """The finding, and what each snippet of the case prints: a law about two answers has two."""
+        done = self.run_program("minimise", ROOT / f"tests/adapters/faults/{name}.json", "--budget", 1, "--subject",
+                                "exec:node engines/rapier.mjs", "--out", "case.json")
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        case = json.loads((self.folder / "case.json").read_text())
+        return case["finding"], [self.printed_by(said["snippet"]) for said in (case, case.get("changed")) if said]
+
+    def printed_by(self, snippet):
+        done = subprocess.run(["node", "--input-type=module"], input=snippet, cwd=self.folder / "engines", capture_output=True,
+                              text=True, timeout=60)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return done.stdout
+
+    def test_inertia_depends_on_the_order_of_the_vertices(self):
+        """A hull of 1 m x 2 m x 2 m and 4 kg has the moments 8/3, 5/3 and 5/3 kg m²."""
+        finding, printed = self.fault("order_dependent_inertia")
+        self.assertEqual((finding["outcome"], finding["defect"]), ("fails", "relabelled"))
+        self.assertGreater(finding["relative"], 0.37)
+        about_x = [numbers_after(r"about x gives DI \{ x:", said)[0] for said in printed]
+        self.assertAlmostEqual(about_x[0], 3 / 5, delta=1e-6)  # 1/I: of a wrong axis
+        self.assertAlmostEqual(about_x[1], 3 / 8, delta=1e-6)  # right
+
+    def test_mass_vanishes(self):
+        """A tetrahedron of 1/96 kg: a sixth of 4 m · 1 m · 1/64 m, at a density of 1 kg/m³."""
+        finding, (printed,) = self.fault("vanishing_mass")
+        self.assertEqual((finding["outcome"], finding["defect"]), ("fails", "wrong_mass"))
+        self.assertGreater(finding["relative"], 0.999)
+        mass, = numbers_after("mass:", printed)
+        self.assertEqual(mass, float(finding["observed"]))
+        self.assertLess(mass, 1e-8)
+
+    def test_bodies_apart_overlap(self):
+        """Two tetrahedra of 5 mm are 0.303 mm apart."""
+        finding, (printed,) = self.fault("false_overlap")
+        self.assertEqual((finding["outcome"], finding["defect"], finding["relative"]), ("fails", "too_near", 1))
+        self.assertGreater(finding["of_body"], 0.05)
+        self.assertAlmostEqual(finding["margin"][0], 0.000303, delta=1e-6)
+        distance, = numbers_after("distance:", printed)
+        self.assertLess(distance, 0)
+
+
+if __name__ == "__main__":
+    missing = [package for package in PACKAGES.values() if not (MODULES / package).exists()]
+    if missing or not shutil.which("node"):
+        print(f"Skipped: {'not installed in ' + str(MODULES) + ': ' + ', '.join(missing) if missing else 'no Node.js'}")
+        sys.exit(SKIPPED)
+    unittest.main(argv=sys.argv[:1])

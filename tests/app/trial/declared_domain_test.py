@@ -1,0 +1,92 @@
+"""A card declares a domain and a tolerance of distances: inside it is judged by them, outside it is asked too, and counted
+apart. An adapter's snippets are in the cases and on the page."""
+
+import os
+import pathlib
+import unittest
+
+from program import *
+
+# Answers as fast does, but makes distances larger by a factor, where a hull has more than 6 vertices by 2.
+ENGINE_OF = """
+import json, subprocess, sys
+def large(scene):
+    return any(len(body["shape"].get("vertices", [])) > 6 for body in scene["bodies"])
+with subprocess.Popen(["FAST"], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True) as fast:
+    for line in sys.stdin:
+        message = json.loads(line)
+        if message["op"] == "reproduce":
+            print(json.dumps({"seq": message["seq"], "snippet": "ask <me> about %d bodies" % len(message["scene"]["bodies"])}),
+                  flush=True)
+            continue
+        fast.stdin.write(line)
+        fast.stdin.flush()
+        if message["op"] == "stop":
+            break
+        answer = json.loads(fast.stdout.readline())
+        if "card" in answer:
+            answer["card"].update(name="mine", answers=["distance"], knows_touching=False, reproduces=["distance"], **DECLARED)
+        elif "result" in answer:
+            factor = 2 if large(message["scene"]) else FACTOR
+            answer["result"] = {"distance": answer["result"]["distance"] * factor}
+        print(json.dumps(answer), flush=True)
+"""
+FAST = pathlib.Path(os.environ["TOUCHSTONE_SUBJECTS"]) / "touchstone-subject-fast"
+
+
+def most_vertices(scene):
+    return max(len(body["shape"].get("vertices", [])) for body in scene["bodies"])
+
+
+class DeclaredDomain(Test):
+    def engine(self, declared, factor=1):
+        text = ENGINE_OF.replace("FAST", str(FAST)).replace("DECLARED", repr(declared)).replace("FACTOR", str(factor))
+        return "exec:/usr/bin/python3 " + str(self.folder / self.file("mine.py", text))
+
+    def checked(self, declared, factor=1, code=0):
+        said = self.succeeds("check", "--subjects", self.engine(declared, factor), "--properties", "distance.value", "--cases", 60,
+                             "--json", "r.json", code=code)
+        return said, self.json("r.json")["rows"][0]
+
+    def test_outside_is_asked_too_and_counted_apart(self):
+        said, row = self.checked({"domain": {"vertices": 6}})
+        self.assertEqual(row["fails"], 0)
+        self.assertGreater(row["holds"], 0)
+        self.assertRegex(said, r"outside its declared domain, counted apart: \d+ answers hold, [1-9]\d* fail")
+        apart = self.json("r.json")["beyond"]
+        self.assertEqual([row["property"] for row in apart], ["distance.value"])
+        self.assertEqual(row["beyond"], apart[0]["holds"] + apart[0]["fails"] + apart[0]["abstains"] + apart[0]["outside"])
+        self.assertIn("a number of vertices", apart[0]["worst"]["beyond"])
+
+    def test_without_a_declaration_nothing_is_apart(self):
+        said, row = self.checked({}, code=1)
+        self.assertGreater(row["fails"], 0)
+        self.assertNotIn("beyond", row)
+        self.assertNotIn("apart", said)
+
+    def test_a_declared_tolerance_is_granted(self):
+        declared = {"domain": {"vertices": 6}}
+        self.assertGreater(self.checked(declared, 1.0005, code=1)[1]["fails"], 0)
+        self.assertEqual(self.checked({**declared, "distance_tolerance": {"relative": 0.001}}, 1.0005)[1]["fails"], 0)
+
+    def test_a_case_outside_stays_outside_and_has_its_snippet(self):
+        self.succeeds("report", "--subjects", self.engine({"domain": {"vertices": 6}}, 1.5), "--properties",
+                      "distance.value,distance.scaled", "--cases", 60, "--meshes", "none", "--out", "R")
+        inside = self.json("R/cases/distance.value.mine.json")
+        outside = self.json("R/cases/distance.value.mine.beyond.json")
+        self.assertLessEqual(most_vertices(inside["scene"]), 6)
+        self.assertGreater(most_vertices(outside["scene"]), 6)
+        self.assertEqual(inside["snippet"], "ask <me> about 2 bodies")
+        page = (self.folder / "R/index.html").read_text()
+        self.assertIn("<pre>ask &lt;me&gt; about 2 bodies</pre>", page)
+        self.assertIn("outside its declared domain", page)
+        self.succeeds("replay", "R/cases/distance.value.mine.json", "--subject", self.engine({}, 1.5), code=1)
+
+    def test_a_limit_is_a_number_of_at_least_zero(self):
+        for domain, place in [({"reach": -1}, "domain.reach"), ({"lengths": [1]}, "domain.lengths"), ({"size": 1}, "domain"),
+                              ({"vertices": 1.5}, "domain.vertices")]:
+            self.refused("check", "--subjects", self.engine({"domain": domain}), says="introduction.card." + place)
+
+
+if __name__ == "__main__":
+    unittest.main()
