@@ -13,7 +13,7 @@ import sys
 import tempfile
 import unittest
 
-ROOT, PROGRAM = pathlib.Path(sys.argv[1]), sys.argv[2]
+ROOT, PROGRAM = pathlib.Path(sys.argv[1]).resolve(), sys.argv[2]
 SKIPPED = 77
 MODULES = pathlib.Path(os.environ.get("TOUCHSTONE_NODE_MODULES", ROOT / "adapters/engines/node_modules"))
 PACKAGES = {"rapier": "@dimforge/rapier3d-compat", "mujoco": "mujoco-js"}

@@ -70,8 +70,9 @@ class DeclaredDomain(Test):
         self.assertEqual(self.checked({**declared, "distance_tolerance": {"relative": 0.001}}, 1.0005)[1]["fails"], 0)
 
     def test_a_case_outside_stays_outside_and_has_its_snippet(self):
+        write_meshes(self.folder / "meshes")
         self.succeeds("report", "--subjects", self.engine({"domain": {"vertices": 6}}, 1.5), "--properties",
-                      "distance.value,distance.scaled", "--cases", 60, "--meshes", "none", "--out", "R")
+                      "distance.value,distance.scaled", "--cases", 60, "--meshes", "meshes", "--out", "R")
         inside = self.json("R/cases/distance.value.mine.json")
         outside = self.json("R/cases/distance.value.mine.beyond.json")
         self.assertLessEqual(most_vertices(inside["scene"]), 6)
