@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "fast/mark.h"
 #include "fast/pixel/bit_mask.h"
 #include "fast/pixel/depth_map.h"
 #include "fast/pixel/exact_column.h"
@@ -20,6 +21,7 @@ exact::Dyadic exact_centre(double start, double pixel, int i) {
 class Seen {
  public:
   Seen(Part part, const Raster& raster) : part_(std::move(part)), raster_(raster) {
+    mark(Mark::pixel_seen);
     const Grid grid(raster);
     const PosedPart placed = posed(part_, grid);
     static const std::vector<std::vector<int>> none;

@@ -224,9 +224,10 @@ Finding fixed(const Scene& scene, Subject& subject) {
 }
 
 /// Compares the answer for the transformed scene, transformed back by `back`, with the original answer. Each of the two
-/// may be off by its bound.
-template <class Back>
-Finding covariant(const Scene& scene, const std::optional<Scene>& moved, Subject& subject, Back&& back) {
+/// may be off by its bound. `ball(n)`: the number in the transformed scene of a ball that is the n-th body.
+template <class Back, class Ball>
+Finding covariant(const Scene& scene, const std::optional<Scene>& moved, Subject& subject, Defect defect, Back&& back,
+                  Ball&& ball) {
   return of_rolling(scene, subject, [&](const RollingCase& asked) {
     return of_moved(moved, subject, [&](const Scene& other) {
       return judge::given(subject.constraint(other), [&](const Trajectory& said) {
@@ -234,8 +235,8 @@ Finding covariant(const Scene& scene, const std::optional<Scene>& moved, Subject
         return each_sample(asked, [&](std::size_t i) {
           if (i >= said.states.size()) return judge::outside("the second answer ends before this sample");
           const Vec3 p = asked.ball(i).X_WB.p_WB;
-          const Vec3 q = back(said.states[i][static_cast<std::size_t>(asked.truth.ball)].X_WB.p_WB);
-          return judge::at_most((p - q).norm(), metres(2 * asked.bounds[i].place), Defect::moved_with_frame,
+          const Vec3 q = back(said.states[i][ball(static_cast<std::size_t>(asked.truth.ball))].X_WB.p_WB);
+          return judge::at_most((p - q).norm(), metres(2 * asked.bounds[i].place), defect,
                                 [&] { return text(q) + ", transformed back," + at(asked.scene, i); },
                                 [&] { return text(p); });
         });
@@ -244,14 +245,32 @@ Finding covariant(const Scene& scene, const std::optional<Scene>& moved, Subject
   });
 }
 
+std::size_t same_number(std::size_t body) { return body; }
+
 Finding moved(const Scene& scene, Subject& subject) {
   const std::optional<Scene> other = translated(scene);
   const Vec3 by = other ? translation_between(scene, *other) : Vec3::Zero();
-  return covariant(scene, other, subject, [&](const Vec3& p) { return Vec3(p - by); });
+  return covariant(
+      scene, other, subject, Defect::moved_with_frame, [&](const Vec3& p) { return Vec3(p - by); }, same_number);
 }
 
 Finding turned_world(const Scene& scene, Subject& subject) {
-  return covariant(scene, turned(scene), subject, [](const Vec3& p) { return turned(turned(p)); });
+  return covariant(
+      scene, turned(scene), subject, Defect::moved_with_frame, [](const Vec3& p) { return turned(turned(p)); },
+      same_number);
+}
+
+Finding renumbered(const Scene& scene, Subject& subject) {
+  const std::size_t last = scene.bodies.size() - 1;
+  return covariant(
+      scene, swapped(scene), subject, Defect::relabelled, [](const Vec3& p) { return p; },
+      [last](std::size_t body) { return last - body; });
+}
+
+Finding mirrored_world(const Scene& scene, Subject& subject) {
+  return covariant(
+      scene, mirrored(scene), subject, Defect::moved_with_frame,
+      [](const Vec3& p) { return Vec3(-p.x(), p.y(), p.z()); }, same_number);
 }
 
 Finding survives_any(const Scene& scene, Subject& subject) {
@@ -291,6 +310,16 @@ std::vector<Property> constraint_properties() {
       {"constraint.apart", query, {"TS-CONSTRAINT-6"}, "bodies do not penetrate each other", apart},
       {"constraint.energy", query, {"TS-CONSTRAINT-7"}, "energy never rises", energy_falls},
       {"constraint.cone", query, {"TS-CONSTRAINT-8"}, "contact impulses push, and friction stays in its cone", cone},
+      {"constraint.renumbered",
+       query,
+       {"TS-CONSTRAINT-11"},
+       "listing the bodies in another order changes nothing",
+       renumbered},
+      {"constraint.mirrored",
+       query,
+       {"TS-CONSTRAINT-11"},
+       "mirroring the world mirrors the trajectory",
+       mirrored_world},
       {"constraint.survives",
        query,
        {"TS-CONSTRAINT-9"},

@@ -7,6 +7,7 @@
 
 #include "fast/exact/vector.h"
 #include "fast/lin_canny/rotation.h"
+#include "fast/mark.h"
 
 namespace touchstone::fast {
 namespace {
@@ -49,7 +50,10 @@ class Uphill {
   bool higher(const Hull::Spoke& spoke, int from) {
     const double slope = direction_.dot(spoke.away);
     if (hull_.fits_doubles() && std::abs(slope) > slope_error) return slope > 0;
-    if (!row_) row_ = exact_row(poses_, axis_);
+    if (!row_) {
+      mark(Mark::climb_exact);
+      row_ = exact_row(poses_, axis_);
+    }
     const Vec3& there = hull_.vertex(spoke.other);
     const Vec3& here = hull_.vertex(from);
     const int rises = sign_ * dot(*row_, exact::vector(there) - exact::vector(here)).sign();
@@ -59,6 +63,7 @@ class Uphill {
   int top(int vertex) {
     for (const Hull::Spoke* s = hull_.spokes_begin(vertex); s != hull_.spokes_end(vertex);) {
       if (higher(*s, vertex)) {
+        mark(Mark::climb_step);
         vertex = s->other;
         s = hull_.spokes_begin(vertex);
       } else {
@@ -82,6 +87,7 @@ class Uphill {
 Climb::Climb(std::shared_ptr<const lin_canny::Hull> hull, int start) : hull_(std::move(hull)) { six_.fill(start); }
 
 const Climb::Six& Climb::climb(std::span<const Pose> poses, const Mat3& R) {
+  mark(Mark::climb);
   for (int k = 0; k < 6; ++k) {
     int& vertex = six_[static_cast<std::size_t>(k)];
     vertex = Uphill(*hull_, poses, R, k % 3, k < 3 ? 1 : -1).top(vertex);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "fast/mark.h"
+
 namespace touchstone::fast {
 namespace {
 
@@ -43,6 +45,7 @@ void WrappedGrid::refresh() {
   if (must_rebuild()) {
     rebuild();
   } else {
+    mark(Mark::grid_update);
     scan_near();
     scan_pairs();
     for (const BodyId id : escaped_) update_entry(id);
@@ -104,6 +107,7 @@ void WrappedGrid::scan_pairs() {
 // ---- all bodies
 
 void WrappedGrid::rebuild() {
+  mark(Mark::grid_rebuild);
   cells_.expect(pairs_.size(), count());
   for (const BodyPair pair : pairs_)
     if (!overlap(box_[pair.a], box_[pair.b])) append(ended_, pair);
@@ -128,6 +132,7 @@ void WrappedGrid::sort_into_cells() {
                           ids_.size() < 2 * laid_out_for_ &&
                           std::all_of(ids_.begin(), ids_.end(), [this](BodyId id) { return cells_.fits(box_[id]); });
   if (!still_fits) {
+    mark(Mark::grid_layout);
     cells_.lay_out(box_, ids_, start_);
     laid_out_for_ = ids_.size();
     sorts_ = 0;
@@ -241,6 +246,7 @@ void WrappedGrid::update_entry(BodyId id) {
     return;
   }
   leave(id);
+  mark(Mark::grid_chain);
   slot_[id] = static_cast<std::uint32_t>(entries_.size());
   entries_.push_back(e);
   chains_.links.push_back(chains_.last[place]);
@@ -251,6 +257,7 @@ void WrappedGrid::update_entry(BodyId id) {
 void WrappedGrid::leave(BodyId id) {
   if (slot_[id] == none) return;
   if (slot_[id] >= chains_.first_slot) {
+    mark(Mark::grid_unchain);
     std::uint32_t* link = &chains_.last[cells_.place_of(entries_[slot_[id]])];
     while (*link != slot_[id]) link = &chains_.before(*link);
     *link = chains_.before(slot_[id]);
@@ -280,12 +287,14 @@ void WrappedGrid::find_escaped(BodyId a) {
       append(near_, pair);
   };
   for (const CellLevel& level : cells_.levels) {
-    if (few_rows(e, level))
+    if (few_rows(e, level)) {
       for_each_near<true>(e, below(e.lo[0], level.reach[0]), level, visit);
-    else
+    } else {
+      mark(Mark::grid_long_body);
       for_each_in(level, [&](const CellBox& b) {
         if (b.near(e)) visit(b);
       });
+    }
   }
 }
 

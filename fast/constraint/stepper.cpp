@@ -4,6 +4,7 @@
 #include <string>
 
 #include "fast/contact/solver.h"
+#include "fast/mark.h"
 #include "model/limits.h"
 
 namespace touchstone::fast::constraint {
@@ -44,6 +45,7 @@ void Stepper::emit_forces(double time) {
   for (; begun_ < forces.size() && forces[begun_].time <= time; ++begun_) {
     const AppliedForce& force = forces[begun_];
     if (force.time <= 0) continue;
+    mark(Mark::step_force);
     events_.push_back({Event::Kind::force,
                        time,
                        force.body,
@@ -86,6 +88,7 @@ void Stepper::solve_contacts(std::vector<contact::Twist>& twists, double weight)
     bounces = true;
   }
   if (!bounces) return;
+  mark(Mark::step_bounce);
   twists = free;
   solve(contacts_.rows, mobilities_, twists, {.sweeps = sweeps_});
 }
@@ -101,7 +104,9 @@ std::vector<contact::Twist> Stepper::apart(double h) {
     near.back().P.setZero();
     near.back().least_u_n = (skin_ - contacts_.points[i].gap) / h;
   }
-  if (!near.empty()) solve(near, mobilities_, shift, {.sweeps = sweeps_});
+  if (near.empty()) return shift;
+  mark(Mark::step_shift);
+  solve(near, mobilities_, shift, {.sweeps = sweeps_});
   return shift;
 }
 

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "fast/exact/surrounded.h"
+#include "fast/mark.h"
 
 namespace touchstone::fast::exact {
 namespace {
@@ -134,6 +135,7 @@ Nearest nearest(Difference& difference, std::vector<VertexPair> start) {
       return answer;
     }
     hold(beyond);
+    mark(Mark::exact_step);
   }
 }
 

@@ -7,6 +7,7 @@
 #include "fast/impulse/phase.h"
 #include "fast/impulse/stop.h"
 #include "fast/impulse/turning.h"
+#include "fast/mark.h"
 
 namespace touchstone::fast::impulse {
 namespace {
@@ -40,9 +41,14 @@ bool is_straight(const Impact& i, const ImpactState& at) {
 
 CurveEnd go_round(const Impact& i, const Goal& goal, ImpactState& at, double& closest_miss) {
   const double speeds = std::abs(i.u1) + std::abs(i.u2) + std::abs(i.un);
+  mark(Mark::impulse_curve);
   while (at.s > 0x1p-70 * speeds) {
     if (is_straight(i, at)) return CurveEnd::straightened;
-    if (stops(i, goal, at)) return CurveEnd::stop;
+    if (stops(i, goal, at)) {
+      mark(Mark::impulse_series);
+      return CurveEnd::stop;
+    }
+    mark(Mark::impulse_phase);
     const auto by_direction = phase_by_direction(i, at);
     Phase phase = by_direction ? *by_direction : phase_by_time(i, at);
     const Series u = normal_speed(i, phase, normal_speed(i, at));

@@ -6,6 +6,7 @@
 #include "fast/impulse/curve.h"
 #include "fast/impulse/restart.h"
 #include "fast/impulse/straight.h"
+#include "fast/mark.h"
 #include "fast/rounding.h"
 
 namespace touchstone::fast::impulse {
@@ -79,6 +80,7 @@ class ImpactSolver {
     if (i_.e > 0) closest_miss_ = std::min(closest_miss_, std::abs(u));
     if (!(u < -noise * speeds_) || ++compressions_ > most_compressions) return false;
     outcome_.regime.compressed_again = true;
+    mark(Mark::impulse_again);
     return true;
   }
 
@@ -93,6 +95,7 @@ class ImpactSolver {
         const Restart from = restart(i_);
         if (!from.sticks) {
           outcome_.regime.slid_off = true;
+          mark(Mark::impulse_slide_off);
           at_.c = from.c;
           at_.d = from.d;
         }
@@ -135,6 +138,7 @@ Outcome solve(const Impact& impact) {
   const double K = std::max({impact.l1, impact.l2, impact.b});
   if (is_moderate(u) && is_moderate(K)) return ImpactSolver(impact).run();
   if (u == 0) return {};
+  mark(Mark::impulse_scaled);
   const double a = power_of_two(u), b = power_of_two(K);
   Impact scaled = impact;
   for (double* x : {&scaled.u1, &scaled.u2, &scaled.un}) *x /= a;

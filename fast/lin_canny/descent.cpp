@@ -7,6 +7,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "fast/mark.h"
+
 namespace touchstone::fast::lin_canny {
 namespace {
 
@@ -90,6 +92,7 @@ double height_of_all(const Hull& hull, const Vec3& n) {
 }  // namespace
 
 Simplex descend(const PosedHull& A, const PosedHull& B, double rounding_error) {
+  mark(Mark::descent);
   Simplex held(lowest(A, B, B.t - A.t));
   for (int i = 0; i < most_vertices; ++i) {
     Vec3 toward;
@@ -98,6 +101,7 @@ Simplex descend(const PosedHull& A, const PosedHull& B, double rounding_error) {
     const bool is_lower = toward.dot(held.w(0) - next.w) > rounding_error / 8 * toward.norm();
     if (!is_lower || has(held, next)) return held;
     held.add(next);
+    mark(Mark::descent_step);
   }
   return held;
 }

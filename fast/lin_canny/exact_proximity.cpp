@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "fast/exact/nearest.h"
+#include "fast/mark.h"
 #include "model/infinity.h"
 
 namespace touchstone::fast::lin_canny {
@@ -104,6 +105,7 @@ Proximity exact_proximity(const Convex& A, const CachedPose& body_A, const Conve
 
 Proximity exact_proximity(const Convex& A, const CachedPose& body_A, const Convex& B, const CachedPose& body_B,
                           const std::vector<VertexPair>& guess) {
+  mark(Mark::exact_proximity);
   const std::array<Pose, 2> poses_A = poses_of(A, body_A);
   const std::array<Pose, 2> poses_B = poses_of(B, body_B);
   exact::Difference difference(posed(A, poses_A), posed(B, poses_B));

@@ -1,6 +1,8 @@
 // Directions among which there is one that separates two convex bodies, if any does (separating axis theorem).
 #pragma once
 
+#include <Eigen/Geometry>
+
 #include "fast/lin_canny/posed_hull.h"
 #include "model/infinity.h"
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "fast/mark.h"
+
 namespace touchstone::fast::lin_canny {
 namespace {
 
@@ -50,10 +52,16 @@ class Walk {
   Walk(const PosedHull& A, const PosedHull& B, std::vector<Closest>* visited) : A_(A), B_(B), visited_(visited) {}
 
   Walked from(const FeaturePair& start) {
+    mark(Mark::walk);
     now_ = closest(A_, B_, start);
-    if (now_.below && !rise(now_)) return {now_, true, false};
+    if (now_.below && !rise(now_)) {
+      mark(Mark::walk_inside);
+      return {now_, true, false};
+    }
     note();
     while (step()) note();
+    if (inside_) mark(Mark::walk_inside);
+    if (has_restarted_) mark(Mark::walk_restart);
     return {now_, inside_, has_restarted_};
   }
 
@@ -100,6 +108,7 @@ class Walk {
     if (!nearer && (!through || has_restarted_)) return false;
     has_restarted_ = has_restarted_ || !nearer;
     now_ = next;
+    mark(Mark::walk_step);
     return true;
   }
 

@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "fast/mark.h"
+
 namespace touchstone::fast::pixel {
 namespace {
 
@@ -76,6 +78,7 @@ ExactPart::ExactPart(const Part& part) : D_(1.0) {
 }
 
 std::optional<Column> ExactPart::above(const Dyadic& x, const Dyadic& y) const {
+  mark(Mark::pixel_exact);
   const Dyadic Dx = D_ * x;
   const Dyadic Dy = D_ * y;
   if (radius_ > 0) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "fast/mark.h"
 #include "fast/simulation/impact_event.h"
 #include "fast/simulation/island/island_event.h"
 #include "fast/simulation/later.h"
@@ -56,6 +57,7 @@ void complete_bounces(Run& run, const PairEvent& pair, const Touch& touch, doubl
   const World& world = run.world;
   const std::optional<RestCandidate> candidate = rest_candidate(world, pair.a, pair.b, touch);
   if (!candidate) return;
+  mark(Mark::micro_bounces);
   try_rest(run, *candidate, world.body(candidate->id).path().velocity(world.now()), {rebound, (1 + restitution) / 2},
            world.now() + 2 * rebound / (presses * (1 - restitution)));
 }

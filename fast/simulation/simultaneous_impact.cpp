@@ -5,6 +5,7 @@
 #include <optional>
 #include <tuple>
 
+#include "fast/mark.h"
 #include "fast/simulation/impact_event.h"
 #include "fast/simulation/island/island_event.h"
 #include "fast/simulation/response.h"
@@ -363,6 +364,7 @@ void resolve_impacts(Run& run, const std::vector<PairPoints>& contacts) {
       const ImpactCandidate& first = part.front().front();
       impulses.push_back({first.a, first.b, centre_of_pressure(run, part.front()), {}});
     } else {
+      mark(Mark::impact_together);
       act_together(run, part, impulses);
     }
   }

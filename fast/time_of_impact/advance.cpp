@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "fast/lin_canny/rotation.h"
+#include "fast/mark.h"
 #include "fast/motion/steady_turn.h"
 
 namespace touchstone::fast::time_of_impact {
@@ -48,15 +49,18 @@ class Advance {
   FirstContact run() {
     while (++queries_ <= most_queries) {
       if (const std::optional<double> h = balls_apart(pair_, t_)) {
+        mark(Mark::toi_balls);
         if (!go_on(*h)) return apart();
         continue;
       }
+      mark(Mark::toi_query);
       const SeparationQuery query(pair_, t_, memory_, known_);
       known_ = query.plane().direction();
       // That the two do not overlap was proved on the way here. At the start, any plane along whose normal they
       // separate will do. Later it must be the plane of this query, or a grazing contact would be missed.
       const bool is_good = query.plane().is_clear() || query.plane().parts();
       const std::optional<SeparatingPlane> other = !is_good && t_ == from_ ? query.parting() : std::nullopt;
+      if (other) mark(Mark::toi_parting);
       if (is_good || other) {
         const double before = t_;
         if (!go_on(query.clear_until(is_good ? query.plane() : *other, left()))) return apart();
@@ -116,6 +120,7 @@ class Advance {
 
   /// They may have touched between t_ and t.
   void doubt(double at_most, double t) {
+    mark(Mark::toi_doubt);
     if (!doubt_) doubt_ = Doubt{t_, t, at_most};
     doubt_->until = t;
     doubt_->gap = std::min(doubt_->gap, at_most);
@@ -151,6 +156,7 @@ class Advance {
 }  // namespace
 
 FirstContact advance(const Pair& pair, double from, double until, double envelope, lin_canny::FeaturePair& memory) {
+  mark(Mark::toi_search);
   Advance way(pair, from, until, envelope, memory);
   FirstContact met = way.run();
   met.queries = way.queries();

@@ -133,6 +133,7 @@ void mass_classes(const Scene& scene, Names& names) {
 
 void sequence_classes(const Scene& sequence, Names& names) {
   names.push_back("sequence");
+  if (sequence.bodies.size() > 16) names.push_back("sequence: more than 16 bodies");
   const PairHistory& truth = oracle::truth::pair_history(sequence);
   const std::vector<reference::FrameBoxes>& boxes = oracle::truth::sequence_bounds(sequence);
   Places before(sequence.bodies.size());
@@ -361,7 +362,8 @@ const std::vector<Class>& classes(const std::string& query) {
                                                  {"sequence: unchanged pose", 0.01},
                                                  {"sequence: body removed", 0.05},
                                                  {"sequence: two removed at once", 0.01},
-                                                 {"sequence: touching boxes", 0.04}};
+                                                 {"sequence: touching boxes", 0.04},
+                                                 {"sequence: more than 16 bodies", 0.02}};
   static const std::vector<Class> distance = distance_classes();
   static const std::vector<Class> penetration = with_shapes({{"separated", 0.15},
                                                              {"touching", 0.15},

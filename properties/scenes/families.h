@@ -21,6 +21,7 @@ std::vector<Family> contained_families();
 std::vector<Family> placed_families();
 std::vector<Family> crowd_families();
 std::vector<Family> sequence_families();
+std::vector<Family> long_sequence_families();
 std::vector<Family> mass_families();
 std::vector<Family> pixel_families();
 std::vector<Family> contact_families();

@@ -225,6 +225,25 @@ Scene overhangs(Random& random) {
   return scene;
 }
 
+/// A ball or a block at rest on a table, pushed along it by forces that begin and change.
+Scene pushed(Random& random) {
+  const double r = some_radius(random);
+  Scene scene = table_scene(random, r);
+  scene.bodies[1].material.friction = random.pick({0.0625, 0.125, 0.25});
+  if (random.one_in(2)) scene.bodies[0] = block(Vec3(2 * r, 2 * r, r), {Vec3(0, 0, r), {}}, 1);
+  scene.bodies[0].mass = Density{1};
+  scene.motion = sampled_at(0.5);
+  const double volume = 32 * r * r * r;  // of the block
+  scene.motion->force_bound = 16 * volume;
+  double time = random.pick({0.0, 0.0625, 0.1});
+  for (int i = random.between(1, 3); i > 0; --i) {
+    const Vec3 along{random.whole(-8, 8), random.whole(-8, 8), 0};
+    scene.motion->forces.push_back({time, 0, volume * along});
+    time += sixteenths(random, 1, 2);
+  }
+  return scene;
+}
+
 }  // namespace
 
 std::vector<Family> table_families() {
@@ -240,6 +259,7 @@ std::vector<Family> table_families() {
       {"tables.drops", "a ball that falls on a table with spin", queries, true, drops},
       {"tables.block", "a block on a slope, friction near the tangent", queries, false, block_on_slope},
       {"tables.overhangs", "blocks at rest over two edges of a table", queries, true, overhangs},
+      {"tables.pushed", "a ball or a block on a table, pushed by forces that begin and change", queries, false, pushed},
       {"tables.stack", "two or three boxes on each other, the upper up to 100 times as heavy", queries, false, stack},
   };
 }

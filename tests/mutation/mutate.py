@@ -106,7 +106,7 @@ def own_libclang():
         raise GiveUp(f"libclang for Python: {error} (Debian: apt-get install python3-clang)") from error
 
 
-def prepare(build, jobs):
+def prepare(build, jobs, groups):
     """Builds all programs that are tried, without a fault. Two runs in one build folder take turns."""
     build.mkdir(parents=True, exist_ok=True)
     lock = (build / ".lock").open("a")
@@ -116,13 +116,20 @@ def prepare(build, jobs):
         say(f"waiting for another run that builds or uses {build}")
         fcntl.flock(lock, fcntl.LOCK_EX)
     steps = [] if (build / "build.ninja").exists() else [["cmake", "--preset", "mutate", "-B", str(build)]]
-    for step in [*steps, ["ninja", "-C", str(build), "-j", str(jobs), "mutation"]]:
+    targets = [f"mutation_{group}" for group in groups]
+    for step in [*steps, ["ninja", "-C", str(build), "-j", str(jobs), *targets]]:
         try:
             if subprocess.run(step, cwd=ROOT, stdout=sys.stderr).returncode != 0:
                 raise GiveUp(f"failed: {' '.join(step)}")
         except FileNotFoundError as error:
             raise GiveUp(f"{step[0]} is missing") from error
     return lock
+
+
+def groups_of(options):
+    if options.only:
+        return [draws.group_of(options.only)]
+    return [options.group] if options.group else list(draws.GROUPS)
 
 
 def digest_of_source():
@@ -181,8 +188,8 @@ def chosen_draws(options, tree, reader):
 
 
 def list_mutants(options, tree, reader):
-    groups = [options.group] if options.group else list(draws.GROUPS)
-    for path in [options.only] if options.only else [path for group in groups for path in tree.files(group)]:
+    every = [path for group in groups_of(options) for path in tree.files(group)]
+    for path in [options.only] if options.only else every:
         for mutant in reader(path):
             if options.id in (None, mutant.id):
                 print(f"{mutant.id} {mutant.path}:{mutant.line}: {mutant.kind}: {mutant.after}")
@@ -250,7 +257,7 @@ def main(words):
     build = pathlib.Path(options.build or ROOT / "build-mutate").resolve()
     results.read_equivalent(EQUIVALENT)
     own_libclang()
-    lock = prepare(build, options.jobs)
+    lock = prepare(build, options.jobs, groups_of(options))
     tree = draws.SourceTree(ROOT)
     shop = workshop.Workshop(ROOT, build, tree, build / "mutation" / digest_of_source())
     reader = Reader(shop, tree)

@@ -79,6 +79,8 @@ const std::vector<Caught> caught = {
     {"canary.sinks", "constraint.turned", "tables.barely_flies", 0},
     {"canary.far_is_elsewhere", "constraint.fixed", "tables.slope", 0},
     {"canary.speeds_up", "constraint.velocity", "tables.falls", 0},
+    {"canary.veers", "constraint.mirrored", "tables.slides", 0},
+    {"canary.last_ball_lags", "constraint.renumbered", "tables.slides", 0},
     {"canary.spin_forgotten", "constraint.velocity", "tables.barely_flies", 0},
     {"canary.fixed_body_creeps", "constraint.fixed", "tables.falls", 0},
     {"canary.contacts_pull", "constraint.cone", "tables.drops", 0},

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "fast/mark.h"
 #include "fast/simulation/impact_event.h"
 #include "fast/simulation/island/island_rest.h"
 #include "fast/simulation/response.h"
@@ -188,6 +189,7 @@ bool merge_islands(Run& run, BodyId a, BodyId b) {
     run.rests.erase(island_body.id);
   }
   run.islands.insert(std::move(merged));
+  mark(Mark::island_merge);
   return true;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "fast/contact/patch.h"
+#include "fast/mark.h"
 #include "fast/simulation/trajectory.h"
 
 namespace touchstone::fast::simulation {
@@ -110,6 +111,7 @@ bool try_rest(Run& run, const RestCandidate& candidate, const Vec3& v_before, co
 }
 
 void end_rest_phase(Run& run, BodyId id) {
+  mark(Mark::rest_phase);
   const RestingContact was = *run.rests.of(id);
   const BodyMotion &body = run.world.body(id), &on = run.world.body(was.on);
   const double now = run.world.now();

@@ -87,6 +87,16 @@ void far_is_elsewhere(Subject&, const Scene& scene, Trajectory& said) {
   }
 }
 
+void to_the_right(State& state, const Body& body) {
+  if (const Sphere* sphere = std::get_if<Sphere>(&body.shape)) state.X_WB.p_WB.x() += sphere->radius / 2;
+}
+
+void last_ball_to_the_right(Subject&, const Scene& scene, Trajectory& said) {
+  for (std::vector<State>& states : said.states) {
+    if (!is_fixed(scene.bodies.back())) to_the_right(states.back(), scene.bodies.back());
+  }
+}
+
 void pulls_down(State& state, const Body& body) {
   if (const Sphere* sphere = std::get_if<Sphere>(&body.shape)) state.X_WB.p_WB.z() -= sphere->radius / 2;
 }
@@ -116,6 +126,10 @@ std::vector<Canary> canaries_about_constraints() {
       lying("canary.far_is_elsewhere",
             "puts bodies off by a twentieth of how far the first one started from the z axis",
             [] { return trajectories(far_is_elsewhere); }),
+      lying("canary.veers", "puts balls half their radius too far to the right",
+            [] { return each_state(to_the_right); }),
+      lying("canary.last_ball_lags", "puts a ball half its radius too far to the right if no body is listed after it",
+            [] { return trajectories(last_ball_to_the_right); }),
       lying("canary.speeds_up", "makes every ball twice as fast as it is",
             [] { return each_state([](State& state, const Body&) { state.velocity.v_WBcm *= 2; }); }),
       lying("canary.spin_forgotten", "reports no spin of any ball",

@@ -7,6 +7,7 @@
 #include "fast/bounds/fixed_cube.h"
 #include "fast/bounds/tight_box.h"
 #include "fast/lin_canny/rotation.h"
+#include "fast/motion/quaternion.h"
 #include "reference/bounds.h"
 #include "reference/exact_pose.h"
 #include "tests/catch.h"
@@ -81,6 +82,26 @@ TEST_CASE("climb: equals the scan over all vertices from every start") {
   for (int i = 0; i < 20; ++i) check_climb(round_hull(dice, 20), any_turn(dice));
   for (int i = 0; i < 20; ++i) check_climb(lattice_hull(dice), any_turn(dice));
   for (int i = 0; i < 20; ++i) check_climb(hull_with_tiny_edges(dice), any_turn(dice));
+}
+
+// With integers many corners are exactly at one height, and only the exact product of the two rotations shows it.
+TEST_CASE("climb: a part of a compound turns by the exact product of both rotations") {
+  Dice dice(25);
+  for (int i = 0; i < 60; ++i) {
+    const Polytope polytope = lattice_hull(dice);
+    const Quaternion outer = tests::integer_quaternion(dice), inner = tests::integer_quaternion(dice);
+    const std::array<Pose, 2> poses{Pose{Vec3::Zero(), outer}, Pose{Vec3::Zero(), inner}};
+    const Pose both{Vec3::Zero(), motion::product(outer, inner)};
+    const auto hull = std::make_shared<const lin_canny::Hull>(polytope);
+    for (int start = 0; start < static_cast<int>(polytope.vertices.size()); ++start) {
+      Climb climb(hull, start);
+      const Climb::Six& six = climb.climb(poses, lin_canny::rotation(outer) * lin_canny::rotation(inner));
+      for (int k = 0; k < 6; ++k) {
+        const int highest = scan(polytope, both, k % 3, k < 3 ? 1 : -1);
+        REQUIRE(hull->vertex(six[static_cast<std::size_t>(k)]) == polytope.vertices[static_cast<std::size_t>(highest)]);
+      }
+    }
+  }
 }
 
 /// Checks that `box` contains the exact one and is at most `allowed` wider on each side.

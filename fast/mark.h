@@ -1,0 +1,61 @@
+// Counts how often code ran that only special scenes reach, and code that costs much.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace touchstone::fast {
+
+/// A place in the code. Two laws are asked of the counts (tests/properties/scenes/marks_test.cpp): scenes reach
+/// the code it is for, and on generic scenes what is slow runs seldom. Else a fault there would change no answer: the
+/// code is never run, or an exact fallback mends what it did.
+enum class Mark : unsigned char {
+  climb,              ///< fast/bounds/climb: one polytope at one pose
+  climb_step,         ///< a vertex left for a higher one
+  climb_exact,        ///< an axis along which doubles could not decide
+  descent,            ///< fast/lin_canny/descent: one pair of convex parts
+  descent_step,       ///< a vertex difference added
+  exact_proximity,    ///< fast/lin_canny/exact_proximity: a pair that doubles could not decide
+  exact_step,         ///< fast/exact/nearest: a pair of vertices added
+  grid_chain,         ///< fast/broad_phase/wrapped_grid: an entry put into a chain
+  grid_layout,        ///< cells laid out
+  grid_long_body,     ///< a body across more rows than a level has
+  grid_rebuild,       ///< all entries sorted again
+  grid_unchain,       ///< an entry taken out of a chain
+  grid_update,        ///< a frame in which only the entries of few bodies changed
+  impulse_again,      ///< fast/impulse/solve: a second compression
+  impulse_curve,      ///< fast/impulse/curve: slip that turns, up to a goal or a stop
+  impulse_phase,      ///< one phase of that
+  impulse_scaled,     ///< an impact solved in other units
+  impulse_series,     ///< a stop found from the series for the remaining impulse
+  impulse_slide_off,  ///< slip that begins again where it has stopped
+  impact_together,    ///< fast/simulation/simultaneous_impact: impacts that act together
+  island_merge,       ///< fast/simulation/island: bodies that become one island
+  micro_bounces,      ///< fast/simulation/contact_event: bounces within the envelope, completed at once
+  pixel_exact,        ///< fast/pixel: a pixel that doubles could not decide
+  pixel_seen,         ///< a part that is projected
+  rest_phase,         ///< fast/simulation/rest: a phase of a contact in closed form that ends
+  step_bounce,        ///< fast/constraint/stepper: contacts solved again, with restitution
+  step_force,         ///< an applied force that begins
+  step_shift,         ///< a position correction
+  toi_balls,          ///< fast/time_of_impact/advance: two bodies far apart, as balls
+  toi_doubt,          ///< a time at which the two may have touched
+  toi_parting,        ///< contact at the start, along another normal
+  toi_query,          ///< a separation query
+  toi_search,         ///< one pair of convex parts
+  walk,               ///< fast/lin_canny/walk: one pair of convex parts
+  walk_inside,        ///< a vertex found inside the other part
+  walk_restart,       ///< continued from a far face that was no closer
+  walk_step,          ///< a step to a neighbouring feature
+  count_of_marks
+};
+
+using MarkCounts = std::array<std::uint64_t, static_cast<std::size_t>(Mark::count_of_marks)>;
+
+/// Of the thread, since it began.
+constinit inline thread_local MarkCounts mark_counts{};
+/// Adds one to the count of a place.
+inline void mark(Mark place) { ++mark_counts[static_cast<std::size_t>(place)]; }
+
+}  // namespace touchstone::fast

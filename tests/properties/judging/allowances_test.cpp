@@ -1,0 +1,103 @@
+// What each property allows, on the scenes made by hand: a regression pin. An allowance that becomes a thousand times
+// wider causes no wrong accusation, so no truthful subject and no canary would show it.
+#include <algorithm>
+#include <cstdio>
+#include <map>
+#include <string>
+
+#include "oracle/subject.h"
+#include "properties/property.h"
+#include "tests/catch.h"
+#include "tests/properties/generated_page.h"
+#include "tests/properties/kills.h"
+#include "tests/properties/scenes.h"
+
+using namespace touchstone;
+
+namespace {
+
+/// Truthful answers of a subject that says it computes in binary32.
+class Single : public oracle::Subject {
+ public:
+  explicit Single(std::unique_ptr<oracle::Subject> exact) : exact_(std::move(exact)), card_(exact_->card()) {
+    card_.precision = oracle::Precision::binary32;
+  }
+
+  const oracle::Card& card() const override { return card_; }
+  Answer<Masses> mass(const Scene& scene) override { return exact_->mass(scene); }
+  Answer<Bounds> bounds(const Scene& scene) override { return exact_->bounds(scene); }
+  Answer<PairSet> broad_phase(const Scene& scene) override { return exact_->broad_phase(scene); }
+  Answer<PairHistory> pair_history(const Scene& scene) override { return exact_->pair_history(scene); }
+  Answer<Distance> distance(const Scene& scene) override { return exact_->distance(scene); }
+  Answer<Penetration> penetration(const Scene& scene) override { return exact_->penetration(scene); }
+  Answer<Pixels> pixel(const Scene& scene) override { return exact_->pixel(scene); }
+  Answer<Impulse> impulse(const Scene& scene) override { return exact_->impulse(scene); }
+  Answer<TimeOfImpact> time_of_impact(const Scene& scene) override { return exact_->time_of_impact(scene); }
+  Answer<Trajectory> constraint(const Scene& scene) override { return exact_->constraint(scene); }
+  Answer<Trajectory> simulation(const Scene& scene) override { return exact_->simulation(scene); }
+
+ private:
+  std::unique_ptr<oracle::Subject> exact_;
+  oracle::Card card_;
+};
+
+/// Two digits: the judge's own rounding must not show.
+std::string text(double x) {
+  char written[32];
+  std::snprintf(written, sizeof written, "%.2g", x);
+  return written;
+}
+
+/// Over the hand-made scenes, for one property and unit.
+struct Allowed {
+  int holds = 0;
+  double least = 0, most = 0;
+
+  void add(double allowed) {
+    least = holds == 0 ? allowed : std::min(least, allowed);
+    most = std::max(most, allowed);
+    ++holds;
+  }
+};
+
+std::string cells(const properties::Property& property, oracle::Subject& subject) {
+  std::map<std::string, Allowed> by_unit;
+  int outside = 0;
+  for (const Scene& scene : tests::scenes_of(property.query)) {
+    const oracle::Finding finding = property.check(scene, subject);
+    if (finding.outcome == oracle::Outcome::holds) by_unit[finding.unit].add(finding.allowed);
+    if (finding.outcome == oracle::Outcome::outside) ++outside;
+  }
+  std::string all;
+  for (const auto& [unit, allowed] : by_unit) {
+    all += (all.empty() ? "" : "; ") + std::to_string(allowed.holds);
+    if (allowed.most > 0) all += ": " + text(allowed.least) + " to " + text(allowed.most) + " " + unit;
+  }
+  return all + " | " + std::to_string(outside);
+}
+
+std::string allowances() {
+  std::string page =
+      "# Allowances\n\n"
+      "How much error each property allows on the scenes made by hand (`tests/properties/scenes.cpp` and the files "
+      "beside it):\n"
+      "the number of scenes on which a truthful subject holds the property, and the least and the greatest allowance "
+      "there. The\n"
+      "derivations are in `oracle/tolerance/`. This page is a regression pin: a change here changes what the judge\n"
+      "forgives, and needs a reason. Made by `tests/properties/judging/allowances_test.cpp`. To make it anew:\n"
+      "`TOUCHSTONE_UPDATE=1 ./touchstone test -R \"allowances' page\"`.\n\n"
+      "| property | double precision | outside | single precision | outside |\n|---|---|---|---|---|\n";
+  const auto exact = tests::truthful();
+  Single single(tests::truthful());
+  for (const properties::Property& property : properties::all()) {
+    page += "| `" + property.id + "` | " + cells(property, *exact) + " | " + cells(property, single) + " |\n";
+  }
+  return page;
+}
+
+}  // namespace
+
+TEST_CASE("the allowances' page is what the judge allows") {
+  const std::string made = allowances();
+  CHECK(tests::committed_page("allowances.md", made) == made);
+}

@@ -1,0 +1,135 @@
+// The scenes that are drawn reach the code that they are for, and on generic scenes what is slow runs seldom.
+#include <algorithm>
+
+#include "fast/mark.h"
+#include "oracle/subjects/touchstone/fast.h"
+#include "properties/scenes/domain.h"
+#include "tests/catch.h"
+
+using namespace touchstone;
+using fast::Mark;
+using fast::MarkCounts;
+
+namespace {
+
+void ask(oracle::Subject& subject, const std::string& query, const Scene& scene) {
+  if (query == "broad_phase") subject.pair_history(scene);
+  if (query == "distance") subject.distance(scene);
+  if (query == "impulse") subject.impulse(scene);
+  if (query == "pixel") subject.pixel(scene);
+  if (query == "time_of_impact") subject.time_of_impact(scene);
+  if (query == "constraint") subject.constraint(scene);
+  if (query == "simulation") subject.simulation(scene);
+}
+
+/// How often each mark was reached while fast answered about the first scenes of a family.
+MarkCounts counts(const std::string& query, const std::string& family, std::uint64_t scenes) {
+  const auto subject = oracle::subjects::make_fast();
+  const MarkCounts before = fast::mark_counts;
+  for (std::uint64_t i = 0; i < scenes; ++i) {
+    ask(*subject, query, properties::draw(properties::find_family(family), 1, i));
+  }
+  MarkCounts reached = fast::mark_counts;
+  for (std::size_t i = 0; i < reached.size(); ++i) reached[i] -= before[i];
+  return reached;
+}
+
+std::uint64_t of(const MarkCounts& reached, Mark mark) { return reached[static_cast<std::size_t>(mark)]; }
+
+struct Reach {
+  Mark mark;
+  const char* query;
+  const char* family;
+};
+
+const std::vector<Reach> reaches = {
+    {Mark::climb, "broad_phase", "films.round_solids"},
+    {Mark::climb_step, "broad_phase", "films.round_solids"},
+    {Mark::climb_exact, "broad_phase", "films.round_solids"},
+    {Mark::descent, "distance", "hulls.generic"},
+    {Mark::descent_step, "distance", "hulls.generic"},
+    {Mark::exact_proximity, "distance", "touching.exact"},
+    {Mark::exact_step, "constraint", "tables.stack"},
+    {Mark::grid_chain, "broad_phase", "films.many"},
+    {Mark::grid_layout, "broad_phase", "films.growing"},
+    {Mark::grid_long_body, "broad_phase", "films.many_sizes"},
+    {Mark::grid_rebuild, "broad_phase", "films.growing"},
+    {Mark::grid_unchain, "broad_phase", "films.back_and_forth"},
+    {Mark::grid_update, "broad_phase", "films.back_and_forth"},
+    {Mark::impulse_again, "impulse", "contact.jamming"},
+    {Mark::impulse_curve, "impulse", "contact.boxes"},
+    {Mark::impulse_phase, "impulse", "contact.boxes"},
+    {Mark::impulse_scaled, "impulse", "contact.times_powers"},
+    {Mark::impulse_series, "impulse", "contact.boxes"},
+    {Mark::impulse_slide_off, "impulse", "contact.zero_slip"},
+    {Mark::impact_together, "simulation", "runs.together"},
+    {Mark::island_merge, "simulation", "tables.stack"},
+    {Mark::micro_bounces, "simulation", "runs.bouncing"},
+    {Mark::pixel_exact, "pixel", "pixels.lattice_boxes"},
+    {Mark::pixel_seen, "pixel", "pixels.lattice_boxes"},
+    {Mark::rest_phase, "simulation", "tables.slides"},
+    {Mark::step_bounce, "constraint", "tables.drops"},
+    {Mark::step_force, "constraint", "tables.pushed"},
+    {Mark::step_shift, "constraint", "tables.falls"},
+    {Mark::toi_balls, "time_of_impact", "flights.from_afar"},
+    {Mark::toi_doubt, "time_of_impact", "flights.tangent"},
+    {Mark::toi_parting, "time_of_impact", "flights.touching"},
+    {Mark::toi_query, "time_of_impact", "flights.generic"},
+    {Mark::toi_search, "time_of_impact", "flights.generic"},
+    {Mark::walk, "time_of_impact", "flights.generic"},
+    {Mark::walk_inside, "time_of_impact", "flights.generic"},
+    {Mark::walk_restart, "time_of_impact", "flights.generic"},
+    {Mark::walk_step, "time_of_impact", "flights.generic"},
+};
+
+/// A quick run draws so many scenes of each family of a query, or one more (app/trial/effort.h).
+std::uint64_t quick_scenes(const std::string& query) {
+  const std::int64_t cases = query == "simulation" || query == "constraint" ? 60 : 300;
+  const std::int64_t families = std::ranges::count_if(properties::families(), [&](const properties::Family& family) {
+    return std::ranges::count(family.queries, query) > 0;
+  });
+  return static_cast<std::uint64_t>(cases / families);
+}
+
+}  // namespace
+
+TEST_CASE("marks: each is reached by the scenes of a family in a quick run") {
+  for (const Reach& row : reaches) {
+    INFO("mark " << static_cast<int>(row.mark) << " by " << row.query << " of " << row.family);
+    CHECK(of(counts(row.query, row.family, quick_scenes(row.query)), row.mark) > 0);
+  }
+  for (std::size_t i = 0; i < fast::mark_counts.size(); ++i) {
+    INFO("mark " << i);
+    CHECK(std::ranges::count(reaches, static_cast<Mark>(i), &Reach::mark) == 1);
+  }
+}
+
+// Exact arithmetic repairs what a fault did to a walk or a descent, and a grid that is built anew in every frame finds
+// the same pairs: such faults change no answer. The limits are regression pins, a quarter to a half above what was
+// counted.
+TEST_CASE("marks: on generic scenes what is slow runs seldom") {
+  const MarkCounts distance = counts("distance", "hulls.generic", 200);
+  CHECK(100 * of(distance, Mark::exact_proximity) <= of(distance, Mark::descent));
+  CHECK(of(distance, Mark::descent_step) <= 4 * of(distance, Mark::descent));
+
+  const MarkCounts motion = counts("time_of_impact", "flights.generic", 100);
+  CHECK(100 * of(motion, Mark::exact_proximity) <= of(motion, Mark::toi_search));
+  CHECK(of(motion, Mark::toi_query) <= 8 * of(motion, Mark::toi_search));
+  CHECK(of(motion, Mark::walk_step) <= of(motion, Mark::walk));
+  CHECK(of(motion, Mark::toi_doubt) == 0);
+
+  const MarkCounts lattice = counts("broad_phase", "films.many", 50);
+  CHECK(of(lattice, Mark::grid_update) >= 2 * of(lattice, Mark::grid_rebuild));
+  CHECK(of(lattice, Mark::grid_long_body) == 0);
+  const MarkCounts swings = counts("broad_phase", "films.back_and_forth", 50);
+  CHECK(of(swings, Mark::grid_update) >= 4 * of(swings, Mark::grid_rebuild));
+  CHECK(of(swings, Mark::grid_layout) <= 75);
+
+  const MarkCounts turning = counts("broad_phase", "films.round_solids", 50);
+  CHECK(of(turning, Mark::climb_step) <= 24 * of(turning, Mark::climb));
+  CHECK(of(turning, Mark::climb_exact) <= 2 * of(turning, Mark::climb));
+
+  const MarkCounts impulse = counts("impulse", "contact.boxes", 200);
+  CHECK(of(impulse, Mark::impulse_phase) <= 8 * of(impulse, Mark::impulse_curve));
+  CHECK(of(impulse, Mark::impulse_scaled) == 0);
+}
