@@ -189,6 +189,7 @@ Finding cone(const Scene& scene, Subject& subject) {
     if (!said.events) return judge::silent("its events");
     Finding worst = judge::outside("no event");
     for (const Event& event : *said.events) {
+      if (event.kind == Event::Kind::force) continue;
       const auto body = [&](int i) -> const Body& { return scene.bodies[static_cast<std::size_t>(i)]; };
       const double mu = std::min(body(event.a).material.friction, body(event.b).material.friction);
       const double P_n = event.nhat_BA_W.dot(event.P_A_W), size = event.P_A_W.norm();

@@ -17,7 +17,9 @@ std::string fault_of_steps(const Scene& scene, const Trajectory& said) {
   for (const Event& event : said.events.value_or(std::vector<Event>{})) {
     if (event.time < last || event.time > times.back()) return "events that are not in the order of time";
     last = event.time;
-    if (event.a < 0 || event.b <= event.a || event.b >= count) return "an event without a pair a < b";
+    const bool is_force = event.kind == Event::Kind::force;
+    if (is_force && event.a >= 0 && event.a < count && event.b < 0) continue;
+    if (is_force || event.a < 0 || event.b <= event.a || event.b >= count) return "an event without a pair a < b";
   }
   return "";
 }

@@ -17,7 +17,8 @@
 namespace touchstone::properties {
 
 /// What is wrong with the form of a stepped trajectory; "" if nothing. It must have a state for each body at each
-/// sample up to where it is complete, and events in order of time within the motion, each of two existing bodies a < b.
+/// sample up to where it is complete, and events in order of time within the motion, each of two existing bodies a < b;
+/// a force's of one body.
 std::string fault_of_steps(const Scene& scene, const Trajectory& said);
 
 struct RollingCase {
