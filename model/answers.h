@@ -172,9 +172,10 @@ struct Abstains {
   bool operator==(const Abstains&) const = default;
 };
 
-/// The subject failed to answer; always counted as a failure.
+/// The subject failed to answer; always counted as a failure. `refused`: the engine itself says that it does not take
+/// this input.
 struct Breaks {
-  enum class Kind { threw, crashed, hung, garbage };
+  enum class Kind { threw, crashed, hung, garbage, refused };
   Kind kind = Kind::threw;
   std::string how;
 

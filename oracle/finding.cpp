@@ -84,6 +84,8 @@ std::string name_of(Defect defect) {
       return "not_finite";
     case Defect::threw:
       return "threw";
+    case Defect::refused:
+      return "refused";
     case Defect::crashed:
       return "crashed";
     case Defect::hung:

@@ -13,7 +13,7 @@ enum class Outcome {
   holds,     ///< asked, answered, right
   fails,     ///< asked, answered, wrong
   abstains,  ///< the subject does not offer this; not a pass
-  breaks,    ///< threw, crashed, hung, or answered garbage: a failure
+  breaks,    ///< threw, refused, crashed, hung, or answered garbage: a failure
   outside    ///< the scene is outside the property's domain, or inexact in the subject's precision: no verdict
 };
 
@@ -51,6 +51,7 @@ enum class Defect {
   inconsistent,      ///< parts of an answer, or two answers, that contradict each other
   not_finite,        ///< NaN or Inf in an answer
   threw,
+  refused,  ///< the engine says that it does not take this input
   crashed,
   hung,
   garbage  ///< an answer that cannot be read
@@ -78,6 +79,11 @@ struct Finding {
 
 /// The unit of a failure without a magnitude: two answers that should be equal, a pair (2, 1), a body without an entry.
 inline constexpr const char* without_size = "broken laws";
+
+/// A failure: wrong, or no answer where one is due.
+inline bool failed(const Finding& finding) {
+  return finding.outcome == Outcome::fails || finding.outcome == Outcome::breaks;
+}
 
 /// The enumerator itself, as case files and reports have it: "too_far".
 std::string name_of(Outcome outcome);

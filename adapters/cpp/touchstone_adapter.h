@@ -1,11 +1,10 @@
 // Speaks Touchstone's protocol (docs/protocol.md) for an adapter, which supplies a card and one function a query.
 //
-//   touchstone_adapter::serve({{"name", "my_engine"}, {"version", "1.0"}, {"precision", "binary64"}},
-//                             {{"distance", distance}});
+//   touchstone_adapter::serve({{"name", "mine"}, {"version", "1"}, {"precision", "binary64"}}, {{"mass", mass}});
 //
 // A function gets a scene (docs/scene.schema.json) and returns the result (docs/protocol.schema.json). It throws an
-// Abstain if it does not answer this scene; any other exception is reported as a failure of the engine, and the next
-// question follows. Needs nlohmann-json 3 (header only) and POSIX.
+// Abstain if it does not answer this scene, a Refused if the engine says that it does not take it; any other exception
+// is reported as a failure of the engine, and the next question follows. Needs nlohmann-json 3 (header only) and POSIX.
 #pragma once
 
 #include <unistd.h>
@@ -28,6 +27,11 @@ using Queries = std::map<std::string, std::function<Json(const Json& scene)>>;
 
 /// This scene is not answered; the message says why.
 struct Abstain : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// The engine says that it does not take this scene; the message is its reason.
+struct Refused : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
@@ -90,8 +94,7 @@ inline void serve(Json card, const Queries& queries) {
       answer["seq"] = message.at("seq");
       if (message.at("op") == "stop") break;
       if (message.at("op") == "start") {
-        answer["protocol"] = 1;
-        answer["card"] = card;
+        answer.update({{"protocol", 1}, {"card", card}});
       } else if (const auto query = queries.find(message.at("query")); query != queries.end()) {
         const Json result = query->second(message.at("scene"));
         require_finite(result, "result");
@@ -101,6 +104,8 @@ inline void serve(Json card, const Queries& queries) {
       }
     } catch (const Abstain& why) {
       answer["abstains"] = why.what();
+    } catch (const Refused& why) {
+      breaks("refused", why.what());
     } catch (const NotFinite& where) {
       breaks("garbage", where.what());
     } catch (const std::exception& error) {

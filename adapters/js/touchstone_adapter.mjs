@@ -3,8 +3,9 @@
 //   serve({ name: "my_engine", version: "1.0", precision: "binary64" }, { distance });
 //
 // A function gets a scene (docs/scene.schema.json) and returns the result (docs/protocol.schema.json), or a promise of it.
-// It throws an Abstain if it does not answer this scene; anything else that it throws is reported as a failure of the
-// engine, and the next question follows. Import this file before the engine: some engines print while they load.
+// It throws an Abstain if it does not answer this scene, and a Refused if the engine itself says that it does not take
+// this scene; anything else that it throws is reported as a failure of the engine, and the next question follows.
+// Import this file before the engine: some engines print while they load.
 import { writeSync } from "node:fs";
 import { createInterface } from "node:readline";
 
@@ -14,6 +15,9 @@ console.log = console.info = console.debug = console.error;
 
 /** This scene is not answered; the message says why. */
 export class Abstain extends Error {}
+
+/** The engine says that it does not take this scene; the message is its reason. */
+export class Refused extends Error {}
 
 /** The engine computed NaN or an infinity, which JSON cannot hold; the message says where. */
 class NotFinite extends Error {}
@@ -71,8 +75,8 @@ async function answer(message, card, queries, snippets) {
 
 function breaks(error) {
   if (error instanceof Abstain) return { abstains: error.message };
-  const kind = error instanceof NotFinite ? "garbage" : "threw";
-  return { breaks: { kind, how: kind === "garbage" ? error.message : String(error) } };
+  const kind = error instanceof NotFinite ? "garbage" : error instanceof Refused ? "refused" : "threw";
+  return { breaks: { kind, how: kind === "threw" ? String(error) : error.message } };
 }
 
 function writeAll(line) {

@@ -3,7 +3,8 @@
     serve({"name": "my_engine", "version": "1.0", "precision": "binary64"}, {"distance": distance})
 
 A function gets a scene (docs/scene.schema.json) and returns the result (docs/protocol.schema.json). It raises Abstain if
-it does not answer this scene; any other exception is reported as a failure of the engine, and the next question follows.
+it does not answer this scene, and Refused if the engine itself says that it does not take this scene; any other
+exception is reported as a failure of the engine, and the next question follows.
 """
 import json
 import math
@@ -13,6 +14,10 @@ import sys
 
 class Abstain(Exception):
     """This scene is not answered; the message says why."""
+
+
+class Refused(Exception):
+    """The engine says that it does not take this scene; the message is its reason."""
 
 
 class NotFinite(Exception):
@@ -59,8 +64,8 @@ def _plain(value, place):
 
 
 def _breaks(error):
-    kind = "garbage" if isinstance(error, NotFinite) else "threw"
-    return {"breaks": {"kind": kind, "how": str(error) if kind == "garbage" else f"{type(error).__name__}: {error}"}}
+    kind = "garbage" if isinstance(error, NotFinite) else "refused" if isinstance(error, Refused) else "threw"
+    return {"breaks": {"kind": kind, "how": f"{type(error).__name__}: {error}" if kind == "threw" else str(error)}}
 
 
 def _answer(message, card, queries):

@@ -7,8 +7,8 @@ use std::{fs::File, io::{BufRead, Write}, os::fd::FromRawFd, panic};
 pub enum Json { Null, Bool(bool), Number(f64), Text(String), List(Vec<Json>), Object(Vec<(String, Json)>) }
 use Json::*;
 
-/// Why there is no result: the adapter abstains; the engine failed; a number is not finite, and where it is.
-pub enum No { Abstains(String), Breaks(String), NotFinite(String) }
+/// The adapter abstains; the engine failed; it says that it does not take this scene; a number is not finite, and where.
+pub enum No { Abstains(String), Breaks(String), Refuses(String), NotFinite(String) }
 pub type Query = fn(&Json) -> Result<Json, No>;
 
 pub fn text(s: &str) -> Json { Text(s.into()) }
@@ -111,7 +111,7 @@ pub fn serve(mut card: Vec<(&str, Json)>, queries: &[(&str, Query)]) {
         let breaks = |kind: &str, how: &str| format!("\"breaks\":{{\"kind\":\"{kind}\",\"how\":{}}}", quoted(how));
         let member = said.unwrap_or_else(|no| match no {
             No::Abstains(why) => format!("\"abstains\":{}", quoted(&why)),
-            No::Breaks(how) => breaks("threw", &how),
+            No::Breaks(how) => breaks("threw", &how), No::Refuses(why) => breaks("refused", &why),
             No::NotFinite(place) => breaks("garbage", &place),
         });
         writeln!(out, "{{\"seq\":{seq},{member}}}").expect("stdout is closed");

@@ -74,10 +74,6 @@ auto print_traced(const std::string& connectable) {
   return &print_exchanged;
 }
 
-bool failed(const Finding& finding) {
-  return finding.outcome == oracle::Outcome::fails || finding.outcome == oracle::Outcome::breaks;
-}
-
 void print_line(const std::string& label, const std::string& value) {
   if (!value.empty()) print("{:<12} {}\n", label, value);
 }

@@ -124,8 +124,6 @@ bool all_are(const Heard& heard, Outcome outcome) {
   return std::ranges::all_of(heard.judged, [&](const Judged& one) { return one.finding.outcome == outcome; });
 }
 
-bool failed(const Finding& finding) { return finding.outcome == Outcome::fails || finding.outcome == Outcome::breaks; }
-
 /// Long answers, such as trajectories, are cut; --json has them whole.
 std::string shortened(const std::string& line) {
   constexpr std::size_t longest = 600;

@@ -241,9 +241,13 @@ void print_summary(const Ledger& ledger) {
     long holds = 0;
     long fails = 0;
     long silent = 0;
-    for (const Row* row : ledger.results.of(subject))
+    long refused = 0;
+    for (const Row* row : ledger.results.of(subject)) {
       ++(row->failing() ? fails : row->counts.holds > 0 ? holds : silent);
-    print("{:<16} {:>3} properties hold, {:>3} fail, {:>3} not answered\n", subject.card.name, holds, fails, silent);
+      refused += row->counts.refused;
+    }
+    print("{:<16} {:>3} properties hold, {:>3} fail, {:>3} not answered{}\n", subject.card.name, holds, fails, silent,
+          refused > 0 ? fmt::format("; {} answers refused", refused) : "");
     print_beyond(ledger, subject);
   }
   if (ledger.interrupted) {

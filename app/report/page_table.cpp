@@ -9,9 +9,10 @@ namespace {
 std::string without_query(const std::string& id) { return id.substr(id.find('.') + 1); }
 
 std::string counts_of(const Row& row) {
-  return fmt::format("holds {}, fails {}, breaks {}, abstains {}, outside {}, beyond its domain {}, not asked {}",
-                     row.counts.holds, row.counts.fails, row.counts.breaks, row.counts.abstains, row.counts.outside,
-                     row.counts.beyond, row.counts.not_asked);
+  return fmt::format(
+      "holds {}, fails {}, breaks {}, refused {}, abstains {}, outside {}, beyond its domain {}, not asked {}",
+      row.counts.holds, row.counts.fails, row.counts.breaks, row.counts.refused, row.counts.abstains,
+      row.counts.outside, row.counts.beyond, row.counts.not_asked);
 }
 
 std::string silence_of(const Row& row) {
@@ -40,7 +41,7 @@ constexpr const char* legend = R"html(<dl class="legend">
 <dt><span class="g A-">A-</span></dt><dd>on the side that the clause forbids, but within rounding: a box not rounded outward</dd>
 <dt><span class="g B">B</span></dt><dd>wrong by up to 2¹⁰ times that</dd>
 <dt><span class="g C">C</span></dt><dd>up to 2²⁰ times</dd>
-<dt><span class="g D">D</span></dt><dd>beyond: an absolute epsilon, a wrong formula, a broken law</dd>
+<dt><span class="g D">D</span></dt><dd>beyond: an absolute epsilon, a wrong formula, a broken law; or a refusal: the engine says that it does not take the scene</dd>
 <dt><span class="g F">F</span></dt><dd>a wrong verdict or pair, no right digit (0 for 0.83 m), or no answer at all: crash, hang, NaN</dd>
 </dl><p class="soft">A cell’s grade is the worst that was seen. <i>abstains</i>: the engine does not offer this; that is no pass.
 <i>outside</i>: no scene of the property’s domain has numbers that the engine’s precision can hold.

@@ -40,9 +40,10 @@ Json json_of(const ErrorHistogram& errors) {
 }
 
 Json json_of(const Row& row) {
-  Json json = {{"property", row.property->id},  {"subject", row.subject->card.name}, {"holds", row.counts.holds},
-               {"fails", row.counts.fails},     {"abstains", row.counts.abstains},   {"breaks", row.counts.breaks},
-               {"outside", row.counts.outside}, {"not_asked", row.counts.not_asked}};
+  Json json = {
+      {"property", row.property->id},  {"subject", row.subject->card.name}, {"holds", row.counts.holds},
+      {"fails", row.counts.fails},     {"abstains", row.counts.abstains},   {"breaks", row.counts.breaks},
+      {"refused", row.counts.refused}, {"outside", row.counts.outside},     {"not_asked", row.counts.not_asked}};
   if (row.counts.beyond > 0) json["beyond"] = row.counts.beyond;
   if (const auto grade = row.grade()) {
     json["grade"] = oracle::name_of(*grade);

@@ -15,8 +15,8 @@ bool skipped(const Row& row) { return row.answered() == 0 || !row.baseline.known
 bool red(const Row& row) { return !row.baseline.departures.empty() || (row.failing() && row.baseline.known.empty()); }
 
 std::string counts(const Row& row) {
-  return fmt::format("holds {}, fails {}, breaks {}, abstains {}, outside {}", row.counts.holds, row.counts.fails,
-                     row.counts.breaks, row.counts.abstains, row.counts.outside);
+  return fmt::format("holds {}, fails {}, breaks {}, refused {}, abstains {}, outside {}", row.counts.holds,
+                     row.counts.fails, row.counts.breaks, row.counts.refused, row.counts.abstains, row.counts.outside);
 }
 
 std::string failure(const Row& row) {

@@ -80,11 +80,9 @@ Json result(const Row& row, std::size_t rule_index, const std::string& folder) {
     json["suppressions"] =
         Json::array({{{"kind", "external"}, {"status", "accepted"}, {"justification", row.baseline.known}}});
   }
-  json["properties"] = {{"subject", row.subject->card.name},
-                        {"defect", defect},
-                        {"grade", oracle::name_of(*row.grade())},
-                        {"failures", row.failures()},
-                        {"answered", row.answered()}};
+  json["properties"] = {{"subject", row.subject->card.name},      {"defect", defect},
+                        {"grade", oracle::name_of(*row.grade())}, {"failures", row.failures()},
+                        {"refused", row.counts.refused},          {"answered", row.answered()}};
   if (row.minimised.result) {
     json["properties"]["scene"] = touchstone::json_of(row.minimised.result->scene);
     if (row.minimised.result->changed) {

@@ -7,13 +7,40 @@
 namespace touchstone::app {
 namespace {
 
-/// Indices and coordinates differ from scene to scene.
+bool is_digit(const std::string& words, std::size_t at) {
+  return at < words.size() && std::isdigit(static_cast<unsigned char>(words[at])) != 0;
+}
+
+/// The end of the number that begins with the digit at `at`: 17, 0.5, 1e-05.
+std::size_t end_of_number(const std::string& words, std::size_t at) {
+  const auto skip_digits = [&] {
+    while (is_digit(words, at)) ++at;
+  };
+  skip_digits();
+  if (at < words.size() && words[at] == '.' && is_digit(words, at + 1)) {
+    ++at;
+    skip_digits();
+  }
+  if (at < words.size() && (words[at] == 'e' || words[at] == 'E')) {
+    const bool sign = at + 1 < words.size() && (words[at + 1] == '-' || words[at + 1] == '+');
+    if (is_digit(words, at + (sign ? 2 : 1))) {
+      at += sign ? 2 : 1;
+      skip_digits();
+    }
+  }
+  return at;
+}
+
+/// Indices and coordinates differ from scene to scene. A minus before a number goes with it.
 std::string without_numbers(const std::string& words) {
   std::string same;
-  for (const char c : words) {
-    const bool digit = std::isdigit(static_cast<unsigned char>(c)) != 0;
-    if (!digit) same += c;
-    if (digit && (same.empty() || same.back() != '#')) same += '#';
+  for (std::size_t at = 0; at < words.size();) {
+    if (is_digit(words, at + (words[at] == '-' ? 1 : 0))) {
+      at = end_of_number(words, at + (words[at] == '-' ? 1 : 0));
+      same += '#';
+    } else {
+      same += words[at++];
+    }
   }
   return same;
 }

@@ -70,6 +70,12 @@ void worsen(std::map<oracle::Defect, Grade>& worst, oracle::Defect defect, Grade
   known = std::max(known, grade);
 }
 
+/// Requires a failure.
+long& count_of(const oracle::Finding& finding, Counts& counts) {
+  if (finding.outcome == Outcome::fails) return counts.fails;
+  return finding.defect == oracle::Defect::refused ? counts.refused : counts.breaks;
+}
+
 void keep(std::optional<Example>& kept, const Example& candidate, bool (*better)(const Example&, const Example&)) {
   if (!kept || better(candidate, *kept)) kept = candidate;
 }
@@ -95,7 +101,7 @@ void Row::count(const Example& example) {
     if (has_size(example.finding)) keep(examples.closest, example, closer);
     return;
   }
-  ++(outcome == Outcome::fails ? counts.fails : counts.breaks);
+  ++count_of(example.finding, counts);
   ++defects[example.finding.defect];
   worsen(worst_grades, example.finding.defect, oracle::grade(example.finding));
   widen(largest_error, {example.finding.error, example.finding.unit});
@@ -108,6 +114,7 @@ void Row::merge(const Row& later) {
   counts.fails += later.counts.fails;
   counts.abstains += later.counts.abstains;
   counts.breaks += later.counts.breaks;
+  counts.refused += later.counts.refused;
   counts.outside += later.counts.outside;
   counts.not_asked += later.counts.not_asked;
   counts.beyond += later.counts.beyond;
@@ -127,8 +134,7 @@ void Row::forget() {
   Row blank;
   blank.property = property;
   blank.subject = subject;
-  blank.counts.not_asked =
-      counts.holds + counts.fails + counts.abstains + counts.breaks + counts.outside + counts.not_asked + counts.beyond;
+  blank.counts.not_asked = answered() + counts.abstains + counts.outside + counts.not_asked + counts.beyond;
   *this = std::move(blank);
 }
 
@@ -144,7 +150,9 @@ const oracle::Finding& shown_finding(const Row& row) {
 }
 
 std::string share_of(const Row& row) {
-  return fmt::format("{} of {} fail ({})", row.failures(), row.answered(), percent(row.failures(), row.answered()));
+  const std::string share =
+      fmt::format("{} of {} fail ({})", row.failures(), row.answered(), percent(row.failures(), row.answered()));
+  return row.counts.refused > 0 ? fmt::format("{}, {} of them refused", share, row.counts.refused) : share;
 }
 
 std::string text_of(const oracle::Size& size) {

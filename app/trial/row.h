@@ -41,13 +41,14 @@ struct Counts {
   long holds = 0;
   long fails = 0;
   long abstains = 0;
-  long breaks = 0;
+  long breaks = 0;   ///< without the refusals
+  long refused = 0;  ///< the engine said that it does not take the scene
   long outside = 0;
   long not_asked = 0;  ///< skipped: the subject hung too often, or would take too long
   long beyond = 0;     ///< a question was outside the subject's declared domain: counted apart (app/trial/ledger.h)
   long impacts = 0;    ///< of simulations: each one compared with the reference by itself
 
-  long failures() const { return fails + breaks; }
+  long failures() const { return fails + breaks + refused; }
   long answered() const { return holds + failures(); }
 };
 
@@ -110,7 +111,7 @@ struct Row {
 /// The finding shown for a failing row: that of the minimised scene, else the worst one.
 const oracle::Finding& shown_finding(const Row& row);
 
-/// "1 of 281 fail (0.36 %)", "7 of 7 fail (100 %)". Requires a failing row.
+/// "1 of 281 fail (0.36 %)", "7 of 7 fail (100 %), 3 of them refused". Requires a failing row.
 std::string share_of(const Row& row);
 
 /// "2 bodies, at most 4 vertices a body and 3 significant bits"

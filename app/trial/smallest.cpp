@@ -31,10 +31,6 @@ int affordable(int budget, Defect defect) {
   return budget;
 }
 
-bool failed(const Finding& finding) {
-  return finding.outcome == oracle::Outcome::fails || finding.outcome == oracle::Outcome::breaks;
-}
-
 oracle::Case with_note(oracle::Case a_case, const std::string& note) {
   a_case.note = note;
   return a_case;

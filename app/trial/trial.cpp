@@ -16,6 +16,7 @@
 #include "app/system/interruption.h"
 #include "app/system/progress.h"
 #include "app/system/terminal.h"
+#include "app/trial/counted_hangs.h"
 #include "app/trial/domain_watch.h"
 #include "app/trial/parallel.h"
 #include "app/trial/query_lines.h"
@@ -111,19 +112,23 @@ oracle::Finding checked(const Question& question, const Scene& scene, const Prop
                          std::to_string(question.index) + ": " + error.what());
 }
 
-/// `row` and `beyond`: for the answers inside and outside the domain that the subject's card declares.
-void ask(const Question& question, const Property& property, oracle::Subject& subject, int& hangs, Row& row,
+/// `row` and `beyond`: for the answers inside and outside the domain that the subject's card declares. `hangs` counts
+/// the questions on which the subject hung. A property that is told only of a hang which another property met counts as
+/// not asked: one hang is one break.
+void ask(const Question& question, const Property& property, oracle::Subject& subject, const int& hangs, Row& row,
          Row& beyond, Example& example) {
   if (hangs >= most_hangs) {
     ++row.counts.not_asked;
     return;
   }
+  const int hangs_before = hangs;
   DomainWatch watch(subject);
   example.finding = checked(question, example.scene, property, watch);
   example.beyond = watch.beyond();
   if (interrupted()) return;  // a query that was cancelled is no failure
-  if (example.finding.defect == oracle::Defect::hung) ++hangs;
-  if (example.beyond.empty()) {
+  if (example.finding.defect == oracle::Defect::hung && hangs == hangs_before) {
+    ++row.counts.not_asked;
+  } else if (example.beyond.empty()) {
     row.count(example);
   } else {
     ++row.counts.beyond;
@@ -147,14 +152,15 @@ void ask_all(const Question& question, const QueryTrial& query, const TestedSubj
   const bool is_asked = query.asks_exact || tested.card.precision != oracle::Precision::exact;
   int& hangs = result.hangs[tested.index];
   const int hangs_before = hangs;
-  RememberedAnswers remembered(itself);
+  CountedHangs counted(itself, hangs);
+  RememberedAnswers remembered(counted);
   for (const Property* property : query.properties) {
     if (!question.asked_under(*property)) continue;
     Row& row = result.results.at(*property, tested);
     if (!is_asked || (asks_twice(*property) && hangs > hangs_before)) {
       ++row.counts.not_asked;
     } else {
-      ask(question, *property, asks_twice(*property) ? itself : remembered, hangs, row,
+      ask(question, *property, asks_twice(*property) ? static_cast<oracle::Subject&>(counted) : remembered, hangs, row,
           result.beyond.at(*property, tested), example);
     }
   }

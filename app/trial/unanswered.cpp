@@ -11,13 +11,17 @@ namespace {
 
 using Rows = std::vector<Row*>;
 
-bool only_threw(const Row& row) {
-  return std::ranges::all_of(row.defects, [](const auto& counted) { return counted.first == oracle::Defect::threw; });
+bool only_threw_or_refused(const Row& row) {
+  return std::ranges::all_of(row.defects, [](const auto& counted) {
+    return counted.first == oracle::Defect::threw || counted.first == oracle::Defect::refused;
+  });
 }
 
-/// No answer, but an abstention; and where there was neither, the subject threw.
+/// No answer, but an abstention; and where there was neither, the subject threw or refused.
 bool gives_nothing(const Rows& rows) {
-  const auto silent = [](const Row* row) { return row->counts.holds + row->counts.fails == 0 && only_threw(*row); };
+  const auto silent = [](const Row* row) {
+    return row->counts.holds + row->counts.fails == 0 && only_threw_or_refused(*row);
+  };
   return std::ranges::all_of(rows, silent) &&
          std::ranges::any_of(rows, [](const Row* row) { return row->counts.abstains > 0; });
 }
@@ -32,10 +36,12 @@ std::string first_reason(const Rows& rows) {
 void count_as_abstentions(const Rows& rows) {
   const std::string reason = first_reason(rows);
   for (Row* row : rows) {
-    if (row->counts.breaks == 0) continue;
-    row->why_abstains = fmt::format("{} (on {} other {} it threw: {})", reason, row->counts.breaks,
-                                    row->counts.breaks == 1 ? "scene" : "scenes", row->examples.worst->finding.why);
-    row->counts.abstains += std::exchange(row->counts.breaks, 0);
+    const long without_answer = std::exchange(row->counts.breaks, 0) + std::exchange(row->counts.refused, 0);
+    if (without_answer == 0) continue;
+    const oracle::Finding& worst = row->examples.worst->finding;
+    row->why_abstains = fmt::format("{} (on {} other {} it {}: {})", reason, without_answer,
+                                    without_answer == 1 ? "scene" : "scenes", oracle::name_of(worst.defect), worst.why);
+    row->counts.abstains += without_answer;
     row->grades = {};
     row->defects.clear();
     row->worst_grades.clear();

@@ -20,6 +20,7 @@ bool is_plainly_wrong(const Finding& finding) {
 
 Grade grade(const Finding& finding) {
   if (finding.outcome == Outcome::holds) return Grade::A;
+  if (finding.defect == Defect::refused) return Grade::D;
   if (finding.outcome == Outcome::breaks || finding.defect == Defect::not_finite) return Grade::F;
   if (finding.unit == without_size) return Grade::D;
   if (finding.rounding > 0 && finding.error <= finding.rounding) return Grade::A_minus;

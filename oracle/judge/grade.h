@@ -13,7 +13,7 @@ namespace touchstone::oracle {
 ///   A- on the side that the clause forbids, but within rounding: a box that is not rounded outward
 ///   B  e ≤ 2¹⁰: up to three decimal digits lost beyond what rounding explains
 ///   C  e ≤ 2²⁰: up to six
-///   D  beyond: an absolute epsilon, a wrong formula or a broken law, not rounding; and failures without a magnitude
+///   D  beyond: an absolute epsilon, a wrong formula or a broken law; failures without a magnitude; a refusal
 ///   F  no answer (threw, crashed, hung, garbage, NaN), a verdict or pair wrong by more than C's margin, or an answer
 ///      that is plainly wrong
 /// An answer is plainly wrong if its error is beyond B, is as large as the exact value (0 for 0.83 m) or turns the

@@ -33,6 +33,8 @@ Defect defect_of(Breaks::Kind kind) {
   switch (kind) {
     case Breaks::Kind::threw:
       return Defect::threw;
+    case Breaks::Kind::refused:
+      return Defect::refused;
     case Breaks::Kind::crashed:
       return Defect::crashed;
     case Breaks::Kind::hung:

@@ -18,10 +18,11 @@ using Words = std::array<std::pair<Enum, const char*>, n>;
 
 constexpr Words<Precision, 3> precisions = {
     {{Precision::exact, "exact"}, {Precision::binary64, "binary64"}, {Precision::binary32, "binary32"}}};
-constexpr Words<Breaks::Kind, 4> kinds = {{{Breaks::Kind::threw, "threw"},
+constexpr Words<Breaks::Kind, 5> kinds = {{{Breaks::Kind::threw, "threw"},
                                            {Breaks::Kind::crashed, "crashed"},
                                            {Breaks::Kind::hung, "hung"},
-                                           {Breaks::Kind::garbage, "garbage"}}};
+                                           {Breaks::Kind::garbage, "garbage"},
+                                           {Breaks::Kind::refused, "refused"}}};
 constexpr Words<Request::Op, 4> ops = {{{Request::Op::start, "start"},
                                         {Request::Op::ask, "ask"},
                                         {Request::Op::reproduce, "reproduce"},

@@ -78,16 +78,18 @@ class Library(unittest.TestCase):
         self.assertEqual(mass, {"seq": 5, "abstains": "no mass query"})
 
     def test_what_goes_wrong_is_said_and_the_next_question_is_answered(self):
-        (card, no, nan, threw, text, mute), _ = self.said(
+        (card, no, nan, threw, text, mute, refused), _ = self.said(
             self.faulty, START, ask("distance", ball(1, [0, 0, 0])), ask("mass", ball(1, [0, 0, 0])),
-            ask("penetration", ball(1, [0, 0, 0])), "not json", {"op": "ask"})
-        self.assertEqual(sorted(card["card"]["answers"]), ["bounds", "distance", "mass", "penetration"])
+            ask("penetration", ball(1, [0, 0, 0])), "not json", {"op": "ask"},
+            ask("pixel", ball(1, [0, 0, 0])))
+        self.assertEqual(sorted(card["card"]["answers"]), ["bounds", "distance", "mass", "penetration", "pixel"])
         self.assertEqual(no, {"seq": 2, "abstains": "not today"})
         self.assertEqual(nan, {"seq": 3, "breaks": {"kind": "garbage", "how": "result[0].p_BBcm[1] is NaN"}})
         self.assertEqual((threw["seq"], threw["breaks"]["kind"]), (4, "threw"))
         self.assertIn("the engine failed", threw["breaks"]["how"])
         self.assertEqual((text["seq"], text["breaks"]["kind"]), (0, "threw"))
         self.assertEqual((mute["seq"], mute["breaks"]["kind"]), (6, "threw"))
+        self.assertEqual(refused, {"seq": 7, "breaks": {"kind": "refused", "how": "no compounds"}})
 
     def test_what_an_engine_prints_spoils_no_answer(self):
         body = {**ball(1, [10, 20, 30]), "X_WB": {"p": [10, 20, 30], "q": QUARTER_ABOUT_X}}

@@ -43,6 +43,8 @@ TEST_CASE("grades: by how many times the allowance, F for no answer and for wron
   Finding broken;
   broken.outcome = Outcome::breaks;
   CHECK(grade(broken) == Grade::F);
+  broken.defect = Defect::refused;  // an engine that says so is no worse than one that breaks a law
+  CHECK(grade(broken) == Grade::D);
   CHECK(name_of(Grade::A) + name_of(Grade::A_minus) + name_of(Grade::B) + name_of(Grade::F) == "AA-BF");
 }
 

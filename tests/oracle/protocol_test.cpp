@@ -117,6 +117,7 @@ TEST_CASE("every kind of answer that we write fits the schema") {
       protocol::answer(1, json_of(whole)),
       protocol::answer(2, Abstains{"why"}),
       protocol::answer(3, Breaks{Breaks::Kind::threw, "how"}),
+      protocol::answer(3, Breaks{Breaks::Kind::refused, "how"}),
       protocol::answer(4, json_of(Masses{std::nullopt, MassProperties{}})),
       protocol::answer(5, json_of(PairSet{{0, 1}})),
       protocol::answer(6, json_of(Bounds{Aabb{}})),

@@ -19,7 +19,9 @@ Json mass(const Json&) { return {{{"mass", 1.0}, {"p_BBcm", {0.0, std::nan(""), 
 
 Json penetration(const Json&) { throw std::runtime_error("the engine failed"); }
 
+Json pixel(const Json&) { throw Refused("no compounds"); }
+
 int main() {
   serve({{"name", "faulty"}, {"version", "1"}, {"precision", "binary32"}},
-        {{"mass", mass}, {"bounds", bounds}, {"distance", distance}, {"penetration", penetration}});
+        {{"mass", mass}, {"bounds", bounds}, {"distance", distance}, {"penetration", penetration}, {"pixel", pixel}});
 }

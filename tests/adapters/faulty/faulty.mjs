@@ -1,5 +1,5 @@
 // An adapter whose queries go wrong, each in its own way.
-import { Abstain, inBody, inWorld, serve } from "./touchstone_adapter.mjs";
+import { Abstain, Refused, inBody, inWorld, serve } from "./touchstone_adapter.mjs";
 
 async function bounds(scene) {
   console.log("an engine that prints");
@@ -19,4 +19,8 @@ function penetration() {
   throw new Error("the engine failed");
 }
 
-serve({ name: "faulty", version: "1", precision: "binary32" }, { mass, bounds, distance, penetration });
+function pixel() {
+  throw new Refused("no compounds");
+}
+
+serve({ name: "faulty", version: "1", precision: "binary32" }, { mass, bounds, distance, penetration, pixel });

@@ -1,7 +1,7 @@
 """An adapter whose queries go wrong, each in its own way."""
 import math
 
-from touchstone_adapter import Abstain, in_body, in_world, serve
+from touchstone_adapter import Abstain, Refused, in_body, in_world, serve
 
 
 def bounds(scene):
@@ -23,5 +23,9 @@ def penetration(scene):
     raise ValueError("the engine failed")
 
 
+def pixel(scene):
+    raise Refused("no compounds")
+
+
 serve({"name": "faulty", "version": "1", "precision": "binary32"},
-      {"mass": mass, "bounds": bounds, "distance": distance, "penetration": penetration})
+      {"mass": mass, "bounds": bounds, "distance": distance, "penetration": penetration, "pixel": pixel})

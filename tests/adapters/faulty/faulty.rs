@@ -16,7 +16,9 @@ fn mass(_: &Json) -> Result<Json, No> {
 
 fn penetration(_: &Json) -> Result<Json, No> { panic!("the engine {}", "failed") }
 
+fn pixel(_: &Json) -> Result<Json, No> { Err(No::Refuses("no compounds".into())) }
+
 fn main() {
     let card = vec![("name", text("faulty")), ("version", text("1")), ("precision", text("binary32"))];
-    serve(card, &[("mass", mass), ("bounds", bounds), ("distance", distance), ("penetration", penetration)]);
+    serve(card, &[("mass", mass), ("bounds", bounds), ("distance", distance), ("penetration", penetration), ("pixel", pixel)]);
 }

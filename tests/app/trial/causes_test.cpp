@@ -36,14 +36,18 @@ TEST_CASE("One cause in many rows is one cause") {
   count(0, 1, Outcome::breaks, Defect::threw, "hull 17 has no volume in part 2");
   count(1, 1, Outcome::fails, Defect::too_far, "");
   count(2, 1, Outcome::fails, Defect::too_far, "");
+  count(3, 1, Outcome::breaks, Defect::refused, "a radius of 1e-07 m");
+  count(4, 1, Outcome::breaks, Defect::refused, "a radius of -0.25 m");
   const std::vector<Cause> all = causes(ledger);
   std::vector<std::vector<std::string>> rows;
   for (const Cause& cause : all) {
     rows.emplace_back();
     for (const Row* row : cause.rows) rows.back().push_back(row->property->id);
   }
-  CHECK(rows == std::vector<std::vector<std::string>>{
-                    {"a.one", "a.two", "b.one"}, {"a.three"}, {"b.two"}, {"a.one"}, {"a.two"}, {"a.three"}});
+  CHECK(
+      rows ==
+      std::vector<std::vector<std::string>>{
+          {"a.one", "a.two", "b.one"}, {"a.three"}, {"b.two"}, {"a.one"}, {"a.two"}, {"a.three"}, {"b.one", "b.two"}});
 }
 
 }  // namespace

@@ -62,6 +62,37 @@ class FairVerdict(Test):
         self.assertEqual(said.count("no hull"), 1)
         self.assertEqual(said.count("for the same cause"), len(failing) - 1)
 
+    def test_a_refusal_is_counted_apart_and_one_reason_is_one_cause(self):
+        said, report = self.checked("""'"breaks": {"kind": "refused", "how": "a radius of %r"}' % (asked / 16)""",
+                                    "--junit", "r.xml", "--sarif", "r.sarif", code=1)
+        failing = [row for row in report["rows"] if row["refused"] > 0]
+        self.assertGreater(len(failing), 5)
+        for row in failing:
+            self.assertEqual((row["fails"], row["breaks"], row["grade"], list(row["defects"])), (0, 0, "D", ["refused"]))
+        self.assertEqual([(cause["defect"], len(cause["rows"])) for cause in report["causes"]], [("refused", len(failing))])
+        self.assertEqual(said.count("a radius of"), 1)
+        self.assertRegex(said, r"mine distance.\w+: (\d+) of \1 fail \(100 %\), \1 of them refused, grade D")
+        self.assertRegex(said, rf"mine +0 properties hold, +{len(failing)} fail, +\d+ not answered; \d+ answers refused")
+        self.assertIn('type="refused"', (self.folder / "r.xml").read_text())
+        self.assertRegex((self.folder / "r.xml").read_text(), r"breaks 0, refused \d+, abstains")
+        for result in self.json("r.sarif")["runs"][0]["results"]:
+            self.assertEqual((result["properties"]["defect"], result["properties"]["refused"]), ("refused", result["properties"]["failures"]))
+
+    def test_a_hang_is_one_break(self):
+        self.checked("any(iter(int, 1))", "--jobs", 1, "--time-limit", "0.1", code=1)
+        hung = {row["property"]: row["breaks"] for row in self.json("r.json")["rows"] if row["breaks"] > 0}
+        self.assertEqual(list(hung.values()), [3], hung)  # by the first property that asks; then it is not asked
+
+    def test_a_hang_is_not_another_answer(self):
+        near = scene(body(ball(1)), body(ball(1), (3, 0, 0)))
+        self.file("case.json", {"touchstone": "case/1", "property": "distance.repeats", "seed": 1, "index": 0, "scene": near,
+                                "finding": {"outcome": "holds", "defect": "none", "error": 0, "allowed": 0}})
+        for hangs_at in (2, 3):  # the same question again at once; or after another one
+            said = self.succeeds("replay", "case.json", "--time-limit", "0.1", "--subject",
+                                 self.engine(f"""'"result": {{"distance": 1}}' if asked < {hangs_at} else any(iter(int, 1))"""))
+            self.assertNotIn("nondeterministic", said)
+            self.assertIn("answered once, and once not within the time limit", said)
+
     def test_a_law_names_the_scene_that_broke_it(self):
         near = scene(body(ball(1)), body(ball(1), (3, 0, 0)))
         self.file("case.json", {"touchstone": "case/1", "property": "distance.scaled", "seed": 1, "index": 0, "scene": near,

@@ -48,6 +48,25 @@ TEST_CASE("Each outcome has its own count, and only answers have a grade") {
   CHECK(row.grade() == Grade::F);
 }
 
+TEST_CASE("A refusal is a failure that is counted apart") {
+  Row row;
+  row.count(example(Outcome::holds));
+  row.count(example(Outcome::breaks, Defect::threw));
+  row.count(example(Outcome::breaks, Defect::refused));
+  row.count(example(Outcome::breaks, Defect::refused));
+  CHECK(row.counts.breaks == 1);
+  CHECK(row.counts.refused == 2);
+  CHECK(row.failures() == 3);
+  CHECK(row.answered() == 4);
+  CHECK(row.examples.worst->finding.defect == Defect::threw);
+  CHECK(share_of(row) == "3 of 4 fail (75 %), 2 of them refused");
+  Row both = row;
+  both.merge(row);
+  CHECK(both.counts.refused == 4);
+  both.forget();
+  CHECK(both.counts.not_asked == 8);
+}
+
 TEST_CASE("The largest error is kept, and of equal ones the first") {
   Row row;
   row.count(example(Outcome::fails, Defect::too_far, 5, 1));

@@ -49,6 +49,18 @@ TEST_CASE("A query that is never answered counts as abstained from, though some 
   CHECK(row(ledger, 2).failing());
 }
 
+TEST_CASE("What an engine refuses beside what it abstains from counts as not offered; what it only refuses does not") {
+  Ledger ledger = of_one_subject();
+  count(ledger, 0, Outcome::abstains);
+  count(ledger, 0, Outcome::breaks, Defect::refused);
+  count(ledger, 2, Outcome::breaks, Defect::refused);
+  count_as_abstentions(ledger.results);
+  CHECK_FALSE(row(ledger, 0).failing());
+  CHECK(row(ledger, 0).why_abstains == "no depth (on 1 other scene it refused: hull failed)");
+  CHECK(row(ledger, 2).failing());
+  CHECK(row(ledger, 2).counts.refused == 1);
+}
+
 TEST_CASE("A part that is never given counts as abstained from; a part that is given is judged") {
   Ledger ledger = of_one_subject();
   count(ledger, 0, Outcome::abstains);
