@@ -1,6 +1,7 @@
 // A subject is what is being tested. It answers the queries that it offers and abstains from the others.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,14 @@ struct Deviation {
   std::string link;
 };
 
+/// How a time-stepping engine integrates motions.
+struct Stepping {
+  double step = 0;  ///< s; the longest step
+  int order = 1;    ///< of the method: 1 for explicit, semi-implicit and implicit Euler steps, 2 for Verlet or midpoint
+
+  bool operator==(const Stepping&) const = default;
+};
+
 /// A subject's description of itself.
 struct Card {
   std::string name;     ///< "bullet.double"
@@ -34,6 +43,7 @@ struct Card {
   Domain domain = {};  ///< the scenes by which it wants to be judged; others are asked too, and counted apart
   DistanceTolerance distance_tolerance = {};
   std::vector<std::string> reproduces = {};  ///< the queries for which it writes a snippet
+  std::optional<Stepping> stepping = {};     ///< of `simulation`; `simulation` grants the errors that it explains
 };
 
 /// An adapter overrides the queries that its engine answers. It never repairs the engine's answer. An exception that

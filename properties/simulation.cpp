@@ -428,7 +428,8 @@ Finding solid(const Scene& scene, Subject& subject) {
           pair.bodies[1].X_WB = states[j].X_WB;
           const bool overlap = truth::distance(pair).verdict == Verdict::overlapping;
           const double deep = overlap ? judge::margin(pair).lo : 0;
-          const double allowed = envelope(scene) + tolerance::distance(pair, asked.precision);
+          const double way = asked.stepping ? tolerance::way_of_step(scene, asked.stepping->step) : 0;
+          const double allowed = envelope(scene) + tolerance::distance(pair, asked.precision) + way;
           const auto seen = [&] {
             return "bodies " + std::to_string(i) + " and " + std::to_string(j) + " overlap at " +
                    oracle::words::text(asked.time(sample)) + " s";

@@ -205,6 +205,16 @@ Real lift(const TrajectoryCase& asked, const std::vector<ImpactBody>& bodies) {
   return sum * asked.scene.gravity.cast<Real>().norm() * envelope(asked.scene);
 }
 
+// J: what the stepping that the subject declares explains, in so many seconds: the centres are off by g h/2 a second,
+// and a body that touches is as deep in the other as it moves in a step, and lifted out of it.
+Real stepped(const TrajectoryCase& asked, const std::vector<ImpactBody>& bodies, double seconds) {
+  if (!asked.stepping) return 0;
+  const double g = asked.scene.gravity.norm(), h = asked.stepping->step;
+  Real mass = 0;
+  for (const ImpactBody& body : bodies) mass += body.fixed ? 0 : body.mass;
+  return mass * g * ((asked.stepping->order > 1 ? 0 : g * h * seconds / 2) + tolerance::way_of_step(asked.scene, h));
+}
+
 // Judges the energy gain between consecutive samples, and if `kept` its loss too.
 Finding energy_between_samples(const TrajectoryCase& asked, bool kept) {
   std::vector<ImpactBody> bodies = bodies_at(asked.scene, first_states(asked.scene));
@@ -218,7 +228,9 @@ Finding energy_between_samples(const TrajectoryCase& asked, bool kept) {
     off = std::max(off, pose_error(asked, bodies));
     const Real gain = now.value - before.value, size = before.size + now.size;
     judge::Allowance allowed = of_sum(asked, size, "ulps of the energies");
-    allowed.bound += 2 * static_cast<double>(off * size + lifted);
+    const double since = sample == 0 ? start_of_all(asked.scene) : asked.time(sample - 1);
+    allowed.bound +=
+        static_cast<double>(2 * (off * size + lifted) + stepped(asked, bodies, asked.time(sample) - since));
     const Real error = kept ? std::abs(gain) : std::max<Real>(0, gain);
     const auto text_of_sum = [](const Sum<Real>& sum) {
       return oracle::words::text(static_cast<double>(sum.value)) + " J";

@@ -54,12 +54,21 @@ bool all_pairs(const Scene& scene, oracle::Precision precision, GoOn&& go_on) {
   return true;
 }
 
+/// Are the two never as near as the errors that are granted to a stepper?
+bool stay_apart(const MotionCase& pair, const std::optional<oracle::Stepping>& stepping) {
+  if (!stepping) return true;
+  double granted = 0;
+  for (std::size_t k = 0; k < 2; ++k) granted += tolerance::stepped(pair.scene, k, pair.end, *stepping).place;
+  if (!std::isfinite(granted)) return false;
+  return oracle::truth::time_of_distance(pair.scene, granted).status == Status::miss;
+}
+
 // Bodies that never touch are in ballistic motion throughout, so all their states are known, even without events.
 Finding alone(const Scene& scene, Subject& subject) {
   return of_trajectory(scene, subject, [&](const TrajectoryCase& asked) {
     if (!scene.motion->forces.empty()) return judge::outside("applied forces");
-    const bool apart = all_pairs(scene, asked.precision, [](const MotionCase& pair) {
-      return pair.truth.status == Status::miss && !pair.earliest();
+    const bool apart = all_pairs(scene, asked.precision, [&](const MotionCase& pair) {
+      return pair.truth.status == Status::miss && !pair.earliest() && stay_apart(pair, asked.stepping);
     });
     if (!apart) return judge::outside("bodies that may touch");
     if (asked.events() > 0) return judge::wrong(Defect::phantom, text(asked.said.events->front()), "no event");
@@ -304,13 +313,20 @@ bool all_rest(const Scene& scene, const Body& table) {
   });
 }
 
+// m: how far a body falls in the step after which a stepper notices that it touches: at rest, so by g h in that step,
+// at most.
+double way_from_rest(const Scene& scene, const std::optional<oracle::Stepping>& stepping) {
+  return stepping ? scene.gravity.norm() * stepping->step * stepping->step : 0;
+}
+
 // A body at rest stays at its place to within the envelope: it neither sinks nor creeps.
 Finding rests(const Scene& scene, Subject& subject) {
   return of_trajectory(scene, subject, [&](const TrajectoryCase& asked) {
     const Body* table = table_of(scene);
     const bool still = table != nullptr && all_rest(scene, *table) && clear_of_each_other(scene);
     if (!still || !scene.motion->forces.empty()) return judge::outside("not bodies at rest on a level table");
-    const double allowed = envelope(scene) + tolerance::distance(scene, asked.precision);
+    const double allowed =
+        envelope(scene) + tolerance::distance(scene, asked.precision) + way_from_rest(scene, asked.stepping);
     Finding worst;
     for (std::size_t sample = 0; sample < asked.samples(); ++sample) {
       for (std::size_t i = 0; i < scene.bodies.size(); ++i) {

@@ -96,9 +96,17 @@ std::vector<std::string> read_texts(const Node& node) {
   return texts;
 }
 
+Stepping read_stepping(const Node& node) {
+  node.expect_object({"step", "order"});
+  const Stepping stepping{node.at("step").number(), node.at("order").index()};
+  if (!(stepping.step > 0)) node.at("step").refuse("expected a number above 0");
+  if (stepping.order != 1 && stepping.order != 2) node.at("order").refuse("expected 1 or 2");
+  return stepping;
+}
+
 Card read_card(const Node& node) {
   node.expect_object({"name", "version", "precision", "answers", "knows_touching", "broad_phase_margin", "domain",
-                      "distance_tolerance", "reproduces", "about", "homepage", "deviations"});
+                      "distance_tolerance", "reproduces", "stepping", "about", "homepage", "deviations"});
   Card card;
   card.name = node.at("name").text();
   card.version = node.at("version").text();
@@ -111,6 +119,7 @@ Card read_card(const Node& node) {
     card.distance_tolerance = read_distance_tolerance(*tolerance);
   }
   if (const auto reproduces = node.find("reproduces")) card.reproduces = read_texts(*reproduces);
+  if (const auto stepping = node.find("stepping")) card.stepping = read_stepping(*stepping);
   card.about = text_or(node, "about", "");
   card.homepage = text_or(node, "homepage", "");
   if (const auto deviations = node.find("deviations")) {
@@ -167,19 +176,21 @@ Json json_of(const Card& card) {
   for (const Deviation& known : card.deviations) {
     deviations.push_back({{"clause", known.clause}, {"what", known.what}, {"link", known.link}});
   }
-  return {{"name", card.name},
-          {"version", card.version},
-          {"precision", word_of(card.precision, precisions)},
-          {"answers", card.answers},
-          {"knows_touching", card.knows_touching},
-          {"broad_phase_margin", card.broad_phase_margin},
-          {"domain", json_of(card.domain)},
-          {"distance_tolerance",
-           {{"absolute", card.distance_tolerance.absolute}, {"relative", card.distance_tolerance.relative}}},
-          {"reproduces", card.reproduces},
-          {"about", card.about},
-          {"homepage", card.homepage},
-          {"deviations", std::move(deviations)}};
+  Json json = {{"name", card.name},
+               {"version", card.version},
+               {"precision", word_of(card.precision, precisions)},
+               {"answers", card.answers},
+               {"knows_touching", card.knows_touching},
+               {"broad_phase_margin", card.broad_phase_margin},
+               {"domain", json_of(card.domain)},
+               {"distance_tolerance",
+                {{"absolute", card.distance_tolerance.absolute}, {"relative", card.distance_tolerance.relative}}},
+               {"reproduces", card.reproduces},
+               {"about", card.about},
+               {"homepage", card.homepage},
+               {"deviations", std::move(deviations)}};
+  if (card.stepping) json["stepping"] = {{"step", card.stepping->step}, {"order", card.stepping->order}};
+  return json;
 }
 
 std::string start(Seq seq) { return line_of({{"op", "start"}, {"seq", seq}, {"protocol", version}}); }

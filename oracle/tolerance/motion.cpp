@@ -142,6 +142,37 @@ BallisticBound ballistic(const Scene& scene, std::size_t body, double time, Prec
   return bound;
 }
 
+// y = (R, ω/Ω) of a body with unequal moments follows y' = f(y), in units of 1/Ω. |R'| = 1; |ω'| ≤ 1/√3, as |c| ≤ 1 and
+// Σ ω_j²ω_k² ≤ 1/3. In W, |ω''| ≤ 2/√3 + 1/√3, and |R''| ≤ 1 + 1/√3, so |y''| ≤ 2.34. An error of ω grows by 1.16 of
+// itself, one of R turns the axes of f_ω: at most 1/√3 + 1.16 of it. The symmetric part of that matrix has the
+// eigenvalue 2.07 at most.
+constexpr Real second_derivative = 2.34L, coupled_growth = 2.07L;
+
+// A method of order 1 errs by h²/2 |y''| in a step, so after τ by h/2 |y''| τ, or grown by (e^(gτ) − 1)/(gτ). The
+// centre has |y''| = a, and so has none at order 2, whose local error h³/6 |y'''| is at most 2 hΩ of that of order 1,
+// as |y'''| ≤ 6 Ω |y''|. `displacement` counts an angle √2 times.
+BallisticBound stepped(const Scene& scene, std::size_t body, double time, const Stepping& stepping) {
+  const Facts it = facts(scene, body, time, Precision::exact);
+  const Real h = stepping.step, rho = radius(scene.bodies[body]) + it.centre, theta = it.w * it.tau;
+  const Real of_order = stepping.order > 1 ? 2 * h * it.w : 1;
+  const Real angle = it.round ? theta : second_derivative * std::expm1(coupled_growth * theta) / coupled_growth;
+  const Real turned = of_order * h * it.w / 2 * angle;
+  BallisticBound bound;
+  bound.place = static_cast<double>((stepping.order > 1 ? 0 : it.a * h * it.tau / 2) + std::sqrt(2.0L) * turned * rho);
+  bound.spin = static_cast<double>(it.round ? 0 : it.w * turned);
+  return bound;
+}
+
+// Each body has at most the speed of the fastest at the start, and what gravity adds. Spin may become speed: half the
+// energy ½ I w² ≤ ½ m ρ² w², with ρ the body's reach.
+double way_of_step(const Scene& scene, double step) {
+  double fastest = 0;
+  for (const Body& body : scene.bodies) {
+    fastest = std::max(fastest, body.velocity.v_WBcm.norm() + radius(body) * body.velocity.w_WB.norm());
+  }
+  return 2 * step * (fastest + scene.gravity.norm() * scene.motion->sample_times.back());
+}
+
 // A shift stays, and a velocity adds to it. `place` bounds the error of the turn times rho as well. A turned body whose
 // angular velocity is as stated has it turned in its own axes, by Ω place/rho. That and the error of ω grow as above,
 // at most by e^(1.16Ωτ); a round body keeps its ω. Twice the rotations, since `displacement` counts an angle √2 times.

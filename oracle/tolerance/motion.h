@@ -23,6 +23,13 @@ struct BallisticBound {
 /// Requires a completed scene with a motion, and a time not before the start.
 BallisticBound ballistic(const Scene& scene, std::size_t body, double time, Precision precision);
 
+/// What a time-stepping method as declared may add to that, derived in docs/design/stepping.md; `fastest` and
+/// `farthest` stay 0.
+BallisticBound stepped(const Scene& scene, std::size_t body, double time, const Stepping& stepping);
+
+/// m: how far two bodies may move towards each other in one step, before the stepper notices that they touch.
+double way_of_step(const Scene& scene, double step);
+
 /// m: how far errors `off` of a body's state at `time` move its points until `until`.
 double carried(const Scene& scene, std::size_t body, double time, double until, const BallisticBound& off);
 

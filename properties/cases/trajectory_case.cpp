@@ -90,11 +90,23 @@ std::string fault_in_forces(const Motion& motion, const std::vector<Event>& even
   return {};
 }
 
+/// The allowance, and what the stepping that the subject declares adds to it.
+tolerance::BallisticBound granted(const TrajectoryCase& asked, const Scene& ballistic_scene, std::size_t k,
+                                  double time) {
+  tolerance::BallisticBound bound = allowance(ballistic_scene, k, time, asked.precision);
+  if (!asked.stepping) return bound;
+  const tolerance::BallisticBound steps = tolerance::stepped(ballistic_scene, k, time, *asked.stepping);
+  bound.place += steps.place;
+  bound.velocity += steps.velocity;
+  bound.spin += steps.spin;
+  return bound;
+}
+
 // Angular velocities count times the radius.
 oracle::Finding moves(const TrajectoryCase& asked, const Scene& ballistic_scene, std::size_t k, double time,
                       const Velocity& said) {
   const Velocity expected = oracle::ballistic_state(ballistic_scene, k, time).velocity;
-  const tolerance::BallisticBound allowed = allowance(ballistic_scene, k, time, asked.precision);
+  const tolerance::BallisticBound allowed = granted(asked, ballistic_scene, k, time);
   const double radius = tolerance::radius(ballistic_scene.bodies[k]);
   const double off = (said.v_WBcm - expected.v_WBcm).norm() + radius * (said.w_WB - expected.w_WB).norm();
   const double unit = oracle::unit_roundoff(asked.precision) * std::max(allowed.fastest, 0x1p-900);
@@ -156,12 +168,15 @@ tolerance::BallisticBound allowance(const Scene& ballistic_scene, std::size_t k,
 
 oracle::Finding check_pose(const TrajectoryCase& asked, const Scene& ballistic_scene, std::size_t k, double time,
                            const Pose& said) {
-  const double allowed = allowance(ballistic_scene, k, time, asked.precision).place;
+  const Body& body = ballistic_scene.bodies[k];
+  const double rounding = allowance(ballistic_scene, k, time, asked.precision).place;
+  const double allowed = granted(asked, ballistic_scene, k, time).place;
+  const bool decisive = is_decisive(body, rounding) && allowed < tolerance::size(body);
   const Pose expected = oracle::ballistic_state(ballistic_scene, k, time).X_WB;
-  return counted(is_decisive(ballistic_scene.bodies[k], allowed),
+  return counted(decisive,
                  oracle::judge::at_most(
-                     displacement(ballistic_scene.bodies[k], said, expected), in_ulps_of_place(asked, allowed),
-                     oracle::Defect::wrong_motion, [&] { return text(said); }, [&] { return text(expected); }));
+                     displacement(body, said, expected), in_ulps_of_place(asked, allowed), oracle::Defect::wrong_motion,
+                     [&] { return text(said); }, [&] { return text(expected); }));
 }
 
 oracle::Finding check_state(const TrajectoryCase& asked, const Scene& ballistic_scene, std::size_t k, double time,

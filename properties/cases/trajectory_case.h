@@ -22,7 +22,8 @@ struct TrajectoryCase {
   const Scene& scene;
   oracle::Precision precision;
   const Trajectory& said;
-  double end;  ///< s; the trajectory is complete until then
+  double end;                                       ///< s; the trajectory is complete until then
+  const std::optional<oracle::Stepping>& stepping;  ///< as the subject's card declares it
 
   bool is_fixed(std::size_t body) const { return std::holds_alternative<Fixed>(scene.bodies[body].mass); }
   /// The number of complete sample times.
@@ -41,7 +42,8 @@ oracle::Finding of_trajectory(const Scene& scene, oracle::Subject& subject, Judg
     return oracle::judge::given(subject.simulation(scene), [&](const Trajectory& said) {
       if (!fault_in_form(scene, said).empty())
         return oracle::judge::outside("not a trajectory; see simulation.ordered");
-      return judge_it(TrajectoryCase{scene, subject.card().precision, said, complete_until(scene, said)});
+      return judge_it(
+          TrajectoryCase{scene, subject.card().precision, said, complete_until(scene, said), subject.card().stepping});
     });
   });
 }

@@ -328,6 +328,31 @@ TEST_CASE("simulation: without events, states are judged alone") {
   CHECK(judged("none_missed", said).outcome == Outcome::abstains);
 }
 
+/// Falls by semi-implicit Euler steps of 1/64 s, which are g h t/2 too far, and declares `stepping`.
+Outcome of_falling_by_steps(const std::optional<oracle::Stepping>& stepping) {
+  Scene scene;
+  scene.bodies = {ball({-2, 0, 0}, {0, 0, 0}), ball({2, 0, 0}, {0, 0, 1})};
+  scene.gravity = {0, 0, -10};
+  scene.motion.emplace();
+  scene.motion->sample_times = {0.5, 1};
+  tests::FixedSubject subject;
+  subject.introduced.stepping = stepping;
+  Trajectory said;
+  for (const double t : scene.motion->sample_times) {
+    const double v = -10 * t, fallen = -5 * t * (t + 1.0 / 64);
+    said.states.push_back({at({-2, 0, fallen}, {0, 0, v}), at({2, 0, t + fallen}, {0, 0, 1 + v})});
+  }
+  subject.said_simulation = said;
+  return properties::find("simulation.alone").check(scene, subject).outcome;
+}
+
+TEST_CASE("simulation: a declared order and step explain their errors, and no others") {
+  CHECK(of_falling_by_steps(std::nullopt) == Outcome::fails);
+  CHECK(of_falling_by_steps(oracle::Stepping{1.0 / 64, 1}) == Outcome::holds);
+  CHECK(of_falling_by_steps(oracle::Stepping{1.0 / 65, 1}) == Outcome::fails);  // worse than declared
+  CHECK(of_falling_by_steps(oracle::Stepping{1.0 / 64, 2}) == Outcome::fails);
+}
+
 TEST_CASE("simulation: each wrong part is found by its own property") {
   Trajectory said = turned_back();
   said.states[1][0].X_WB.p_WB.x() += 1e-12;

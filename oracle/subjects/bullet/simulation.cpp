@@ -186,6 +186,7 @@ class BulletSimulation : public Subject {
     card_.version = std::to_string(btGetVersion() / 100) + "." + std::to_string(btGetVersion() % 100);
     card_.precision = is_double ? Precision::binary64 : Precision::binary32;
     card_.answers = {"simulation"};
+    card_.stepping = Stepping{dt, 1};
     card_.about =
         "btDiscreteDynamicsWorld, equal steps of at most 1/" + std::to_string(std::lround(1 / dt)) +
         " s between sample times, margins 0, sleeping disabled, e and mu of a pair the lesser; " +

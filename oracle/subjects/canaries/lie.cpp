@@ -13,6 +13,7 @@ Card introduced_as(Card card, const std::string& id, const std::string& says, co
   card.about = says;
   card.precision = Precision::binary64;  // a lie must exceed the tolerance that engines get
   card.knows_touching = card.knows_touching && !lies.two_valued;
+  card.stepping = lies.stepping;
   return card;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,8 +27,9 @@ struct Lies {
   Lie<TimeOfImpact> time_of_impact;
   Lie<Trajectory> simulation;
   Lie<Trajectory> constraint;
-  bool two_valued = false;  ///< reports touching as one of the other two verdicts
-  bool breaks = false;      ///< answers every query with Breaks
+  bool two_valued = false;                ///< reports touching as one of the other two verdicts
+  std::optional<Stepping> stepping = {};  ///< on the card
+  bool breaks = false;                    ///< answers every query with Breaks
 };
 
 /// The lies are made again for each subject, so that their state belongs to that subject alone.

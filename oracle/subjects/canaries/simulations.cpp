@@ -178,6 +178,11 @@ void steps(State& state, const Scene& scene, std::size_t body, double time) {
   if (!is_fixed(scene.bodies[body])) state.X_WB.p_WB += 0.005 * time * scene.gravity;
 }
 
+// The error of semi-implicit Euler steps of 1/64 s; the card claims steps of 1/256 s.
+void coarse(State& state, const Scene& scene, std::size_t body, double time) {
+  if (!is_fixed(scene.bodies[body])) state.X_WB.p_WB += time / 128 * scene.gravity;
+}
+
 void sinks(State& state, const Scene& scene, std::size_t body, double time) {
   if (!is_fixed(scene.bodies[body])) state.X_WB.p_WB.z() -= 1e-3 * time;
 }
@@ -413,6 +418,12 @@ std::vector<Canary> canaries_about_simulations() {
       lying("canary.crowded", "moves others once there are three bodies", [] { return runs(crowded); }),
       lying("canary.explicit_steps", "falls by explicit steps of a hundredth of a second",
             [] { return each_state(steps); }),
+      lying("canary.coarse_steps", "takes steps four times as long as it declares",
+            [] {
+              Lies lies = each_state(coarse);
+              lies.stepping = Stepping{1.0 / 256, 1};
+              return lies;
+            }),
       lying("canary.sinks_slowly", "lets bodies sink by 1 mm/s", [] { return each_state(sinks); }),
       lying("canary.creeps", "lets bodies creep by 1 mm/s", [] { return each_state(creeps); }),
       lying("canary.warms", "makes bodies faster by a millionth each second", [] { return each_state(warms); }),

@@ -141,6 +141,7 @@ class OdeSimulation : public Subject {
             " s between sample times; dSweepAndPruneSpace, contacts with dContactBounce, bounce_vel 0, "
             "dContactApprox1, e and mu of a pair the lesser; ERP, CFM and the rest as shipped, sleeping disabled");
     card_.answers = {"simulation"};
+    card_.stepping = Stepping{dt, 1};
   }
 
   const Card& card() const override { return card_; }

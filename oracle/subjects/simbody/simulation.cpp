@@ -160,6 +160,7 @@ class SimbodySimulation : public Subject {
     card_.name = "simbody.simulation";
     card_.version = in_simbody::version();
     card_.answers = {"simulation"};
+    card_.stepping = Stepping{dt, 1};
     card_.about =
         "SemiExplicitEulerTimeStepper with the PLUS solver, equal steps of at most 1/" +
         std::to_string(std::lround(1 / dt)) +
