@@ -11,6 +11,8 @@
 #include "app/adapter/compare.h"
 #include "app/adapter/mistakes.h"
 #include "app/adapter/paper/paper_scene.h"
+#include "app/trial/counted_hangs.h"
+#include "app/trial/effort.h"
 #include "oracle/query.h"
 
 namespace touchstone::app {
@@ -258,11 +260,15 @@ CheckedQuery check_query(oracle::Subject& subject, const oracle::Query& query, F
   CheckedQuery checked;
   checked.query = query.name;
   std::vector<Asked> wrong, right;
+  int hangs = 0;
+  CountedHangs counted(subject, hangs);
   for (const PaperScene& paper : paper_scenes(query.name)) {
+    if (hangs >= most_hangs) break;
     asked(query.name);
     ++checked.asked;
-    const auto said =
-        std::visit([&](auto ask) { return answered((subject.*ask)(paper.scene), paper, checked); }, query.ask);
+    const auto said = std::visit(
+        [&](auto ask) { return answered((static_cast<oracle::Subject&>(counted).*ask)(paper.scene), paper, checked); },
+        query.ask);
     if (!said) continue;
     const std::string complaint = what_is_wrong(paper.expected, *said);
     if (!complaint.empty() && checked.faults() == 0) {

@@ -37,7 +37,7 @@ struct AdapterCheck {
 };
 
 /// Asks the queries that the subject's card claims and that are in `queries`; all that it claims if that is empty.
-/// `asked` is called before each scene.
+/// `asked` is called before each scene. A query is given up after `most_hangs` hangs (app/trial/effort.h).
 AdapterCheck check_adapter(oracle::Subject& subject, const std::vector<std::string>& queries,
                            const std::function<void(const std::string& query)>& asked);
 

@@ -180,6 +180,9 @@ void add_run_options(CLI::App& command, RunOptions& options) {
   add_folder(command, "--meshes", options.meshes,
              "Ask about the STL and OBJ meshes in this folder. Default: report takes those of Debian's dart-doc, check "
              "takes none");
+  command.add_flag("--skip-adapter-check", options.skip_adapter_check,
+                   "Judge a subject exec:... also if its adapter fails the scenes of adapter check, which are asked "
+                   "first");
 }
 
 void add_report(CLI::App& program, Options& options) {

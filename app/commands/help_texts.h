@@ -33,7 +33,7 @@ much. Each failing row has a case, the smallest scene that was found to fail; `t
 
 Exit codes:
   0    the report is written, also if it contains failures
-  2    bad input or usage; nothing was asked
+  2    bad input or usage, or the adapter of a subject exec:... does not pass; nothing was judged
   3    a fault of Touchstone itself; or a full disk, or a closed stdout
   130  interrupted (SIGHUP: 129, SIGTERM: 143); the report is written and says that it is partial)";
 
@@ -48,7 +48,7 @@ Examples:
 Exit codes:
   0    every property holds, or the subject abstains; with --baseline: the run fails exactly as it says
   1    a property fails; with --baseline: the run departs from it
-  2    bad input or usage; nothing was asked
+  2    bad input or usage, or the adapter of a subject exec:... does not pass; nothing was judged
   3    a fault of Touchstone itself; or a full disk, or a closed stdout
   130  interrupted (SIGHUP: 129, SIGTERM: 143); what was asked until then is written)";
 

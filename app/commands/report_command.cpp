@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <thread>
 
+#include "app/adapter/proven.h"
 #include "app/baseline/comparison.h"
 #include "app/report/finding_words.h"
 #include "app/report/replay_command.h"
@@ -75,6 +77,14 @@ TrialPlan plan_of(const RunOptions& options) {
   plan.first_failure = options.pass.first_failure;
   plan.exact_simulations = plan.effort.name != "quick" || plan.subjects.size() == 1;
   return plan;
+}
+
+/// Not when interrupted: the run then ends at once.
+void prove_adapters(const RunOptions& options, const TrialPlan& plan) {
+  if (options.skip_adapter_check) return;
+  std::set<std::string> queries;
+  for (const std::string& id : plan.properties) queries.insert(properties::find(id).query);
+  require_proven_adapters(plan.subjects, {queries.begin(), queries.end()}, plan.limits);
 }
 
 MeshSet meshes_of(const RunOptions& options) { return read_meshes(options.meshes, options.effort == "quick"); }
@@ -304,8 +314,9 @@ void write_new_baseline(const std::string& file, const Baselines& baselines, con
 
 int report(const RunOptions& options) {
   const TrialPlan plan = plan_of(options);
-  prepare_places(options);
   watch_for_interruption();
+  prove_adapters(options, plan);
+  prepare_places(options);
   const MeshSet meshes = meshes_of(options);
   if (!meshes.absent.empty()) complain("no real meshes: {}", meshes.absent);
   Ledger ledger = run(plan, meshes);
@@ -321,8 +332,9 @@ int report(const RunOptions& options) {
 int check(const RunOptions& options) {
   const TrialPlan plan = plan_of(options);
   const Baselines baselines = baselines_of(options);
-  prepare_places(options);
   watch_for_interruption();
+  prove_adapters(options, plan);
+  prepare_places(options);
   const MeshSet meshes = options.meshes.empty() ? MeshSet{} : meshes_of(options);
   Ledger ledger = run(plan, meshes);
   std::optional<Comparison> comparison;

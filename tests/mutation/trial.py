@@ -87,7 +87,8 @@ class Trial:
         """(the run, the rows of its report)."""
         report = folder / "report.json"
         report.unlink(missing_ok=True)
-        run = limited.run([judge, "check", "--subjects", f"exec:{subject}", "--jobs", "1", "--json", report, *words], limit)
+        run = limited.run([judge, "check", "--subjects", f"exec:{subject}", "--jobs", "1", "--skip-adapter-check", "--json", report,
+                           *words], limit)
         return run, rows_of(report)
 
     def killed_by_check(self, stage, judge, subject, folder, words, limit, judge_is_mutant):

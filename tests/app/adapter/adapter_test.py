@@ -120,6 +120,20 @@ wrong.serve({{"name": "two", "version": "1", "precision": "binary64"}}, {{"penet
         hints = [hint["hint"].split(":")[0] for hint in said["queries"][0]["hints"]]
         self.assertEqual(sorted(hints), ["depth sign", "normal reversed"])
 
+    def test_no_engine_is_judged_before_its_adapter_passes(self):
+        subject = altered(1.5)
+        words = ["--subjects", subject, "--properties", "distance.value", "--cases", "4", "--json", "r.json"]
+        for command in (["check"], ["report", "--out", "R"]):
+            done = subprocess.run([PROGRAM, *command, *words], cwd=self.folder, capture_output=True, text=True)
+            self.assertEqual((done.returncode, done.stdout), (2, ""), done.stderr)
+            self.assertRegex(done.stderr, r"distance: \d+ of \d+ plain questions answered wrongly; e.g. ")
+            self.assertIn("--skip-adapter-check judges it as it is", done.stderr)
+            self.assertEqual(self.files(), [])
+        self.succeeds("check", *words, code=1)  # with --skip-adapter-check
+        right = subprocess.run([PROGRAM, "check", "--subjects", altered(1), *words[2:]], cwd=self.folder, capture_output=True,
+                               text=True)
+        self.assertEqual(right.returncode, 0, right.stderr)
+
     def test_an_adapter_that_throws(self):
         script = self.file("throws.py", f"""
 import sys

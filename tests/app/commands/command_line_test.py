@@ -126,7 +126,7 @@ class Help(Test):
 
 class Stdin(Test):
     def run_with(self, content, *words):
-        return subprocess.run([PROGRAM, *map(str, words)], cwd=self.folder, capture_output=True, text=True, timeout=60,
+        return subprocess.run([PROGRAM, *as_asked(words)], cwd=self.folder, capture_output=True, text=True, timeout=60,
                               input=content if isinstance(content, str) else json.dumps(content))
 
     def test_scenes(self):

@@ -27,7 +27,7 @@ class Report(Test):
         for name, jobs, seed in [("once", 1, 7), ("again", 2, 7), ("other", 2, 8)]:
             words = ["report", "--queries", "bounds,distance,penetration", "--subjects", "reference,fast,bullet.float,fcl.indep",
                      "--meshes", "meshes", "--cases", 12, "--seed", seed, "--jobs", jobs, "--out", name]
-            cls.told[name] = subprocess.run([PROGRAM, *map(str, words)], cwd=cls.runs, capture_output=True, text=True,
+            cls.told[name] = subprocess.run([PROGRAM, *as_asked(words)], cwd=cls.runs, capture_output=True, text=True,
                                             timeout=600)
 
     def setUp(self):

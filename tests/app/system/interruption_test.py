@@ -75,7 +75,7 @@ def a_case(**change):
 
 class Interruption(Test):
     def start(self, *words, **options):
-        run = subprocess.Popen([PROGRAM, *map(str, words)], cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+        run = subprocess.Popen([PROGRAM, *as_asked(words)], cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
                                text=True, start_new_session=True, **options)
         self.addCleanup(run.communicate)
         self.addCleanup(run.kill)

@@ -53,7 +53,7 @@ class Terminal:
 class ProgressBar(Test):
     def on_terminal(self, columns, *words, code=0, resize_to=None):
         terminal = Terminal(columns)
-        run = subprocess.Popen([PROGRAM, *map(str, words)], cwd=self.folder, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+        run = subprocess.Popen([PROGRAM, *as_asked(words)], cwd=self.folder, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                                stderr=terminal.theirs, env={**os.environ, "TERM": "xterm"})
         if resize_to:
             theirs = os.dup(terminal.theirs)

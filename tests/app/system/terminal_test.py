@@ -16,7 +16,7 @@ RIGHT = {"touchstone": "case/1", "property": "distance.value", "subject": "inpro
 class Terminal(Test):
     def harmless(self, *words, code):
         """Runs the command. Its output is printable UTF-8, no line is forged, and the name is still visible."""
-        done = subprocess.run([PROGRAM, *[w if isinstance(w, bytes) else str(w) for w in words]], cwd=self.folder,
+        done = subprocess.run([PROGRAM, *as_asked(words)], cwd=self.folder,
                               stdin=subprocess.DEVNULL, capture_output=True, timeout=300)
         printed = done.stdout + done.stderr
         self.assertEqual(done.returncode, code, printed)

@@ -41,7 +41,7 @@ class Writing(Test):
         write_meshes(self.folder / "meshes")
 
     def run_into(self, stdout, words, **options):
-        return subprocess.run([PROGRAM, *map(str, words)], cwd=self.folder, stdin=subprocess.DEVNULL, stdout=stdout,
+        return subprocess.run([PROGRAM, *as_asked(words)], cwd=self.folder, stdin=subprocess.DEVNULL, stdout=stdout,
                               stderr=subprocess.PIPE, text=True, timeout=300, **options)
 
 
