@@ -55,13 +55,6 @@ Coefficients World::coefficients(BodyId a, BodyId b) const {
   return simulation::coefficients(bodies_[a], bodies_[b], motion().law);
 }
 
-bool World::restart_orientation(BodyId id, double until) {
-  BodyMotion& body = bodies_[id];
-  const double from = std::max(now_, body.path().since);
-  body.restart(from, body.state(from), body.path().a, body.path().alpha);
-  return body.follows(until);
-}
-
 double World::next_force_time() const {
   const std::vector<AppliedForce>& forces = motion().forces;
   return applied_forces_ < forces.size() ? forces[applied_forces_].time : never;

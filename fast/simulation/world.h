@@ -1,6 +1,7 @@
 // The bodies of a simulation at the current time: trajectories, applied accelerations, coefficients, impacts so far.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "fast/simulation/impact.h"
@@ -33,7 +34,11 @@ class World {
   /// is lost or slow to compute (BodyMotion::needs_restart). Returns false if it turns too fast to be followed until
   /// then even so.
   bool keep_orientation(BodyId id, double until) {
-    return !bodies_[id].needs_restart(until) || restart_orientation(id, until);
+    BodyMotion& body = bodies_[id];
+    if (!body.needs_restart(until)) return true;
+    const double from = std::max(now_, body.path().since);
+    body.restart(from, body.state(from), body.path().a, body.path().alpha);
+    return body.follows(until);
   }
 
   const Vec3& acceleration(BodyId id) const { return acceleration_[id]; }  ///< m/s²; by gravity and the applied force
@@ -46,8 +51,6 @@ class World {
   std::uint64_t impacts(BodyId a, BodyId b) const { return impacts_[a] + impacts_[b]; }  ///< of either, with any body
 
  private:
-  bool restart_orientation(BodyId id, double until);
-
   const Scene* scene_;
   double envelope_, reach_, end_;
   double now_ = 0;

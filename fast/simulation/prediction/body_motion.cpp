@@ -36,6 +36,11 @@ Range swept(double p, double v, double a, double from, double until) {
   return {range.lo - error, range.hi + error};
 }
 
+/// Whether a ball whose axis turns does so by more than `turn` radians until t.
+bool turns_by(const Path& path, double t, double turn) {
+  return turning_steps(path.w, path.alpha, t - path.since) > turn;
+}
+
 }  // namespace
 
 BodyMotion::BodyMotion(const Body& body, double since, const Vec3& gravity)
@@ -85,16 +90,12 @@ State BodyMotion::state(double t) const {
 }
 
 bool BodyMotion::needs_restart(double t) const {
-  if (kind_ != Kind::other) return axis_turns_ && turns_by(t, most_turn);
+  if (kind_ != Kind::other) return axis_turns_ && turns_by(path_, t, most_turn);
   return !fixed_ && !follows_step_ && (t - path_.since) * ballistic().rate() > most_turn;
 }
 
-bool BodyMotion::turns_by(double t, double turn) const {
-  return turning_steps(path_.w, path_.alpha, t - path_.since) > turn;
-}
-
 bool BodyMotion::follows(double t) const {
-  return kind_ == Kind::other ? ballistic().follows(t) : !axis_turns_ || !turns_by(t, 2 * most_turn);
+  return kind_ == Kind::other ? ballistic().follows(t) : !axis_turns_ || !turns_by(path_, t, 2 * most_turn);
 }
 
 Aabb BodyMotion::box(double from, double until, double margin) const {

@@ -91,8 +91,6 @@ class BodyMotion {
   };
   Other& other() const;
   void set_trajectory(double since, const State& state, const Vec3& acceleration, const Vec3& alpha);
-  /// Whether a ball whose axis turns does so by more than `turn` radians until t.
-  bool turns_by(double t, double turn) const;
 
   // Kept small for scenes of many balls: data that few kinds need is allocated apart, and data that time-of-impact
   // queries need comes first.
