@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <variant>
 
 #include "app/report/finding_words.h"
@@ -28,6 +29,7 @@
 #include "properties/clause.h"
 #include "properties/property.h"
 #include "properties/transforms/name.h"
+#include "reference/validity.h"
 
 namespace touchstone::app {
 namespace {
@@ -54,6 +56,17 @@ std::string command_that_runs(const CaseCommand& command, const std::string& ver
       is_plain ? "to run it: " + command_that_runs(command, verb, a_case) : "name it with --subject to run it";
   throw InputError(command.path, fmt::format("the file names a command, which only --subject may do; not run: {}; {}",
                                              Json(subject).dump(-1, ' ', true, Json::error_handler_t::replace), how));
+}
+
+/// The file may leave out the faces of polytopes, which the exact answers need.
+Case completed_case(const std::string& path) {
+  Case a_case = oracle::read_case(path);
+  try {
+    a_case.scene = reference::completed(std::move(a_case.scene));
+  } catch (const InputError& error) {
+    throw InputError(path, std::string("scene.") + error.what());
+  }
+  return a_case;
 }
 
 std::string name_of_subject(const CaseCommand& command, const std::string& verb, const Case& a_case) {
@@ -133,7 +146,7 @@ Case cut_down(const Example& example, const Property& property, oracle::Subject&
 }  // namespace
 
 int replay(const CaseCommand& command) {
-  const Case a_case = oracle::read_case(command.path);
+  const Case a_case = completed_case(command.path);
   const Property& property = properties::find(a_case.property);
   const std::string connectable = name_of_subject(command, "replay", a_case);
   oracle::PipeLimits limits = limits_of(command.time_limit);
@@ -151,7 +164,7 @@ int replay(const CaseCommand& command) {
 }
 
 int minimise(const CaseCommand& command) {
-  const Case a_case = oracle::read_case(command.path);
+  const Case a_case = completed_case(command.path);
   const Property& property = properties::find(a_case.property);
   const std::string connectable = name_of_subject(command, "minimise", a_case);
   const std::string out = command.out.empty() ? smaller_name(command.path) : command.out;

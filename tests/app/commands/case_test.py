@@ -57,6 +57,10 @@ class Case(Test):
         self.assertRegex(said, r"(?m)^proof +\S")
         self.assertIn("nan", said.lower())
 
+    def test_the_faces_of_a_hull_may_be_left_out(self):
+        self.file("mass.json", a_case("reference") | {"property": "mass.mass", "scene": scene(body(hull(ODD)))})
+        self.succeeds("replay", "mass.json", "--subject", "inproc:reference")
+
     def test_replay_asks_whom_we_name(self):
         self.assertRegex(self.succeeds("replay", "case.json", "--subject", "inproc:reference"), r"(?m)^subject +reference")
         self.assertEqual(json.loads(self.succeeds("replay", "case.json", "--subject", "reference", "--json"))["outcome"],
