@@ -7,9 +7,9 @@
 
 namespace touchstone::fast {
 
-/// A place in the code. Two laws are asked of the counts (tests/properties/scenes/marks_test.cpp): scenes reach
-/// the code it is for, and on generic scenes what is slow runs seldom. Else a fault there would change no answer: the
-/// code is never run, or an exact fallback mends what it did.
+/// A place in the code. The counts must obey two laws (tests/properties/scenes/marks_test.cpp): drawn scenes reach each
+/// place, and on generic scenes what is slow runs seldom. Else a fault there would change no answer: the code is never
+/// run, or an exact fallback repairs what it did.
 enum class Mark : unsigned char {
   climb,              ///< fast/bounds/climb: one polytope at one pose
   climb_step,         ///< a vertex left for a higher one

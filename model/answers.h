@@ -186,4 +186,11 @@ struct Breaks {
 template <class T>
 using Answer = std::variant<T, Abstains, Breaks>;
 
+/// Whether the subject exceeded its time limit.
+template <class T>
+bool hung(const Answer<T>& answer) {
+  const auto* breaks = std::get_if<Breaks>(&answer);
+  return breaks != nullptr && breaks->kind == Breaks::Kind::hung;
+}
+
 }  // namespace touchstone

@@ -60,7 +60,7 @@ Finding turned_world(const Scene& scene, Subject& subject) {
     return Moving{half(V.v_WBcm), half(V.w_WB)};
   };
   const Finding third = changes(scene, turned(scene), subject, Defect::moved_with_frame, by_third);
-  if (third.outcome == oracle::Outcome::fails || third.outcome == oracle::Outcome::breaks) return third;
+  if (failed(third)) return third;
   return changes(scene, half_turned(scene), subject, Defect::moved_with_frame, by_half);
 }
 

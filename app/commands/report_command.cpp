@@ -114,9 +114,9 @@ bool is_case_of_a_report(const fs::path& file) {
 }
 
 /// Names the cases' commands before the page and the JUnit XML print them.
-void name_replay_commands(ResultMatrix& results, const TrialPlan& plan, const fs::path& folder) {
-  for (Row& row : results.all()) {
-    if (!row.minimised.result) continue;
+void name_replay_commands(Ledger& ledger, const TrialPlan& plan, const fs::path& folder) {
+  const auto name = [&](Row& row) {
+    if (!row.minimised.result) return;
     std::optional<double> limit;
     if (row.minimised.result->finding.defect == oracle::Defect::hung) {
       const bool is_patient = !is_simulated(row.property->query);  // replay's factor is always the patient one
@@ -124,7 +124,8 @@ void name_replay_commands(ResultMatrix& results, const TrialPlan& plan, const fs
     }
     row.minimised.replay_command =
         replay_command((folder / row.minimised.case_file).string(), row.minimised.result->subject, limit);
-  }
+  };
+  for (ResultMatrix* results : {&ledger.results, &ledger.beyond}) std::ranges::for_each(results->all(), name);
 }
 
 /// Removes the old report first and writes index.html last: if index.html exists, the report is complete.
@@ -320,8 +321,7 @@ int report(const RunOptions& options) {
   const MeshSet meshes = meshes_of(options);
   if (!meshes.absent.empty()) complain("no real meshes: {}", meshes.absent);
   Ledger ledger = run(plan, meshes);
-  name_replay_commands(ledger.results, plan, options.files.out);
-  name_replay_commands(ledger.beyond, plan, options.files.out);
+  name_replay_commands(ledger, plan, options.files.out);
   write_report(options.files.out, ledger);
   write_extras(options, ledger);
   print_summary(ledger);
@@ -343,8 +343,7 @@ int check(const RunOptions& options) {
     comparison = compare(*baselines.expected, baselines.today, ledger);
   }
   if (!options.files.out.empty()) {
-    name_replay_commands(ledger.results, plan, options.files.out);
-    name_replay_commands(ledger.beyond, plan, options.files.out);
+    name_replay_commands(ledger, plan, options.files.out);
     write_report(options.files.out, ledger);
   }
   write_extras(options, ledger);

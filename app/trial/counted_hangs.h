@@ -1,13 +1,13 @@
 // Counts how often a subject hangs.
 #pragma once
 
-#include "app/trial/passing_on.h"
+#include "oracle/passing_on.h"
 
 namespace touchstone::app {
 
 /// Passes all questions on and counts those that hang: each of them costs the whole time limit. `subject` and `hangs`
 /// must outlive this object.
-class CountedHangs final : public PassingOn<CountedHangs> {
+class CountedHangs final : public oracle::PassingOn<CountedHangs> {
  public:
   CountedHangs(oracle::Subject& subject, int& hangs) : PassingOn(subject), hangs_(hangs) {}
 
@@ -17,8 +17,7 @@ class CountedHangs final : public PassingOn<CountedHangs> {
   template <class T>
   Answer<T> pass(Answer<T> (Subject::*query)(const Scene&), const Scene& scene) {
     Answer<T> answer = (subject_.*query)(scene);
-    const auto* breaks = std::get_if<Breaks>(&answer);
-    if (breaks != nullptr && breaks->kind == Breaks::Kind::hung) ++hangs_;
+    if (hung(answer)) ++hangs_;
     return answer;
   }
 

@@ -3,13 +3,13 @@
 
 #include <string>
 
-#include "app/trial/passing_on.h"
+#include "oracle/passing_on.h"
 
 namespace touchstone::app {
 
 /// Passes all questions on. A law asks about a scene and then about the scene after a change, and either may be
 /// outside. `subject` must outlive this object.
-class DomainWatch final : public PassingOn<DomainWatch> {
+class DomainWatch final : public oracle::PassingOn<DomainWatch> {
  public:
   using PassingOn::PassingOn;
 

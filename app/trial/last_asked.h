@@ -3,13 +3,13 @@
 
 #include <optional>
 
-#include "app/trial/passing_on.h"
+#include "oracle/passing_on.h"
 
 namespace touchstone::app {
 
 /// Passes all questions on. A law asks about a scene and then about the scene after a change, so what it finds wrong is
 /// the answer to the last question, or that there was none. `subject` must outlive this object.
-class LastAsked final : public PassingOn<LastAsked> {
+class LastAsked final : public oracle::PassingOn<LastAsked> {
  public:
   using PassingOn::PassingOn;
 

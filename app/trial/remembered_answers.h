@@ -5,14 +5,14 @@
 #include <tuple>
 #include <vector>
 
-#include "app/trial/passing_on.h"
+#include "oracle/passing_on.h"
 
 namespace touchstone::app {
 
 /// Passes a question on, unless it was asked before. It is made anew for each drawn scene. Most properties of a query
 /// ask about the drawn scene itself, and without it an engine would follow a motion up to 31 times. A property that
 /// compares two answers to one question must ask the subject itself. `subject` must outlive this object.
-class RememberedAnswers final : public PassingOn<RememberedAnswers> {
+class RememberedAnswers final : public oracle::PassingOn<RememberedAnswers> {
  public:
   using PassingOn::PassingOn;
 

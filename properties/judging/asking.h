@@ -46,12 +46,6 @@ oracle::Finding survives(oracle::QueryFunction<T> query, const Scene& scene, ora
   });
 }
 
-template <class T>
-bool hung(const Answer<T>& answer) {
-  const auto* breaks = std::get_if<Breaks>(&answer);
-  return breaks != nullptr && breaks->kind == Breaks::Kind::hung;
-}
-
 /// Asks the same question three times, with another one before the last: all three answers must be equal, bit for bit.
 /// A subject that answers once may need more than the time limit the next time, on a busy machine: a hang is no other
 /// answer.

@@ -59,8 +59,7 @@ bool lies_about(const oracle::subjects::Canary& canary, const std::string& query
 bool catches(const properties::Property& property, const oracle::subjects::Canary& canary) {
   return std::ranges::any_of(scenes_of(property.query), [&](const Scene& scene) {
     const auto subject = canary.make(truthful());
-    const oracle::Outcome outcome = property.check(scene, *subject).outcome;
-    return outcome == oracle::Outcome::fails || outcome == oracle::Outcome::breaks;
+    return failed(property.check(scene, *subject));
   });
 }
 

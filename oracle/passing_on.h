@@ -3,16 +3,16 @@
 
 #include "oracle/subject.h"
 
-namespace touchstone::app {
+namespace touchstone::oracle {
 
 /// `Derived` has a member template Answer<T> pass(Answer<T> (Subject::*query)(const Scene&), const Scene&). `subject`
 /// must outlive this object.
 template <class Derived>
-class PassingOn : public oracle::Subject {
+class PassingOn : public Subject {
  public:
-  explicit PassingOn(oracle::Subject& subject) : subject_(subject) {}
+  explicit PassingOn(Subject& subject) : subject_(subject) {}
 
-  const oracle::Card& card() const override { return subject_.card(); }
+  const Card& card() const override { return subject_.card(); }
   Answer<Masses> mass(const Scene& scene) override { return derived().pass(&Subject::mass, scene); }
   Answer<Bounds> bounds(const Scene& scene) override { return derived().pass(&Subject::bounds, scene); }
   Answer<PairSet> broad_phase(const Scene& scene) override { return derived().pass(&Subject::broad_phase, scene); }
@@ -30,10 +30,10 @@ class PassingOn : public oracle::Subject {
   Answer<Trajectory> constraint(const Scene& scene) override { return derived().pass(&Subject::constraint, scene); }
 
  protected:
-  oracle::Subject& subject_;
+  Subject& subject_;
 
  private:
   Derived& derived() { return static_cast<Derived&>(*this); }
 };
 
-}  // namespace touchstone::app
+}  // namespace touchstone::oracle
