@@ -1,6 +1,16 @@
 #include "oracle/finding.h"
 
+#include <algorithm>
+
+#include "model/infinity.h"
+
 namespace touchstone::oracle {
+
+double excess(const Finding& finding) {
+  if (finding.error == 0) return 0;
+  if (finding.unit.starts_with("ulps of ")) return finding.error / std::max(finding.allowed, 1.0);
+  return finding.allowed > 0 ? finding.error / finding.allowed : infinity;
+}
 
 std::string name_of(Outcome outcome) {
   switch (outcome) {

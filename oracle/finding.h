@@ -67,7 +67,7 @@ struct Finding {
   double allowed = 0;              ///< in `unit`; the named bound that `error` is compared with
   std::string unit;                ///< usually "ulps of the scene's scale"
   double rounding = 0;             ///< in `unit`: what rounding explains, where the clause allows less; 0: nothing more
-  std::optional<double> relative;  ///< 1: a failure's error over the exact value; infinite if that is 0
+  std::optional<double> relative;  ///< 1: a failure's error over the exact value (infinite if that is 0), or its size
   std::optional<double> of_body;   ///< 1: a failure's error, if it is a length, over the size of the smaller body
   std::optional<Interval> margin;  ///< m: how far the input is from changing the truth
   std::string certificate;         ///< the proof of the truth, in words
@@ -84,6 +84,9 @@ inline constexpr const char* without_size = "broken laws";
 inline bool failed(const Finding& finding) {
   return finding.outcome == Outcome::fails || finding.outcome == Outcome::breaks;
 }
+
+/// A failure's error over what is allowed; in ulps, at least one is allowed. Infinite if nothing is.
+double excess(const Finding& finding);
 
 /// The enumerator itself, as case files and reports have it: "too_far".
 std::string name_of(Outcome outcome);

@@ -5,6 +5,7 @@
 
 #include "oracle/judge/words.h"
 #include "oracle/tolerance/impulse.h"
+#include "oracle/tolerance/tolerance.h"
 #include "properties/cases/constraint_case.h"
 #include "properties/queries.h"
 #include "properties/transforms/scene.h"
@@ -19,13 +20,21 @@ namespace judge = oracle::judge;
 namespace tolerance = oracle::tolerance;
 using oracle::words::text;
 
-judge::Allowance metres(double bound) { return {bound, 1, "m"}; }
-judge::Allowance metres_per_second(double bound) { return {bound, 1, "m/s"}; }
+judge::Allowance metres(double bound, double size) { return {bound, 1, "m", size}; }
 
 std::string text_of(const std::array<Interval, 3>& v) {
   return text(
       Vec3(v[0].lo + (v[0].hi - v[0].lo) / 2, v[1].lo + (v[1].hi - v[1].lo) / 2, v[2].lo + (v[2].hi - v[2].lo) / 2));
 }
+
+/// m/s: of the ball, the exact one of its centre or of its surface about it, whichever is greater.
+double speed(const RollingCase& asked, std::size_t sample) {
+  const reference::BallTruth& exact = asked.exact(sample);
+  return std::max(off(Vec3::Zero(), exact.v_WB), asked.radius() * off(Vec3::Zero(), exact.w_WB));
+}
+
+/// m: size of the smaller of two bodies.
+double smaller(const Scene& pair) { return std::min(tolerance::size(pair.bodies[0]), tolerance::size(pair.bodies[1])); }
 
 std::string at(const Scene& scene, std::size_t sample) {
   return " at " + text(scene.motion->sample_times[sample]) + " s";
@@ -49,7 +58,7 @@ Finding place(const Scene& scene, Subject& subject) {
     return each_sample(asked, [&](std::size_t i) {
       const Vec3& p = asked.ball(i).X_WB.p_WB;
       return judge::at_most(
-          off(p, asked.exact(i).p_WB), metres(asked.bounds[i].place), Defect::wrong_motion,
+          off(p, asked.exact(i).p_WB), metres(asked.bounds[i].place, asked.radius()), Defect::wrong_motion,
           [&] { return "the ball's centre is " + text(p) + at(asked.scene, i); },
           [&] { return text_of(asked.exact(i).p_WB); });
     });
@@ -64,7 +73,7 @@ Finding velocity(const Scene& scene, Subject& subject) {
       const double error =
           std::max(off(V.v_WBcm, asked.exact(i).v_WB), asked.radius() * off(V.w_WB, asked.exact(i).w_WB));
       return judge::at_most(
-          error, metres_per_second(asked.bounds[i].speed), Defect::wrong_velocity,
+          error, {asked.bounds[i].speed, 1, "m/s", 0, speed(asked, i)}, Defect::wrong_velocity,
           [&] { return "v = " + text(V.v_WBcm) + ", w = " + text(V.w_WB) + at(asked.scene, i); },
           [&] { return "v = " + text_of(asked.exact(i).v_WB) + ", w = " + text_of(asked.exact(i).w_WB); });
     });
@@ -123,7 +132,7 @@ Finding apart(const Scene& scene, Subject& subject) {
                                    ? oracle::truth::penetration(pair).depth
                                    : Interval{0, 0};
         const Finding finding = judge::at_most(
-            depth.lo, metres(bound), Defect::overdeep,
+            depth.lo, metres(bound, smaller(pair)), Defect::overdeep,
             [&] {
               return "bodies " + std::to_string(a) + " and " + std::to_string(b) + " overlap by " + text(depth.lo) +
                      " m" + at(scene, said.states.size() - 1);
@@ -173,7 +182,7 @@ Finding energy_falls(const Scene& scene, Subject& subject) {
     for (std::size_t i = 0; i < said.states.size(); ++i) {
       const double now = energy(scene, said.states[i]);
       const Finding finding = judge::at_most(
-          std::max(0.0, now - last), {allowed + rounding, 1, "J"}, Defect::wrong_energy,
+          std::max(0.0, now - last), {allowed + rounding, 1, "J", 0, std::abs(last)}, Defect::wrong_energy,
           [&] { return "energy rises by " + text(now - last) + " J" + at(scene, i); },
           [] { return std::string("energy never rises"); });
       if (finding.outcome == oracle::Outcome::fails) return finding;
@@ -197,7 +206,7 @@ Finding cone(const Scene& scene, Subject& subject) {
       const double beyond = std::max({-P_n, P_t - mu * P_n, 0.0});
       const oracle::Real impulse = size, friction = mu;
       const Finding finding = judge::at_most(
-          beyond, {4 * tolerance::cone(impulse, friction, subject.card().precision), 1, "N s"},
+          beyond, {4 * tolerance::cone(impulse, friction, subject.card().precision), 1, "N s", 0, size},
           P_n < 0 ? Defect::pulls : Defect::beyond_cone,
           [&] { return "P_n = " + text(P_n) + ", |P_t| = " + text(P_t) + " at " + text(event.time) + " s"; },
           [&] { return "P_n ≥ 0 and |P_t| ≤ " + text(mu) + " P_n"; });
@@ -237,7 +246,7 @@ Finding covariant(const Scene& scene, const std::optional<Scene>& moved, Subject
           if (i >= said.states.size()) return judge::outside("the second answer ends before this sample");
           const Vec3 p = asked.ball(i).X_WB.p_WB;
           const Vec3 q = back(said.states[i][ball(static_cast<std::size_t>(asked.truth.ball))].X_WB.p_WB);
-          return judge::at_most((p - q).norm(), metres(2 * asked.bounds[i].place), defect,
+          return judge::at_most((p - q).norm(), metres(2 * asked.bounds[i].place, asked.radius()), defect,
                                 [&] { return text(q) + ", transformed back," + at(asked.scene, i); },
                                 [&] { return text(p); });
         });

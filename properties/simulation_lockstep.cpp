@@ -37,7 +37,7 @@ Finding in_enclosure(const MotionCase& pair, double eps, const Event& event) {
   const double allowed =
       early ? from - comes_within(pair, eps + pair.slack, event.time) : pair.latest().value_or(pair.end) - to;
   return judge::at_most(
-      early ? from - event.time : event.time - to, {std::isnan(allowed) ? 0 : allowed, 1, "s"},
+      early ? from - event.time : event.time - to, {std::isnan(allowed) ? 0 : allowed, 1, "s", 0, event.time},
       early ? Defect::too_early : Defect::too_late, [&] { return text(event); },
       [&] {
         return "an impact in " + oracle::words::text(Interval{from, to}) + " s";

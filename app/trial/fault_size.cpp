@@ -36,7 +36,7 @@ double over_scene(const oracle::Finding& finding, const Scene& scene, oracle::Pr
 
 FaultSize fault_size(const oracle::Finding& finding, const Scene& scene, oracle::Precision precision) {
   if (!has_magnitude(finding)) return {};
-  return {finding.error / std::max(finding.allowed, 1.0), over_scene(finding, scene, precision)};
+  return {oracle::excess(finding), over_scene(finding, scene, precision)};
 }
 
 bool is_measurable(const oracle::Finding& finding, oracle::Precision precision) {

@@ -16,8 +16,6 @@ namespace {
 using oracle::Grade;
 using oracle::Outcome;
 
-double excess(const oracle::Finding& finding) { return finding.error / (finding.allowed > 0 ? finding.allowed : 1); }
-
 bool has_size(const oracle::Finding& finding) { return !finding.unit.empty() && finding.allowed > 0; }
 
 bool closer(const Example& a, const Example& b) { return excess(a.finding) > excess(b.finding); }

@@ -29,7 +29,7 @@ struct Allowance {
   double unit = 1;   ///< SI; > 0
   std::string unit_name = "ulps of the scene's scale";
   double body = 0;   ///< m: size of the smaller body, if the error is a length; else 0
-  double value = 0;  ///< SI: size of the exact value; 0: not known in advance
+  double value = 0;  ///< SI: size of the exact value; of a place on a trajectory, of the way; 0: not known in advance
 };
 
 /// `allowed` in metres, counted in ulps of the scene's scale in the subject's precision.

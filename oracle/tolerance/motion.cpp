@@ -110,6 +110,15 @@ Real uneven(const Facts& it, Real u) { return it.round ? 0 : 3 * it.moment_error
 // differ, the grown error.
 Real turned(const Facts& it, Real theta, Real u) { return u * (8 * theta + 32) + uneven(it, u) * grown(it, theta); }
 
+/// m/s: of a point of a body.
+double fastest_at_start(const Scene& scene) {
+  double fastest = 0;
+  for (const Body& body : scene.bodies) {
+    fastest = std::max(fastest, body.velocity.v_WBcm.norm() + radius(body) * body.velocity.w_WB.norm());
+  }
+  return fastest;
+}
+
 }  // namespace
 
 // To first order in u, over τ seconds:
@@ -163,14 +172,14 @@ BallisticBound stepped(const Scene& scene, std::size_t body, double time, const 
   return bound;
 }
 
+double longest_way(const Scene& scene, double seconds) {
+  return seconds * (fastest_at_start(scene) + scene.gravity.norm() * seconds / 2);
+}
+
 // Each body has at most the speed of the fastest at the start, and what gravity adds. Spin may become speed: half the
 // energy ½ I w² ≤ ½ m ρ² w², with ρ the body's reach.
 double way_of_step(const Scene& scene, double step) {
-  double fastest = 0;
-  for (const Body& body : scene.bodies) {
-    fastest = std::max(fastest, body.velocity.v_WBcm.norm() + radius(body) * body.velocity.w_WB.norm());
-  }
-  return 2 * step * (fastest + scene.gravity.norm() * scene.motion->sample_times.back());
+  return 2 * step * (fastest_at_start(scene) + scene.gravity.norm() * scene.motion->sample_times.back());
 }
 
 // A shift stays, and a velocity adds to it. `place` bounds the error of the turn times rho as well. A turned body whose

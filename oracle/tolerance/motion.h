@@ -27,6 +27,9 @@ BallisticBound ballistic(const Scene& scene, std::size_t body, double time, Prec
 /// `farthest` stay 0.
 BallisticBound stepped(const Scene& scene, std::size_t body, double time, const Stepping& stepping);
 
+/// m: the longest way of a point of a body in so many seconds without impacts.
+double longest_way(const Scene& scene, double seconds);
+
 /// m: how far two bodies may move towards each other in one step, before the stepper notices that they touch.
 double way_of_step(const Scene& scene, double step);
 

@@ -42,9 +42,10 @@ constexpr double answer_rounding = 7;
 
 double times_ulp(double k, const Scene& scene, Precision precision) { return k * ulp(scene, precision); }
 
-double rounding(double computed, Precision precision) {
-  return precision == Precision::exact ? answer_rounding : computed;
+double rounding(double computed, double exact, Precision precision) {
+  return precision == Precision::exact ? exact : computed;
 }
+double rounding(double computed, Precision precision) { return rounding(computed, answer_rounding, precision); }
 
 double radius(const Sphere& s) { return s.radius; }
 double radius(const Box& b) { return b.half_extents.stableNorm(); }
@@ -134,8 +135,13 @@ double separation(const Scene& scene, Precision precision) {
   return penetration(scene, precision) + depth * (unit_length(precision) + 2 * unit_roundoff(precision));
 }
 
-// n/|n|: 3 squares and 2 sums 3u, root 1.5u + u, division u: 3.5u for each component, equal for all but 1u.
-double unit_length(Precision precision) { return 4 * unit_roundoff(precision); }
+// n/|n|: 3 squares and 2 sums 3u, root 1.5u + u, division u: 3.5u for each component, equal for all but 1u. An exact
+// subject rounds it last. An engine normalises it in the frame of a body or of the pair and turns it, as a point, by up
+// to two poses: ‖ΔR‖ < 44u and the product 5.2u each (above), < 50u with the terms of second order.
+double unit_length(Precision precision) {
+  const double normalised = 4, turned = 50;
+  return rounding(normalised + 2 * turned, normalised, precision) * unit_roundoff(precision);
+}
 
 // Two poses, and the same again outward, so that the box contains the body in spite of rounding.
 double bounds(const Scene& scene, Precision precision) {

@@ -96,7 +96,9 @@ std::optional<MotionCase> motion_case(const Scene& pair, oracle::Precision preci
 oracle::judge::Allowance in_ulps_of_place(const MotionCase& asked, double bound) {
   oracle::Card card;
   card.precision = asked.precision;
-  return oracle::judge::in_ulps(asked.scene, card, bound);
+  oracle::judge::Allowance allowance = oracle::judge::in_ulps(asked.scene, card, bound);
+  allowance.value = oracle::tolerance::longest_way(asked.scene, end_of(asked.scene));
+  return allowance;
 }
 
 std::string text(const TimeOfImpact& said) {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "oracle/judge/words.h"
+#include "oracle/tolerance/motion.h"
 #include "oracle/tolerance/precision.h"
 #include "oracle/tolerance/tolerance.h"
 #include "oracle/truth/impact.h"
@@ -237,7 +238,9 @@ bool acts_together(const TrajectoryCase& asked, const Event& impact) {
 oracle::judge::Allowance in_ulps_of_place(const TrajectoryCase& asked, double bound) {
   oracle::Card card;
   card.precision = asked.precision;
-  return oracle::judge::in_ulps(asked.scene, card, bound);
+  oracle::judge::Allowance allowance = oracle::judge::in_ulps(asked.scene, card, bound);
+  allowance.value = tolerance::longest_way(asked.scene, end_of(asked.scene));
+  return allowance;
 }
 
 std::string text(const Event& event) {

@@ -15,6 +15,7 @@ Finding failing(double error, double allowed, Defect defect = Defect::too_far) {
   finding.defect = defect;
   finding.error = error;
   finding.allowed = allowed;
+  finding.unit = "ulps of the scene's scale";
   return finding;
 }
 
@@ -56,23 +57,70 @@ TEST_CASE("grades: F for an answer without a right digit, if the error shows on 
   zero.relative = 1;
   zero.of_body = 0.83;
   CHECK(grade(zero) == Grade::F);
-  zero.relative = 0.99;  // a digit of it is right
-  CHECK(grade(zero) == Grade::C);
-  zero.relative = 1;
   zero.of_body = 0.9 * 0x1p-10;  // less than a thousandth of the body
   CHECK(grade(zero) == Grade::C);
   Finding no_mass = failing(0x1p24, 300, Defect::wrong_mass);
   no_mass.relative = 1;  // not a length
   CHECK(grade(no_mass) == Grade::F);
-  Finding little = failing(250 * 0x1p10, 250, Defect::too_near);  // no more was promised than B forgives
-  little.relative = 7;
-  little.of_body = 7;
-  CHECK(grade(little) == Grade::B);
   Finding verdict = failing(250 * 0x1p11, 250, Defect::phantom);
   verdict.of_body = 0.1;
   CHECK(grade(verdict) == Grade::F);
   verdict.of_body = 1e-4;
   CHECK(grade(verdict) == Grade::C);
+}
+
+TEST_CASE("grades: by the share of the exact value that an error is, where the clause promises those digits") {
+  const auto of = [](double relative, double allowed_share) {
+    Finding finding = failing(0x1p53 * relative, 0x1p53 * allowed_share, Defect::wrong_mass);
+    finding.relative = relative;
+    return grade(finding);
+  };
+  // An inertia off by 37 %, of a hull of 12 triangles in single precision: 146 u · 11.4 · 18 = 0.0018 are allowed.
+  CHECK(of(0.37, 0.0018) == Grade::D);
+  CHECK(of(0.37, 0.1) == Grade::D);
+  CHECK(of(0.37, 0.11) == Grade::B);  // no digit is promised
+  CHECK(of(0.19, 0.1) == Grade::B);   // more than half of the error may be rounding
+  CHECK(of(0.5, 0.06) == Grade::D);
+  CHECK(of(0.51, 0.06) == Grade::F);  // not the first bit
+  CHECK(of(1, 0.1) == Grade::F);
+  CHECK(of(1, 0.2) == Grade::B);
+  CHECK(of(0.1, 0.0009) == Grade::C);
+  CHECK(of(0.1, 0.001) == Grade::B);  // three digits are not promised
+  CHECK(of(0x1p-10, 0x1p-15) == Grade::B);
+  CHECK(of(0.001, 0x1p-11) == Grade::C);
+  CHECK(of(1e-5, 1e-14) == Grade::D);  // binary64 promises more digits, so e is the stricter
+}
+
+TEST_CASE("grades: an error in metres is compared with the metres that are allowed, not with one metre") {
+  Finding far = failing(0.3, 0.001, Defect::wrong_motion);
+  far.unit = "m";
+  CHECK(grade(far) == Grade::B);
+  far.error = 1.5;
+  CHECK(grade(far) == Grade::C);
+  far.allowed = 0;
+  CHECK(grade(far) == Grade::D);
+}
+
+TEST_CASE("grades: a length counts by its share of the exact value or of the smaller body, whichever is less") {
+  Finding length = failing(500, 1, Defect::too_near);  // no more is promised than B forgives
+  length.relative = 1;
+  length.of_body = 0.83;
+  CHECK(grade(length) == Grade::F);
+  length.of_body = 0.2;
+  CHECK(grade(length) == Grade::D);
+  length.of_body = 0.05;
+  CHECK(grade(length) == Grade::C);
+  length.of_body = 0.0005;
+  CHECK(grade(length) == Grade::B);
+  length.of_body = 0.2;
+  length.relative = 1e-4;  // 20 cm of 2 km
+  CHECK(grade(length) == Grade::B);
+  length.relative.reset();
+  CHECK(grade(length) == Grade::D);
+  length.defect = Defect::phantom;  // a wrong verdict has no right digit; what shows is the body's share
+  CHECK(grade(length) == Grade::D);
+  length.of_body = 0.6;
+  CHECK(grade(length) == Grade::F);
 }
 
 TEST_CASE("grades: a failure says how large its error is beside the exact value and beside the smaller body") {
@@ -92,7 +140,7 @@ TEST_CASE("grades: a failure says how large its error is beside the exact value 
   CHECK(grade(zero) == Grade::F);
   const Finding half = said(0.375, {0.75, 0.75});
   CHECK(half.relative == 0.5);
-  CHECK(grade(half) == Grade::C);
+  CHECK(grade(half) == Grade::D);
   CHECK(grade(said(0.75, {0, 0})) == Grade::F);  // for bodies that overlap
   const Finding right = said(0.75, {0.75, 0.75});
   CHECK_FALSE(right.relative);

@@ -87,6 +87,26 @@ TEST_CASE("a direction normalised in binary32 is within unit_length of 1, and no
   CHECK(worst > 0);
 }
 
+// A contact normal is normalised in the frame of one body, and turned into that of the other and into the world's.
+TEST_CASE(
+    "a direction turned twice in binary32 is within unit_length of 1, and not always within that of one not turned") {
+  Floats random;
+  double worst = 0;
+  for (int i = 0; i < 100000; ++i) {
+    const auto turn = [&] {
+      return Eigen::Quaternionf(
+                 Eigen::Quaterniond(random.next(), random.next(), random.next(), random.next()).cast<float>())
+          .normalized();
+    };
+    const Eigen::Vector3f n_B = random.point().cast<float>().normalized();
+    const Eigen::Quaternionf one = turn(), other = turn();
+    const Eigen::Vector3f n = other.toRotationMatrix() * (one.toRotationMatrix() * n_B);
+    worst = std::max(worst, std::abs(n.cast<double>().norm() - 1));
+  }
+  CHECK(worst < oracle::tolerance::unit_length(Precision::binary32));
+  CHECK(worst > 4 * 0x1p-24);
+}
+
 TEST_CASE("a tetrahedron's mass and centre in binary32, seen from its first vertex, are within the bound") {
   Floats random;
   for (int i = 0; i < 1000; ++i) {

@@ -42,9 +42,11 @@ TEST_CASE("penetration.separates: only a move that clears the bodies") {
   CHECK(judged("penetration.separates", "cubes apart along y", deep(0)).outcome == Outcome::outside);
 }
 
-TEST_CASE("penetration.unit_direction: of length 1 to 4 ulps") {
+TEST_CASE("penetration.unit_direction: of length 1 to 104 ulps: normalised, and turned by two poses") {
   CHECK(judged("penetration.unit_direction", overlap, deep(0.5)).outcome == Outcome::holds);
-  CHECK(judged("penetration.unit_direction", overlap, deep(0.5, Vec3(0, -1 - 8 * 0x1p-53, 0))).outcome ==
+  CHECK(judged("penetration.unit_direction", overlap, deep(0.5, Vec3(0, -1 - 104 * 0x1p-53, 0))).outcome ==
+        Outcome::holds);
+  CHECK(judged("penetration.unit_direction", overlap, deep(0.5, Vec3(0, -1 - 106 * 0x1p-53, 0))).outcome ==
         Outcome::fails);
   CHECK(judged("penetration.unit_direction", overlap, deep(0.5, Vec3(0, -2, 0))).defect == Defect::wrong_normal);
 }
