@@ -34,7 +34,7 @@ std::optional<PairContact> contact_of(Run& run, const PairEvent& pair) {
   const World& world = run.world;
   const BodyMotion &a = world.body(pair.a), &b = world.body(pair.b);
   const Touch nearest = run.schedule.nearest_points(pair.a, pair.b, world.now());
-  if (nearest.gap > std::max(world.envelope(), 2 * clearance(a, b, world.now(), never))) return {};
+  if (nearest.gap > world.envelope() && nearest.gap > 2 * clearance(a, b, world.now(), never)) return {};
   if (has_closed_form(a, b)) return PairContact{nearest, {}};
   return with_all_points(run, pair).value_or(PairContact{nearest, {}});
 }
@@ -90,7 +90,7 @@ void respond(Run& run, const PairEvent& pair, const PairContact& contact) {
   if (c.restitution < 1 && collides_endlessly(run, pair.a, pair.b, speeds.u_n) && merge_islands(run, pair.a, pair.b))
     return;
   const double rebound = c.restitution * -speeds.u_n, presses = pressing_acceleration(a, b, touch);
-  bool is_alone = acts_alone(run, pair.a, pair.b);
+  bool is_alone = acts_alone(run, pair.a, pair.b, speeds.u_n);
   if (is_alone) {
     apply_impulse(run, Event::Kind::impact, pair.a, pair.b, touch, impact(a, at_a, b, at_b, touch, c));
   } else {
@@ -126,7 +126,8 @@ void resolve_contact(Run& run, const PairEvent& pair) {
   if (run.schedule.was_cut_off(pair.a, pair.b))
     return run.guard.stop(world.now(), pair.a, pair.b, "a first contact takes more separation queries than allowed");
   if (run.islands.of(pair.a) || run.islands.of(pair.b)) return resolve_island_contact(run, pair);
-  if (!positions_resolved(world.body(pair.a), world.body(pair.b), world.now()))
+  const BodyMotion &a = world.body(pair.a), &b = world.body(pair.b);
+  if (!positions_resolved(a, b, clearance(a, b, world.now(), never)))
     return run.stop_before_now(pair.a, pair.b, "rounding moves the two by more than a thousandth of the smaller one");
   const std::optional<PairContact> contact = contact_of(run, pair);
   if (!contact) return recheck(run, pair.a, pair.b);

@@ -63,8 +63,8 @@ void refuse_beyond_doubles(const Scene& scene, const std::vector<BodyMotion>& bo
   }
 }
 
-bool positions_resolved(const BodyMotion& a, const BodyMotion& b, double t) {
-  return clearance(a, b, t, never) < least_resolution * std::min(size_of(a), size_of(b));
+bool positions_resolved(const BodyMotion& a, const BodyMotion& b, double rounding) {
+  return rounding < least_resolution * std::min(size_of(a), size_of(b));
 }
 
 }  // namespace touchstone::fast::simulation

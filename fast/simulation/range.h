@@ -11,9 +11,9 @@ namespace touchstone::fast::simulation {
 /// energies within 2^±1000. Speeds may be arbitrarily small.
 void refuse_beyond_doubles(const Scene& scene, const std::vector<BodyMotion>& bodies);
 
-/// Whether the rounding of both positions at time t (clearance without its upper bound) is less than a thousandth of
-/// the smaller body. Otherwise doubles cannot decide whether the two touch, and the contact point of an impact could be
-/// on neither.
-bool positions_resolved(const BodyMotion& a, const BodyMotion& b, double t);
+/// Whether the rounding of both positions (m; clearance(a, b, t, never), prediction/pair_time_of_impact.h) is less than
+/// a thousandth of the smaller body. Otherwise doubles cannot decide whether the two touch, and the contact point of an
+/// impact could be on neither.
+bool positions_resolved(const BodyMotion& a, const BodyMotion& b, double rounding);
 
 }  // namespace touchstone::fast::simulation

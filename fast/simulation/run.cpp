@@ -11,11 +11,14 @@ double frame_length(const World& world, const SimulationOptions& options) {
   return std::max(options.frame, world.end() * 0x1p-13);
 }
 
+bool is_ball_or_block(const BodyMotion& body) { return body.kind() != Kind::other; }
+
 }  // namespace
 
 Run::Run(const Scene& scene, const SimulationOptions& given)
     : options(given),
       world(scene),
+      has_closed_forms(std::ranges::all_of(world.bodies(), is_ball_or_block)),
       islands(world),
       rests(world.bodies().size()),
       recorder(world, islands, given.keep_events),

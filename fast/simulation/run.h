@@ -30,6 +30,7 @@ struct Run {
 
   const SimulationOptions options;
   World world;
+  const bool has_closed_forms;  ///< every pair of bodies has one of its time of impact, or never collides
   Islands islands;
   RestingBodies rests;
   Recorder recorder;

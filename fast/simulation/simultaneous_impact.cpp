@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <tuple>
 
@@ -9,13 +10,14 @@
 #include "fast/simulation/impact_event.h"
 #include "fast/simulation/island/island_event.h"
 #include "fast/simulation/response.h"
+#include "fast/simulation/rest/resting_contact.h"
 #include "fast/simultaneous/round.h"
 
 namespace touchstone::fast::simulation {
 namespace {
 
 constexpr double acts_above = 2;         // rebound speeds: a slower approach is not an impact, as in islands
-constexpr double acts_beside = 0x1p-40;  // of the pair's approach: a slower one is rounding
+constexpr double acts_beside = 0x1p-20;  // of the pair's approach: a slower one is due much later
 constexpr double one_normal = 0x1p-20;   // difference of the normals of one region
 constexpr int most_centre_iterations = 24;
 constexpr double centre_tolerance = 0x1p-44;  // of the approach
@@ -286,6 +288,25 @@ std::vector<BodyId> near_bodies(Run& run, BodyId id) {
   return near;
 }
 
+/// Whether the event queue alone shows that no contact of a third body acts with that of the pair. A contact that acts
+/// has a gap of at most the envelope ε and approaches with s > max(acts_above · √(2 A ε), acts_beside · |u_n|), where A
+/// is the larger acceleration of its two bodies. The relative acceleration is at most 2 A, so the gap ε − s t + A t² is
+/// closed before t = 2 ε / s, and the queue of a world of balls and blocks has an event of that pair. Bodies that pass
+/// each other within the envelope but never touch have none; they do not act.
+bool is_only_one_due(const Run& run, BodyId a, BodyId b, double u_n) {
+  const World& world = run.world;
+  if (!run.has_closed_forms || !run.islands.all().empty()) return false;
+  double least_square = never;
+  for (const BodyId id : {a, b}) {
+    if (!world.body(id).fixed()) least_square = std::min(least_square, world.acceleration(id).squaredNorm());
+  }
+  const double slowest =
+      std::max(acts_above * micro_bounce_speed(std::sqrt(least_square), world.envelope()), -acts_beside * u_n);
+  const double until = world.now() + 2 * world.envelope() / slowest;
+  const PairEvent* next = run.schedule.next();
+  return until <= run.schedule.frame_end() && (next == nullptr || next->time > until);
+}
+
 }  // namespace
 
 std::vector<PairPoints> acting(const std::vector<PairPoints>& contacts,
@@ -301,8 +322,9 @@ std::vector<PairPoints> acting(const std::vector<PairPoints>& contacts,
   return some;
 }
 
-bool acts_alone(Run& run, BodyId a, BodyId b) {
+bool acts_alone(Run& run, BodyId a, BodyId b, double u_n) {
   if (!touch_at_a_point(run, a, b)) return false;
+  if (is_only_one_due(run, a, b, u_n)) return true;
   const auto is_beside = [&](BodyId id, BodyId partner) {
     return !run.world.body(id).fixed() && std::ranges::any_of(run.schedule.neighbours(id), [&](BodyId other) {
       return other != partner && may_touch(run, id, other);

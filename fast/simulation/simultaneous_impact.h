@@ -13,9 +13,10 @@ namespace touchstone::fast::simulation {
 std::vector<PairPoints> acting(const std::vector<PairPoints>& contacts,
                                const std::function<double(BodyId, BodyId)>& slow);
 
-/// Whether two bodies touch at one point and no other body is near one of them that moves, so that their impact is one
-/// of a lone contact point. Requires a < b.
-bool acts_alone(Run& run, BodyId a, BodyId b);
+/// Whether two bodies touch at one point and no contact of a third body acts with theirs, so that their impact is one
+/// of a lone contact point: no event is due at this time, or no other body is near one of them that moves. u_n: the
+/// normal velocity of the two (m/s), negative. Requires a < b.
+bool acts_alone(Run& run, BodyId a, BodyId b, double u_n);
 
 /// The contacts that act together with a pair that collides now, itself included: those of pairs within the envelope
 /// that approach, connected to it through bodies that move, by contacts that approach or, if another one is due before

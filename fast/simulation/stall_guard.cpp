@@ -37,13 +37,6 @@ void StallGuard::count_queries(int queries) { iterations_ += queries / queries_p
 
 void StallGuard::count_lost_resolution() { iterations_ += iterations_without_progress; }
 
-void StallGuard::check_events(const Statistics& statistics, double now, BodyId a, BodyId b) {
-  if (statistics.events() > options_.most_events) stop(now, a, b, "more events than allowed");
-  if (statistics.of(Event::Kind::micro_collision) > options_.most_micro_bounces) {
-    stop(now, a, b, "a resting contact takes more micro-bounces than allowed");
-  }
-}
-
 void StallGuard::check_residual(double residual, double bound, double now, BodyId a, BodyId b) {
   if (residual > bound) {
     stop(now, a, b, "contacts could not be solved: they are off by more than a step of this length explains");

@@ -23,7 +23,12 @@ class StallGuard {
   void count_queries(int queries);
   /// An iteration whose contact changes faster than time can advance counts as many.
   void count_lost_resolution();
-  void check_events(const Statistics& statistics, double now, BodyId a, BodyId b);
+  void check_events(const Statistics& statistics, double now, BodyId a, BodyId b) {
+    if (statistics.events() > options_.most_events) stop(now, a, b, "more events than allowed");
+    if (statistics.of(Event::Kind::micro_collision) > options_.most_micro_bounces) {
+      stop(now, a, b, "a resting contact takes more micro-bounces than allowed");
+    }
+  }
   void check_steps(const Statistics& statistics, double now, BodyId a, BodyId b);
   /// Stops the run if the residual of a step (m) exceeds its bound.
   void check_residual(double residual, double bound, double now, BodyId a, BodyId b);

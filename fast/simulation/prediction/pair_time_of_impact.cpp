@@ -61,8 +61,9 @@ Nearest nearest(const BodyMotion& a, const BodyMotion& b, const Vec3& p_a, const
 
 double rounding(const BodyMotion& m, double t) {
   const Path& path = m.path();
-  const double tau = t - path.since, speed = path.v.lpNorm<1>() + tau * path.a.lpNorm<1>();
   const double own = m.kind() == Kind::ball ? m.radius() : 0;
+  if (m.fixed()) return 16 * u * (path.p.lpNorm<1>() + own);
+  const double tau = t - path.since, speed = path.v.lpNorm<1>() + tau * path.a.lpNorm<1>();
   return 16 * u * (path.p.lpNorm<1>() + own + tau * speed) + 4 * u * t * speed;
 }
 
@@ -85,20 +86,21 @@ double equally_accelerated_balls(const BodyMotion& a, const BodyMotion& b, doubl
   const double reach = a.radius() + b.radius() + margin;
   const double about = sphere_closing_time(s, v, reach + clearance(a, b, from, envelope));
   const double then = about < never ? from + about : std::min(until, from - b_half / v.dot(v));
-  if (!positions_resolved(a, b, then)) return from + sphere_closing_time(s, v, reach + clearance(a, b, then, never));
-  return about > 0 && about < never ? from + sphere_closing_time(s, v, reach + clearance(a, b, from + about, envelope))
+  const double unresolved = clearance(a, b, then, never);
+  if (!positions_resolved(a, b, unresolved)) return from + sphere_closing_time(s, v, reach + unresolved);
+  return about > 0 && about < never ? from + sphere_closing_time(s, v, reach + std::min(envelope / 2, unresolved))
                                     : from + about;
 }
 
 double by_planes(const BodyMotion& a, const BodyMotion& b, double from, double until, double envelope, double margin) {
   double t = from;
   for (int step = 0; step < most_steps; ++step) {
-    const double clear = clearance(a, b, t, envelope) + margin;
+    const double unresolved = clearance(a, b, t, never), clear = std::min(envelope / 2, unresolved) + margin;
     const Nearest at = nearest(a, b, a.path().place(t), b.path().place(t));
     const Relative rate = relative(a, b, t);
     const double dt = closing_time(at.gap - clear, at.n.dot(rate.v), at.n.dot(rate.a));
     if (!(dt > 0) || (at.gap <= 2 * clear && at.n.dot(rate.v) < 0)) return t;
-    if (at.gap <= 2 * clearance(a, b, t, never) && !positions_resolved(a, b, t)) return t;
+    if (at.gap <= 2 * unresolved && !positions_resolved(a, b, unresolved)) return t;
     if (!(t + dt <= until)) return never;
     if (t + dt == t) return t;
     t += dt;
@@ -124,17 +126,14 @@ double by_advancement(const BodyMotion& a, const BodyMotion& b, double from, dou
       memory.touch = {0, found.p_WC, found.nhat_BA_W};
       return found.lo;
     }
-    if (found.status == TimeOfImpact::Status::undecided && !positions_resolved(a, b, found.hi)) return found.lo;
+    if (found.status == TimeOfImpact::Status::undecided && !positions_resolved(a, b, clearance(a, b, found.hi, never)))
+      return found.lo;
     if (found.status == TimeOfImpact::Status::miss || !(found.hi > from) || found.hi >= until) return never;
     from = found.hi;
   }
 }
 
 }  // namespace
-
-bool has_closed_form(const BodyMotion& a, const BodyMotion& b) {
-  return (a.kind() == Kind::ball && b.kind() != Kind::other) || (a.kind() == Kind::block && b.kind() == Kind::ball);
-}
 
 double clearance(const BodyMotion& a, const BodyMotion& b, double t, double envelope) {
   constexpr std::uint64_t exponent = 0x7ff0000000000000;

@@ -32,7 +32,9 @@ struct PairMemory {
 };
 
 /// Two balls, or a ball and a block.
-bool has_closed_form(const BodyMotion& a, const BodyMotion& b);
+inline bool has_closed_form(const BodyMotion& a, const BodyMotion& b) {
+  return (a.kind() == Kind::ball && b.kind() != Kind::other) || (a.kind() == Kind::block && b.kind() == Kind::ball);
+}
 
 /// The distance (m) at which two bodies with a closed form count as touching: a bound of the rounding of their
 /// positions at time t, so that they never overlap; at most half the envelope.

@@ -2,6 +2,7 @@
 #include "fast/simulation/range.h"
 
 #include "fast/simulation.h"
+#include "fast/simulation/prediction/pair_time_of_impact.h"
 #include "tests/catch.h"
 #include "tests/fast/simulation/scenes.h"
 
@@ -55,7 +56,8 @@ TEST_CASE("range: positions are resolved while rounding stays below a thousandth
   // Rounding at a distance x is some 16u x = 2^-49 x, for a body of 1 m: too much from about 2^38 m on.
   const auto resolved_at = [](double x) {
     const Body near = ball(1, Vec3::Zero(), Vec3::Zero(), {}), far = ball(1, {x, 0, 0}, Vec3::Zero(), {});
-    return positions_resolved(BodyMotion(near, 0, Vec3::Zero()), BodyMotion(far, 0, Vec3::Zero()), 0);
+    const BodyMotion a(near, 0, Vec3::Zero()), b(far, 0, Vec3::Zero());
+    return positions_resolved(a, b, clearance(a, b, 0, never));
   };
   CHECK(resolved_at(1));
   CHECK(resolved_at(0x1p34));
