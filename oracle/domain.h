@@ -22,12 +22,14 @@ struct Domain {
   bool operator==(const Domain&) const = default;
 };
 
-/// By how much a distance or a depth may be off beyond rounding: absolute + relative · length.
+/// By how much a distance or a depth may be off beyond rounding.
 struct DistanceTolerance {
   double absolute = 0;  ///< m
   double relative = 0;  ///< 1
+  double slop = 0;      ///< m: an overlap that the engine leaves alone, or takes off its depths
+  double margin = 0;  ///< m: by which each body is larger, or rounded (a convex radius); witness points are as far off
 
-  double of(double length) const { return absolute + relative * length; }
+  double of(double length) const { return absolute + relative * length + slop + 2 * margin; }
   bool operator==(const DistanceTolerance&) const = default;
 };
 

@@ -1,6 +1,7 @@
 // A subject is what is being tested. It answers the queries that it offers and abstains from the others.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "model/answers.h"
 #include "model/scene.h"
 #include "oracle/domain.h"
+#include "oracle/dynamics.h"
 
 namespace touchstone::oracle {
 
@@ -29,6 +31,9 @@ struct Stepping {
   bool operator==(const Stepping&) const = default;
 };
 
+/// Which box of a body the engine answers: the least one, or that of the turned box about the shape in the body's axes.
+enum class BoxKind { tight, of_turned_box };
+
 /// A subject's description of itself.
 struct Card {
   std::string name;     ///< "bullet.double"
@@ -42,9 +47,16 @@ struct Card {
   std::vector<Deviation> deviations;
   Domain domain = {};  ///< the scenes by which it wants to be judged; others are asked too, and counted apart
   DistanceTolerance distance_tolerance = {};
+  BoxKind boxes = BoxKind::tight;
+  std::map<std::string, Precision> precision_of =
+      {};  ///< by query, or by a shape that a scene has: the coarsest counts
+  Dynamics dynamics = {};
   std::vector<std::string> reproduces = {};  ///< the queries for which it writes a snippet
   std::optional<Stepping> stepping = {};     ///< of `simulation`; `simulation` grants the errors that it explains
 };
+
+/// The precision in which the subject answers the query about the scene.
+Precision precision_for(const Card& card, const std::string& query, const Scene& scene);
 
 /// An adapter overrides the queries that its engine answers. It never repairs the engine's answer. An exception that
 /// leaves a query also leaves Property::check (properties/property.h); only where the subject runs in a process of its

@@ -5,6 +5,7 @@
 #include <functional>
 #include <limits>
 
+#include "model/box_vertices.h"
 #include "oracle/judge/words.h"
 #include "oracle/tolerance/tolerance.h"
 #include "oracle/truth/truth.h"
@@ -77,11 +78,35 @@ std::array<Rational, 6> outward(const Aabb& said, const ExactBox& exact) {
 
 // Agreement with the exact answer
 
+// The box about a polytope, in its axes.
+Polytope box_about(const Polytope& p) {
+  Vec3 lo = p.vertices.front(), hi = lo;
+  for (const Vec3& v : p.vertices) lo = lo.cwiseMin(v), hi = hi.cwiseMax(v);
+  Polytope box = as_polytope(Box{Vec3::Ones()});
+  for (Vec3& v : box.vertices) v = (v.array() < 0).select(lo, hi);
+  return box;
+}
+
+// The bodies whose least boxes the subject declares to answer. Balls and boxes are their own.
+Scene boxed(Scene scene, oracle::BoxKind kind) {
+  if (kind == oracle::BoxKind::tight) return scene;
+  for (Body& body : scene.bodies) {
+    if (Polytope* hull = std::get_if<Polytope>(&body.shape)) *hull = box_about(*hull);
+    if (Compound* compound = std::get_if<Compound>(&body.shape)) {
+      for (Part& part : compound->parts) {
+        if (Polytope* hull = std::get_if<Polytope>(&part.shape)) *hull = box_about(*hull);
+      }
+    }
+  }
+  return scene;
+}
+
 // Judges the largest error over all bodies. `excess` reduces the six distances of one box to its error.
-Finding worst_side(const Scene& scene, Subject& subject, double allowed, Defect defect,
+// `bodies`: those whose boxes the answer is compared with.
+Finding worst_side(const Scene& scene, const Scene& bodies, Subject& subject, double allowed, Defect defect,
                    const std::function<Rational(const std::array<Rational, 6>&)>& excess) {
   return of_boxes(scene, subject, [&](const Bounds& said) {
-    const std::vector<ExactBox>& exact = truth::bounds(scene);
+    const std::vector<ExactBox>& exact = truth::bounds(bodies);
     Rational most;
     std::size_t at = 0;
     for (std::size_t i = 0; i < said.size(); ++i) {
@@ -96,7 +121,7 @@ Finding worst_side(const Scene& scene, Subject& subject, double allowed, Defect 
 }
 
 Finding holds_body(const Scene& scene, Subject& subject) {
-  Finding finding = worst_side(scene, subject, 0, Defect::wrong_box,
+  Finding finding = worst_side(scene, scene, subject, 0, Defect::wrong_box,
                                [](const std::array<Rational, 6>& gaps) { return -*std::ranges::min_element(gaps); });
   const judge::Allowance rounding =
       judge::in_ulps(scene, subject.card(), tolerance::bounds(scene, subject.card().precision));
@@ -108,8 +133,8 @@ Finding holds_body(const Scene& scene, Subject& subject) {
 
 Finding tight(const Scene& scene, Subject& subject) {
   const oracle::Card& card = subject.card();
-  return worst_side(scene, subject, tolerance::bounds(scene, card.precision) + card.broad_phase_margin,
-                    Defect::loose_box,
+  return worst_side(scene, boxed(scene, card.boxes), subject,
+                    tolerance::bounds(scene, card.precision) + card.broad_phase_margin, Defect::loose_box,
                     [](const std::array<Rational, 6>& gaps) { return *std::ranges::max_element(gaps); });
 }
 

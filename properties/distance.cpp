@@ -93,7 +93,8 @@ Finding of_witnesses(const Scene& scene, Subject& subject, JudgeIt&& judge_it) {
 Finding witnesses_on_bodies(const Scene& scene, Subject& subject) {
   return of_witnesses(scene, subject, [&](const Vec3& p_WCa, const Vec3& p_WCb) {
     const double off_A = judge::off_body(scene.bodies[0], p_WCa), off_B = judge::off_body(scene.bodies[1], p_WCb);
-    const double allowed = tolerance::witness(scene, subject.card().precision);
+    const double allowed =
+        tolerance::witness(scene, subject.card().precision) + subject.card().distance_tolerance.margin;
     return judge::at_most(
         std::max(off_A, off_B), judge::in_ulps(scene, subject.card(), allowed), Defect::wrong_witness,
         [&] {

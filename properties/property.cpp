@@ -4,11 +4,42 @@
 
 #include "model/input_error.h"
 #include "model/near_names.h"
+#include "oracle/passing_on.h"
 #include "oracle/query.h"
 #include "properties/queries.h"
 
 namespace touchstone::properties {
 namespace {
+
+/// Shows one card, and passes all questions on.
+class WithCard final : public oracle::PassingOn<WithCard> {
+ public:
+  WithCard(oracle::Subject& subject, oracle::Card card) : PassingOn(subject), card_(std::move(card)) {}
+  const oracle::Card& card() const override { return card_; }
+
+ private:
+  friend PassingOn;
+
+  template <class T>
+  Answer<T> pass(Answer<T> (Subject::*query)(const Scene&), const Scene& scene) {
+    return (subject_.*query)(scene);
+  }
+
+  oracle::Card card_;
+};
+
+/// The same property; it judges by the precision that the card declares for the query and the scene's shapes.
+Property in_its_precision(Property property) {
+  property.check = [check = property.check, query = property.query](const Scene& scene, oracle::Subject& subject) {
+    const oracle::Precision precision = oracle::precision_for(subject.card(), query, scene);
+    if (precision == subject.card().precision) return check(scene, subject);
+    oracle::Card card = subject.card();
+    card.precision = precision;
+    WithCard seen(subject, std::move(card));
+    return check(scene, seen);
+  };
+  return property;
+}
 
 std::vector<Property> join() {
   std::vector<Property> joined;
@@ -18,7 +49,7 @@ std::vector<Property> join() {
         time_of_impact_properties, simulation_properties, simulation_lockstep_properties, simulation_meeting_properties,
         simulation_law_properties, simulation_scene_properties, simulation_causality_properties,
         simulation_face_properties, simulation_together_properties, constraint_properties}) {
-    for (Property& property : query()) joined.push_back(std::move(property));
+    for (Property& property : query()) joined.push_back(in_its_precision(std::move(property)));
   }
   return joined;
 }

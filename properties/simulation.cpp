@@ -429,7 +429,8 @@ Finding solid(const Scene& scene, Subject& subject) {
           const bool overlap = truth::distance(pair).verdict == Verdict::overlapping;
           const double deep = overlap ? judge::margin(pair).lo : 0;
           const double way = asked.stepping ? tolerance::way_of_step(scene, asked.stepping->step) : 0;
-          const double allowed = envelope(scene) + tolerance::distance(pair, asked.precision) + way;
+          const double allowed =
+              envelope(scene) + tolerance::distance(pair, asked.precision) + way + asked.distances.of(deep);
           const auto seen = [&] {
             return "bodies " + std::to_string(i) + " and " + std::to_string(j) + " overlap at " +
                    oracle::words::text(asked.time(sample)) + " s";

@@ -325,8 +325,8 @@ Finding rests(const Scene& scene, Subject& subject) {
     const Body* table = table_of(scene);
     const bool still = table != nullptr && all_rest(scene, *table) && clear_of_each_other(scene);
     if (!still || !scene.motion->forces.empty()) return judge::outside("not bodies at rest on a level table");
-    const double allowed =
-        envelope(scene) + tolerance::distance(scene, asked.precision) + way_from_rest(scene, asked.stepping);
+    const double allowed = envelope(scene) + tolerance::distance(scene, asked.precision) +
+                           way_from_rest(scene, asked.stepping) + asked.distances.of(0);
     Finding worst;
     for (std::size_t sample = 0; sample < asked.samples(); ++sample) {
       for (std::size_t i = 0; i < scene.bodies.size(); ++i) {

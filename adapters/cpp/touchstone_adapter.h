@@ -24,6 +24,7 @@ namespace touchstone_adapter {
 using Json = nlohmann::ordered_json;
 using Vec3 = std::array<double, 3>;
 using Queries = std::map<std::string, std::function<Json(const Json& scene)>>;
+using Snippets = std::map<std::string, std::function<std::string(const Json& scene)>>;  // programs in its own API
 
 /// This scene is not answered; the message says why.
 struct Abstain : std::runtime_error {
@@ -65,25 +66,23 @@ inline Vec3 in_world(const Json& pose, const Vec3& p_BQ) {
   return {turned[0] + p[0], turned[1] + p[1], turned[2] + p[2]};
 }
 
-/// Throws NotFinite if a number of the value is not finite; the library would silently write null.
-inline void require_finite(const Json& value, const std::string& place) {
-  if (value.is_number_float() && !std::isfinite(value.get<double>())) {
-    const double x = value.get<double>();
-    throw NotFinite(place + " is " + (std::isnan(x) ? "NaN" : x > 0 ? "infinity" : "-infinity"));
-  }
+/// The value. Throws NotFinite if a number of it is not finite; the library would silently write null.
+inline Json finite(const Json& value, const std::string& place) {
+  const double x = value.is_number() ? value.get<double>() : 0;
+  if (!std::isfinite(x)) throw NotFinite(place + " is " + (std::isnan(x) ? "NaN" : x > 0 ? "infinity" : "-infinity"));
   std::size_t i = 0;
-  if (value.is_array()) {
-    for (const Json& part : value) require_finite(part, place + '[' + std::to_string(i++) + ']');
+  for (const auto& [key, part] : value.items()) {
+    if (value.is_array()) finite(part, place + '[' + std::to_string(i++) + ']');
+    if (value.is_object()) finite(part, place + '.' + key);
   }
-  if (value.is_object()) {
-    for (const auto& [key, part] : value.items()) require_finite(part, place + '.' + key);
-  }
+  return value;
 }
 
 /// Answers until `stop` or the end of stdin. What the engine prints to stdout goes to stderr, and spoils no answer.
-inline void serve(Json card, const Queries& queries) {
-  card["answers"] = Json::array();
+inline void serve(Json card, const Queries& queries, const Snippets& snippets = {}) {
+  card["answers"] = card["reproduces"] = Json::array();
   for (const auto& [name, query] : queries) card["answers"].push_back(name);
+  for (const auto& [name, snippet] : snippets) card["reproduces"].push_back(name);
   std::FILE* const out = fdopen(dup(STDOUT_FILENO), "w");
   if (!out || dup2(STDERR_FILENO, STDOUT_FILENO) < 0) throw std::runtime_error("stdout is closed");
   for (std::string line; std::getline(std::cin, line);) {
@@ -92,15 +91,16 @@ inline void serve(Json card, const Queries& queries) {
     try {
       const Json message = Json::parse(line);
       answer["seq"] = message.at("seq");
-      if (message.at("op") == "stop") break;
-      if (message.at("op") == "start") {
+      const std::string op = message.at("op");
+      if (op == "stop") break;
+      if (op == "start") {
         answer.update({{"protocol", 1}, {"card", card}});
-      } else if (const auto query = queries.find(message.at("query")); query != queries.end()) {
-        const Json result = query->second(message.at("scene"));
-        require_finite(result, "result");
-        answer["result"] = result;
+      } else if (const std::string name = message.at("query"); op == "reproduce") {
+        if (!snippets.count(name)) throw Abstain("no snippets of " + name);
+        answer["snippet"] = snippets.at(name)(message.at("scene"));
       } else {
-        answer["abstains"] = "no " + message.at("query").get<std::string>() + " query";
+        if (!queries.count(name)) throw Abstain("no " + name + " query");
+        answer["result"] = finite(queries.at(name)(message.at("scene")), "result");
       }
     } catch (const Abstain& why) {
       answer["abstains"] = why.what();

@@ -1,6 +1,8 @@
 // An adapter of MuJoCo for Touchstone: `npm ci` in this folder, then
 //     touchstone adapter check "exec:node adapters/engines/mujoco.mjs"
-import { Abstain, norm, rotated, scaled, serve, sub, unitQuaternion } from "../js/touchstone_adapter.mjs";
+import { norm, rotated, scaled, serve, sub } from "../js/touchstone_adapter.mjs";
+import { alone, modelOf } from "./mujoco_model.mjs";
+import * as snippets from "./mujoco_snippets.mjs";
 
 const mujoco = await (await import("mujoco-js")).default();
 
@@ -8,29 +10,13 @@ const card = {
   name: "mujoco", version: mujoco.mj_versionString(), precision: "binary64",
   about: "mj_geomDistance, margin 0; body_mass, body_ipos, body_inertia, body_iquat; hulls are meshes, which are floats",
   homepage: "https://mujoco.org",
+  precision_of: { polytope: "binary32" }, // the vertices of meshes are floats
+  distance_tolerance: { absolute: 1e-6 }, // opt.ccd_tolerance as shipped
 };
-
-const numbers = (list) => list.map(String).join(" ");
-// Sizes are radii and half extents; quaternions are w x y z.
-function geom({ shape, mass }, i) {
-  const density = `density="${mass?.density ?? 1}"`;
-  if (shape.type === "sphere") return { geom: `<geom type="sphere" size="${shape.radius}" ${density}/>`, mesh: "" };
-  if (shape.type === "box") return { geom: `<geom type="box" size="${numbers(shape.half_extents)}" ${density}/>`, mesh: "" };
-  if (shape.type === "compound") throw new Abstain("the distance is one of two geoms");
-  const mesh = `<mesh name="m${i}" vertex="${numbers(shape.vertices.flat())}" inertia="convex"/>`;
-  return { geom: `<geom type="mesh" mesh="m${i}" ${density}/>`, mesh };
-}
 
 // Calls `ask` with a model of the scene's bodies, each with one geom, and its data after mj_forward.
 function withModel(scene, ask) {
-  const geoms = scene.bodies.map(geom);
-  const bodies = scene.bodies.map(({ X_WB: { p, q } }, i) => {
-    const { w, x, y, z } = unitQuaternion(q);
-    return `<body pos="${numbers(p)}" quat="${numbers([w, x, y, z])}"><freejoint/>${geoms[i].geom}</body>`;
-  });
-  const xml = `<mujoco><compiler balanceinertia="false" boundmass="0" boundinertia="0"/><asset>
-    ${geoms.map((g) => g.mesh).join("")}</asset><worldbody>${bodies.join("")}</worldbody></mujoco>`;
-  mujoco.FS.writeFile("/scene.xml", xml);
+  mujoco.FS.writeFile("/scene.xml", modelOf(scene));
   const model = mujoco.MjModel.loadFromXML("/scene.xml");
   const data = new mujoco.MjData(model);
   try {
@@ -67,7 +53,7 @@ function penetration(scene) {
 const mass = (scene) => scene.bodies.map((body) => {
   if (body.mass?.type === "fixed") return null;
   if (body.mass?.type === "given") return { ...body.mass, type: undefined };
-  return withModel({ bodies: [{ ...body, X_WB: { p: [0, 0, 0], q: { w: 1, x: 0, y: 0, z: 0 } } }] }, (model) => {
+  return withModel(alone(body), (model) => {
     const [w, x, y, z] = model.body_iquat.slice(4, 8);
     const F = [[1, 0, 0], [0, 1, 0], [0, 0, 1]].map((axis) => rotated({ w, x, y, z }, axis)); // principal axes, in the body
     const entry = (i, j) => F.reduce((sum, f, k) => sum + model.body_inertia[3 + k] * f[i] * f[j], 0);
@@ -76,4 +62,4 @@ const mass = (scene) => scene.bodies.map((body) => {
   });
 });
 
-serve(card, { mass, distance, penetration });
+serve(card, { mass, distance, penetration }, snippets);

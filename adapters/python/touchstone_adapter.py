@@ -68,17 +68,22 @@ def _breaks(error):
     return {"breaks": {"kind": kind, "how": f"{type(error).__name__}: {error}" if kind == "threw" else str(error)}}
 
 
-def _answer(message, card, queries):
+def _answer(message, card, queries, snippets):
     if message["op"] == "start":
         return {"protocol": 1, "card": card}
+    if message["op"] == "reproduce":
+        if message["query"] not in snippets:
+            return {"abstains": f"no snippets of {message['query']}"}
+        return {"snippet": snippets[message["query"]](message["scene"])}
     if message["query"] not in queries:
         return {"abstains": f"no {message['query']} query"}
     return {"result": _plain(queries[message["query"]](message["scene"]), "result")}
 
 
-def serve(card, queries):
-    """Answers until `stop` or the end of stdin. `queries`: name -> function of a scene."""
-    card = {**card, "answers": list(queries)}
+def serve(card, queries, snippets={}):
+    """Answers until `stop` or the end of stdin. `queries`: name -> function of a scene. `snippets`: name of a query ->
+    function of a scene that returns a program in the engine's own API, as text, which asks the engine the same."""
+    card = {**card, "answers": list(queries), "reproduces": list(snippets)}
     answers = os.fdopen(os.dup(1), "w")
     os.dup2(2, 1)  # what the engine or a library prints to stdout goes to stderr, and spoils no answer
     for line in sys.stdin:
@@ -88,7 +93,7 @@ def serve(card, queries):
             seq = message["seq"]
             if message["op"] == "stop":
                 break
-            answer = _answer(message, card, queries)
+            answer = _answer(message, card, queries, snippets)
         except Abstain as why:
             answer = {"abstains": str(why)}
         except Exception as error:  # the engine failed: say so, and answer the next question

@@ -44,5 +44,5 @@ fn main() {
     // time_of_impact, simulation, constraint. Queries that are not here are never asked.
     let card = vec![("name", text("NAME")), ("version", text("0")), ("precision", text("binary64")),
                     ("about", text("closed form; a skeleton"))];
-    serve(card, &[("distance", distance)]);
+    serve(card, &[("distance", distance)], &[]); // the last: snippets, see docs/protocol.md
 }

@@ -7,6 +7,7 @@
 
 #include "app/adapter/adapter_check.h"
 #include "app/adapter/skeletons.h"
+#include "app/adapter/widest_domain.h"
 #include "app/report/replay_command.h"
 #include "app/system/interruption.h"
 #include "app/system/progress.h"
@@ -14,6 +15,7 @@
 #include "app/trial/subject_list.h"
 #include "model/input_error.h"
 #include "model/json.h"
+#include "oracle/process/protocol.h"
 #include "oracle/query.h"
 
 namespace touchstone::app {
@@ -106,16 +108,63 @@ int check_it(const AdapterCommand& command) {
   return check.is_fault() ? 1 : 0;
 }
 
+/// "2^-12 to 2^10", "up to 2^7"; and where nothing failed beyond.
+std::string words_of(const HeldRange& range) {
+  if (range.least > range.most) return "fails on plain scenes";
+  const Axis& axis = *range.axis;
+  const std::string from = axis.least == axis.start ? "up to" : fmt::format("2^{} to", range.least);
+  std::string words = fmt::format("{} 2^{}", from, range.most);
+  if (!range.fails_above) words += range.most == axis.most ? "; more is not asked" : "; more is outside its domain";
+  if (!range.fails_below && axis.least < axis.start) {
+    words += range.least == axis.least ? "; less is not asked" : "; less is outside its domain";
+  }
+  return words;
+}
+
+Json json_of(const std::vector<HeldRange>& ranges) {
+  Json rows = Json::array();
+  for (const HeldRange& range : ranges) {
+    Json row = {{"property", range.property->id}, {"axis", range.axis->name}};
+    if (range.least <= range.most) row["exponents"] = {range.least, range.most};
+    row["fails_below"] = range.fails_below;
+    row["fails_above"] = range.fails_above;
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+int measure_domain(const AdapterCommand& command) {
+  if (command.name.empty()) throw InputError("adapter domain", "expected a subject, as \"exec:python3 my_engine.py\"");
+  const auto subject = connect(command.name, limits_of(command.time_limit));
+  watch_for_interruption();
+  Progress progress("asking", 0);
+  const std::vector<HeldRange> ranges =
+      widest_domain(*subject, command.queries, [&](const std::string& query) { progress.step(query); });
+  if (interrupted()) return interrupted_exit_code();
+  if (ranges.empty()) throw InputError(command.name, "answers none of the queries, so there is nothing to measure");
+  const oracle::Card& card = subject->card();
+  const Json proposed = oracle::protocol::json_of(default_domain(card.precision));
+  if (command.json) {
+    print_lines(text_of(
+        Json{{"subject", card.name}, {"version", card.version}, {"proposed", proposed}, {"ranges", json_of(ranges)}}));
+    return 0;
+  }
+  print("{} {}\nproposed for its precision: \"domain\": {}\n", card.name, card.version, proposed.dump());
+  for (const HeldRange& range : ranges)
+    print("{:<30} {:<11} {}\n", range.property->id, range.axis->name, words_of(range));
+  return 0;
+}
+
 }  // namespace
 
 const std::vector<std::string>& adapter_actions() {
-  static const std::vector<std::string> actions = {"new", "check"};
+  static const std::vector<std::string> actions = {"new", "check", "domain"};
   return actions;
 }
 
 int adapter(const AdapterCommand& command) {
   if (command.action == "new") return write_skeleton(command);
-  return check_it(command);
+  return command.action == "domain" ? measure_domain(command) : check_it(command);
 }
 
 }  // namespace touchstone::app

@@ -254,19 +254,21 @@ void add_minimise(CLI::App& program, Options& options) {
 }
 
 void add_adapter(CLI::App& program, Options& options) {
-  auto* command = program.add_subcommand("adapter", "Write the skeleton of an adapter, or check an adapter");
+  auto* command =
+      program.add_subcommand("adapter", "Write the skeleton of an adapter, check it, or measure its engine's domain");
   AdapterCommand& words = options.adapter;
   add_argument(*command, "ACTION", words.action, listed(adapter_actions()))
       ->required()
       ->check(one_of(adapter_actions()));
   add_argument(*command, "NAME", words.name,
-               "new: the adapter's name, also of its folder (default: my_engine). check: what to check, as under "
+               "new: the adapter's name, also of its folder (default: my_engine). check, domain: what to ask, as under "
                "--subjects of `touchstone help check`");
   auto* language = command->add_option("--lang", words.language, "new: the language, " + listed(adapter_languages()));
   language->check(one_of(adapter_languages()))->type_name("LANGUAGE");
-  auto* queries = command->add_option("--queries", words.queries, "check: these only. Default: all that it answers");
+  auto* queries =
+      command->add_option("--queries", words.queries, "check, domain: these only. Default: all that it answers");
   queries->delimiter(',')->check(one_of(oracle::query_names()))->type_name("QUERIES");
-  auto* json = command->add_flag("--json", words.json, "check: print JSON");
+  auto* json = command->add_flag("--json", words.json, "check, domain: print JSON");
   language->excludes(queries)->excludes(json);
   add_limit_of_a_question(*command, words.time_limit);
   command->footer(help::adapter);

@@ -85,10 +85,13 @@ Examples:
   touchstone adapter new --lang python my_engine
   touchstone adapter check "exec:python3 my_engine/my_engine.py"
   touchstone adapter check bullet.double --queries distance,penetration --json
+  touchstone adapter domain "exec:python3 my_engine/my_engine.py" --queries distance
 
 new writes a folder with an adapter that answers the distance of two balls, and the library that speaks the protocol
 for it. check asks scenes that are solved on paper, allows what any engine's errors explain, and says which typical
 mistake an adapter makes: a normal that is reversed, half extents taken for extents, another order of a quaternion.
+domain proposes a domain for the card, and says from which power of two to which each property holds as the lengths,
+aspects, vertices, mass ratios or speeds of plain scenes change.
 
 Exit codes:
   0  new: the folder is written; check: no fault of the adapter was found

@@ -70,15 +70,25 @@ std::string deviations(const oracle::Card& card) {
   return html + "</ul>";
 }
 
-/// What the card declares, in the words of the protocol.
+/// A line of the card in the words of the protocol, if it declares anything.
+std::string line_of(const char* what, const Json& declared) {
+  return declared.empty() ? "" : fmt::format("<p>{}: <code>{}</code></p>", what, escaped(declared.dump()));
+}
+
 std::string declared(const oracle::Card& card) {
-  std::string html;
-  if (!(card.domain == oracle::Domain{}))
-    html +=
-        fmt::format("<p>Declared domain: <code>{}</code></p>", escaped(oracle::protocol::json_of(card.domain).dump()));
-  if (!(card.distance_tolerance == oracle::DistanceTolerance{}))
-    html += fmt::format("<p>Declared tolerance of distances: {:.3g} m + {:.3g} times the distance</p>",
-                        card.distance_tolerance.absolute, card.distance_tolerance.relative);
+  namespace protocol = oracle::protocol;
+  std::string html = line_of("Declared domain", protocol::json_of(card.domain));
+  if (const auto& d = card.distance_tolerance; !(d == oracle::DistanceTolerance{})) {
+    html += fmt::format(
+        "<p>Declared tolerance of distances: {:.3g} m + {:.3g} times the distance; slop {:.3g} m, margin {:.3g} m a "
+        "body</p>",
+        d.absolute, d.relative, d.slop, d.margin);
+  }
+  if (card.boxes == oracle::BoxKind::of_turned_box) html += "<p>Its boxes are those of turned local boxes</p>";
+  html += line_of("Declared precision of parts", protocol::json_of(card.precision_of));
+  html += line_of("Declared dynamics", protocol::json_of(card.dynamics));
+  if (card.stepping)
+    html += fmt::format("<p>Steps of {:.3g} s, order {}</p>", card.stepping->step, card.stepping->order);
   return html;
 }
 

@@ -1,7 +1,9 @@
-// Notices a question that is outside the domain which a subject's card declares.
+// Notices a question that is outside what a subject vouches for on its card: its domain, and its dynamics.
 #pragma once
 
+#include <optional>
 #include <string>
+#include <type_traits>
 
 #include "oracle/passing_on.h"
 
@@ -13,7 +15,7 @@ class DomainWatch final : public oracle::PassingOn<DomainWatch> {
  public:
   using PassingOn::PassingOn;
 
-  /// How the first question that was outside exceeds the domain; empty if there was none.
+  /// How the first question that was outside exceeds the domain, or what differs; empty if there was none.
   const std::string& beyond() const { return beyond_; }
 
  private:
@@ -22,7 +24,19 @@ class DomainWatch final : public oracle::PassingOn<DomainWatch> {
   template <class T>
   Answer<T> pass(Answer<T> (Subject::*query)(const Scene&), const Scene& scene) {
     if (beyond_.empty()) beyond_ = oracle::beyond(card().domain, scene).value_or("");
+    if (beyond_.empty()) beyond_ = beyond_laws<T>(scene).value_or("");
     return (subject_.*query)(scene);
+  }
+
+  /// Why the answer depends on how the engine's dynamics differ, as its card declares.
+  template <class T>
+  std::optional<std::string> beyond_laws(const Scene& scene) const {
+    if constexpr (std::is_same_v<T, Impulse>) {
+      if (scene.contact) return oracle::beyond_impact(card().dynamics, scene);
+    } else if constexpr (std::is_same_v<T, Trajectory>) {
+      if (scene.motion) return oracle::beyond_motion(card().dynamics, scene);
+    }
+    return std::nullopt;
   }
 
   std::string beyond_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "oracle/tolerance/motion.h"
 #include "oracle/tolerance/precision.h"
 #include "oracle/tolerance/tolerance.h"
 
@@ -15,20 +16,11 @@ bool has_magnitude(const oracle::Finding& finding) {
 
 bool in_ulps(const oracle::Finding& finding) { return finding.unit.starts_with("ulps of "); }
 
-/// m/s: the greatest speed of a point of the bodies.
-double fastest(const Scene& scene) {
-  double speed = 0;
-  for (const Body& body : scene.bodies) {
-    const double turning = body.velocity.w_WB.norm() * oracle::tolerance::radius(body);
-    speed = std::max(speed, body.velocity.v_WBcm.norm() + turning);
-  }
-  return speed;
-}
-
 double over_scene(const oracle::Finding& finding, const Scene& scene, oracle::Precision precision) {
   if (in_ulps(finding)) return finding.error * oracle::unit_roundoff(precision);
   if (finding.unit == "m") return finding.error / oracle::tolerance::scale(scene);
-  if (finding.unit == "m/s" && fastest(scene) > 0) return finding.error / fastest(scene);
+  const double fastest = oracle::tolerance::fastest_at_start(scene);
+  if (finding.unit == "m/s" && fastest > 0) return finding.error / fastest;
   return 0;
 }
 

@@ -188,7 +188,7 @@ bool is_held_to_touching(const Card& card) { return card.knows_touching || card.
 
 double verdict_allowance(const Scene& scene, const Card& card) {
   if (is_held_to_touching(card)) return 0;
-  return tolerance::distance(scene, card.precision) + card.distance_tolerance.absolute;
+  return tolerance::distance(scene, card.precision) + card.distance_tolerance.of(0);
 }
 
 Interval margin(const Scene& scene) {

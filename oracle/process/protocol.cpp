@@ -1,6 +1,8 @@
 #include "oracle/process/protocol.h"
 
 #include <array>
+#include <initializer_list>
+#include <map>
 #include <utility>
 
 #include "model/answer_text.h"
@@ -27,6 +29,14 @@ constexpr Words<Request::Op, 4> ops = {{{Request::Op::start, "start"},
                                         {Request::Op::ask, "ask"},
                                         {Request::Op::reproduce, "reproduce"},
                                         {Request::Op::stop, "stop"}}};
+
+constexpr Words<BoxKind, 2> box_kinds = {{{BoxKind::tight, "tight"}, {BoxKind::of_turned_box, "of_turned_box"}}};
+constexpr Words<Combine, 5> combinations = {{{Combine::min, "min"},
+                                             {Combine::max, "max"},
+                                             {Combine::product, "product"},
+                                             {Combine::mean, "mean"},
+                                             {Combine::geometric_mean, "geometric_mean"}}};
+constexpr Words<bool, 2> frictions = {{{false, "cone"}, {true, "pyramid"}}};
 
 template <class Enum, std::size_t n>
 const char* word_of(Enum value, const Words<Enum, n>& words) {
@@ -67,6 +77,11 @@ void read_limit(const Node& object, const char* key, std::optional<double>& limi
   if (const auto found = object.find(key)) limit = read_limit(*found);
 }
 
+double limit_or_0(const Node& object, const char* key) {
+  const auto found = object.find(key);
+  return found ? read_limit(*found) : 0;
+}
+
 Domain read_domain(const Node& node) {
   node.expect_object({"lengths", "reach", "aspect", "vertices", "mass_ratio", "speed", "angular_speed"});
   Domain domain;
@@ -84,16 +99,60 @@ Domain read_domain(const Node& node) {
 }
 
 DistanceTolerance read_distance_tolerance(const Node& node) {
-  node.expect_object({"absolute", "relative"});
-  const auto absolute = node.find("absolute");
-  const auto relative = node.find("relative");
-  return {absolute ? read_limit(*absolute) : 0, relative ? read_limit(*relative) : 0};
+  node.expect_object({"absolute", "relative", "slop", "margin"});
+  return {limit_or_0(node, "absolute"), limit_or_0(node, "relative"), limit_or_0(node, "slop"),
+          limit_or_0(node, "margin")};
 }
 
 std::vector<std::string> read_texts(const Node& node) {
   std::vector<std::string> texts;
   for (int i = 0; i < node.size(); ++i) texts.push_back(node[i].text());
   return texts;
+}
+
+template <class Enum, std::size_t n>
+void read_word(const Node& object, const char* key, Enum& value, const Words<Enum, n>& words) {
+  if (const auto found = object.find(key)) value = read_word(*found, words);
+}
+
+Dynamics read_dynamics(const Node& node) {
+  node.expect_object({"combines", "restitution_threshold", "friction", "damping", "speed_limits", "sleep"});
+  Dynamics dynamics;
+  if (const auto combines = node.find("combines")) {
+    combines->expect_object({"restitution", "friction"});
+    read_word(*combines, "restitution", dynamics.restitution, combinations);
+    read_word(*combines, "friction", dynamics.friction, combinations);
+  }
+  dynamics.restitution_threshold = limit_or_0(node, "restitution_threshold");
+  read_word(node, "friction", dynamics.friction_pyramid, frictions);
+  if (const auto damping = node.find("damping")) {
+    damping->expect_object({"linear", "angular"});
+    dynamics.linear_damping = limit_or_0(*damping, "linear");
+    dynamics.angular_damping = limit_or_0(*damping, "angular");
+  }
+  if (const auto limits = node.find("speed_limits")) {
+    limits->expect_object({"linear", "angular"});
+    read_limit(*limits, "linear", dynamics.speed_limit);
+    read_limit(*limits, "angular", dynamics.angular_speed_limit);
+  }
+  if (const auto sleep = node.find("sleep")) {
+    sleep->expect_object({"speed", "angular_speed", "seconds"});
+    dynamics.sleep = {read_limit(sleep->at("speed")), read_limit(sleep->at("angular_speed")),
+                      read_limit(sleep->at("seconds"))};
+  }
+  return dynamics;
+}
+
+std::map<std::string, Precision> read_precision_of(const Node& node) {
+  const std::initializer_list<std::string_view> parts = {
+      "mass",           "bounds",     "broad_phase", "pair_history", "distance", "penetration", "impulse", "pixel",
+      "time_of_impact", "simulation", "constraint",  "sphere",       "box",      "polytope",    "compound"};
+  node.expect_object(parts);
+  std::map<std::string, Precision> precision_of;
+  for (const std::string_view part : parts) {
+    if (const auto found = node.find(part)) precision_of[std::string(part)] = read_word(*found, precisions);
+  }
+  return precision_of;
 }
 
 Stepping read_stepping(const Node& node) {
@@ -106,7 +165,8 @@ Stepping read_stepping(const Node& node) {
 
 Card read_card(const Node& node) {
   node.expect_object({"name", "version", "precision", "answers", "knows_touching", "broad_phase_margin", "domain",
-                      "distance_tolerance", "reproduces", "stepping", "about", "homepage", "deviations"});
+                      "distance_tolerance", "boxes", "precision_of", "dynamics", "reproduces", "stepping", "about",
+                      "homepage", "deviations"});
   Card card;
   card.name = node.at("name").text();
   card.version = node.at("version").text();
@@ -118,6 +178,9 @@ Card read_card(const Node& node) {
   if (const auto tolerance = node.find("distance_tolerance")) {
     card.distance_tolerance = read_distance_tolerance(*tolerance);
   }
+  read_word(node, "boxes", card.boxes, box_kinds);
+  if (const auto precision_of = node.find("precision_of")) card.precision_of = read_precision_of(*precision_of);
+  if (const auto dynamics = node.find("dynamics")) card.dynamics = read_dynamics(*dynamics);
   if (const auto reproduces = node.find("reproduces")) card.reproduces = read_texts(*reproduces);
   if (const auto stepping = node.find("stepping")) card.stepping = read_stepping(*stepping);
   card.about = text_or(node, "about", "");
@@ -171,6 +234,36 @@ Json json_of(const Domain& domain) {
   return json;
 }
 
+Json json_of(const DistanceTolerance& tolerance) {
+  return {{"absolute", tolerance.absolute},
+          {"relative", tolerance.relative},
+          {"slop", tolerance.slop},
+          {"margin", tolerance.margin}};
+}
+
+Json json_of(const Dynamics& dynamics) {
+  Json json = Json::object();
+  if (dynamics.restitution != Combine::min)
+    json["combines"]["restitution"] = word_of(dynamics.restitution, combinations);
+  if (dynamics.friction != Combine::min) json["combines"]["friction"] = word_of(dynamics.friction, combinations);
+  if (dynamics.restitution_threshold > 0) json["restitution_threshold"] = dynamics.restitution_threshold;
+  if (dynamics.friction_pyramid) json["friction"] = word_of(dynamics.friction_pyramid, frictions);
+  if (dynamics.linear_damping > 0) json["damping"]["linear"] = dynamics.linear_damping;
+  if (dynamics.angular_damping > 0) json["damping"]["angular"] = dynamics.angular_damping;
+  if (dynamics.speed_limit) json["speed_limits"]["linear"] = *dynamics.speed_limit;
+  if (dynamics.angular_speed_limit) json["speed_limits"]["angular"] = *dynamics.angular_speed_limit;
+  if (const auto& sleep = dynamics.sleep) {
+    json["sleep"] = {{"speed", sleep->speed}, {"angular_speed", sleep->angular_speed}, {"seconds", sleep->seconds}};
+  }
+  return json;
+}
+
+Json json_of(const std::map<std::string, Precision>& precision_of) {
+  Json json = Json::object();
+  for (const auto& [part, precision] : precision_of) json[part] = word_of(precision, precisions);
+  return json;
+}
+
 Json json_of(const Card& card) {
   Json deviations = Json::array();
   for (const Deviation& known : card.deviations) {
@@ -183,8 +276,10 @@ Json json_of(const Card& card) {
                {"knows_touching", card.knows_touching},
                {"broad_phase_margin", card.broad_phase_margin},
                {"domain", json_of(card.domain)},
-               {"distance_tolerance",
-                {{"absolute", card.distance_tolerance.absolute}, {"relative", card.distance_tolerance.relative}}},
+               {"distance_tolerance", json_of(card.distance_tolerance)},
+               {"boxes", word_of(card.boxes, box_kinds)},
+               {"precision_of", json_of(card.precision_of)},
+               {"dynamics", json_of(card.dynamics)},
                {"reproduces", card.reproduces},
                {"about", card.about},
                {"homepage", card.homepage},

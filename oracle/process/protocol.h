@@ -28,7 +28,9 @@ std::string start(Seq seq);
 std::string ask(Seq seq, std::string_view query, std::string_view scene_json);
 std::string reproduce(Seq seq, std::string_view query, std::string_view scene_json);
 std::string stop(Seq seq);
-Json json_of(const Domain& domain);  ///< of limits that are there
+Json json_of(const Domain& domain);      ///< of limits that are there
+Json json_of(const Dynamics& dynamics);  ///< of what differs
+Json json_of(const std::map<std::string, Precision>& precision_of);
 Json json_of(const Card& card);
 std::string introduction(Seq seq, const Card& card);
 std::string answer(Seq seq, const Json& result);

@@ -110,15 +110,6 @@ Real uneven(const Facts& it, Real u) { return it.round ? 0 : 3 * it.moment_error
 // differ, the grown error.
 Real turned(const Facts& it, Real theta, Real u) { return u * (8 * theta + 32) + uneven(it, u) * grown(it, theta); }
 
-/// m/s: of a point of a body.
-double fastest_at_start(const Scene& scene) {
-  double fastest = 0;
-  for (const Body& body : scene.bodies) {
-    fastest = std::max(fastest, body.velocity.v_WBcm.norm() + radius(body) * body.velocity.w_WB.norm());
-  }
-  return fastest;
-}
-
 }  // namespace
 
 // To first order in u, over τ seconds:
@@ -170,6 +161,14 @@ BallisticBound stepped(const Scene& scene, std::size_t body, double time, const 
   bound.place = static_cast<double>((stepping.order > 1 ? 0 : it.a * h * it.tau / 2) + std::sqrt(2.0L) * turned * rho);
   bound.spin = static_cast<double>(it.round ? 0 : it.w * turned);
   return bound;
+}
+
+double fastest_at_start(const Scene& scene) {
+  double fastest = 0;
+  for (const Body& body : scene.bodies) {
+    fastest = std::max(fastest, body.velocity.v_WBcm.norm() + radius(body) * body.velocity.w_WB.norm());
+  }
+  return fastest;
 }
 
 double longest_way(const Scene& scene, double seconds) {

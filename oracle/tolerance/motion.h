@@ -27,6 +27,9 @@ BallisticBound ballistic(const Scene& scene, std::size_t body, double time, Prec
 /// `farthest` stay 0.
 BallisticBound stepped(const Scene& scene, std::size_t body, double time, const Stepping& stepping);
 
+/// m/s: the greatest speed of a point of a body at the start.
+double fastest_at_start(const Scene& scene);
+
 /// m: the longest way of a point of a body in so many seconds without impacts.
 double longest_way(const Scene& scene, double seconds);
 

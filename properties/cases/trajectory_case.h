@@ -24,6 +24,7 @@ struct TrajectoryCase {
   const Trajectory& said;
   double end;                                       ///< s; the trajectory is complete until then
   const std::optional<oracle::Stepping>& stepping;  ///< as the subject's card declares it
+  const oracle::DistanceTolerance& distances;       ///< likewise
 
   bool is_fixed(std::size_t body) const { return std::holds_alternative<Fixed>(scene.bodies[body].mass); }
   /// The number of complete sample times.
@@ -42,8 +43,8 @@ oracle::Finding of_trajectory(const Scene& scene, oracle::Subject& subject, Judg
     return oracle::judge::given(subject.simulation(scene), [&](const Trajectory& said) {
       if (!fault_in_form(scene, said).empty())
         return oracle::judge::outside("not a trajectory; see simulation.ordered");
-      return judge_it(
-          TrajectoryCase{scene, subject.card().precision, said, complete_until(scene, said), subject.card().stepping});
+      return judge_it(TrajectoryCase{scene, subject.card().precision, said, complete_until(scene, said),
+                                     subject.card().stepping, subject.card().distance_tolerance});
     });
   });
 }

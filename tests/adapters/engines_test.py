@@ -1,5 +1,5 @@
-"""Usage: engines_test.py ROOT PROGRAM. The adapters of engines in adapters/engines: each passes `adapter check`, and Rapier's
-snippets show three of its faults by themselves. The engines are looked for in the folder node_modules that
+"""Usage: engines_test.py ROOT PROGRAM. The adapters of engines in adapters/engines: each passes `adapter check`, and its
+snippets ask the engine by themselves; Rapier's show three of its faults. The engines are looked for in the folder node_modules that
 TOUCHSTONE_NODE_MODULES names, or in adapters/engines/node_modules (made by `npm ci` there). Without them, or without
 Node.js, says so and exits with code 77, which CTest reports as skipped."""
 
@@ -56,6 +56,20 @@ class Engines(unittest.TestCase):
                               text=True, timeout=60)
         self.assertEqual(done.returncode, 0, done.stderr)
         return done.stdout
+
+    def test_snippets_of_mujoco_ask_what_its_adapter_asks(self):
+        """A box of 8 m³ is 1 m from the corner (1, 0, 0) of a tetrahedron."""
+        pose = {"q": {"w": 1, "x": 0, "y": 0, "z": 0}}
+        box = {"shape": {"type": "box", "half_extents": [1, 1, 1]}, "X_WB": {"p": [3, 0, 0], **pose}}
+        hull = {"shape": {"type": "polytope", "vertices": [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]},
+                "X_WB": {"p": [0, 0, 0], **pose}}
+        scene = {"touchstone": "scene/1", "bodies": [box, hull]}
+        for query, words, expected in [("distance", "distance:", 1), ("penetration", "distance:", 1), ("mass", "mass:", 8)]:
+            lines = [{"op": "start", "seq": 1, "protocol": 1}, {"op": "reproduce", "seq": 2, "query": query, "scene": scene}]
+            done = subprocess.run(["node", "engines/mujoco.mjs"], input="".join(json.dumps(line) + "\n" for line in lines),
+                                  cwd=self.folder, capture_output=True, text=True, timeout=60)
+            said = json.loads(done.stdout.splitlines()[1])
+            self.assertAlmostEqual(numbers_after(words, self.printed_by(said["snippet"]))[0], expected, delta=1e-6)
 
     def test_inertia_depends_on_the_order_of_the_vertices(self):
         """A hull of 1 m x 2 m x 2 m and 4 kg has the moments 8/3, 5/3 and 5/3 kg m²."""

@@ -77,6 +77,14 @@ class Library(unittest.TestCase):
         self.assertEqual(hull, {"seq": 4, "abstains": "balls only"})
         self.assertEqual(mass, {"seq": 5, "abstains": "no mass query"})
 
+    def test_snippets_are_written_for_what_the_card_says(self):
+        bodies = [ball(1, [0, 0, 0]), ball(1, [3, 0, 0])]
+        (card, snippet, none), _ = self.said(self.faulty, START, {**ask("mass", *bodies), "op": "reproduce"},
+                                             {**ask("distance", *bodies), "op": "reproduce"})
+        self.assertEqual(card["card"]["reproduces"], ["mass"])
+        self.assertEqual(snippet, {"seq": 2, "snippet": 'ask about "2"'})
+        self.assertEqual(none, {"seq": 3, "abstains": "no snippets of distance"})
+
     def test_what_goes_wrong_is_said_and_the_next_question_is_answered(self):
         (card, no, nan, threw, text, mute, refused), _ = self.said(
             self.faulty, START, ask("distance", ball(1, [0, 0, 0])), ask("mass", ball(1, [0, 0, 0])),

@@ -293,11 +293,13 @@ def test_the_test():
 
 
 def files_of(root):
-    """All files of the repository that this test reads, without builds and hidden folders."""
+    """All files of the repository that this test reads, without builds, hidden folders and installed packages."""
     for top in sorted(root.iterdir()):
         if top.name.startswith((".", "build")):
             continue
         for path in [top] if top.is_file() else sorted(top.rglob("*")):
+            if "node_modules" in path.parts:
+                continue
             if path.name == "CMakeLists.txt" or path.name.endswith((*SOURCE_SUFFIXES, ".md", ".py")):
                 yield path
 

@@ -200,7 +200,10 @@ TEST_CASE("schema and reader refuse the same introductions") {
 TEST_CASE("a card survives the way") {
   Card card{"n", "1.2", Precision::binary32, {"mass"}, true, 0.05, "about", "home", {{"TS-MASS-1", "what", "link"}}};
   card.domain = {Interval{0.25, 100}, 1000, 50, 64, 10, 8, 20};
-  card.distance_tolerance = {0.5, 0.125};
+  card.distance_tolerance = {0.5, 0.125, 0.01, 0.02};
+  card.boxes = BoxKind::of_turned_box;
+  card.precision_of = {{"mass", Precision::binary64}, {"polytope", Precision::binary32}};
+  card.dynamics = {Combine::geometric_mean, Combine::max, 1, true, 0.25, 0.5, 100, 47, Sleep{0.1, 0.2, 0.5}};
   card.reproduces = {"mass"};
   const std::string line = protocol::introduction(9, card);
   const Card read = protocol::read_introduction(line, 9);
@@ -208,6 +211,9 @@ TEST_CASE("a card survives the way") {
   CHECK(read.deviations.at(0).clause == "TS-MASS-1");
   CHECK(read.domain == card.domain);
   CHECK(read.distance_tolerance == card.distance_tolerance);
+  CHECK(read.boxes == card.boxes);
+  CHECK(read.precision_of == card.precision_of);
+  CHECK(read.dynamics == card.dynamics);
   CHECK(read.reproduces == card.reproduces);
   CHECK(by_schema({line.substr(0, line.size() - 1)}) == std::vector<std::string>{"ok"});
   CHECK_THROWS_WITH(protocol::read_introduction(line, 8), "introduction.seq: not that of the question");

@@ -51,6 +51,42 @@ TEST_CASE("bounds.tight: rounding and the declared margin, no more") {
   CHECK(judged("bounds.tight", grown(0.05), 0.04).outcome == Outcome::fails);
 }
 
+// An octahedron turned by 45° about z reaches to 1/√2 in x and y. The box about it in its own axes, so turned, to √2.
+TEST_CASE("bounds.tight: an answer is compared with the kind of box that the card declares") {
+  Scene scene;
+  Body& body = scene.bodies.emplace_back();
+  body.shape = Polytope{{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}}, {}};
+  body.X_WB.q_WB = {std::cos(std::atan(1.0) / 2), 0, 0, std::sin(std::atan(1.0) / 2)};
+  tests::FixedSubject subject;
+  const auto outcome = [&](double side, oracle::BoxKind kind) {
+    subject.introduced.boxes = kind;
+    subject.said_bounds = Bounds{{Vec3(-side, -side, -1), Vec3(side, side, 1)}};
+    return properties::find("bounds.tight").check(scene, subject).outcome;
+  };
+  const double tight = std::sqrt(0.5) * (1 + 1e-15), loose = std::sqrt(2.0);
+  CHECK(outcome(tight, oracle::BoxKind::tight) == Outcome::holds);
+  CHECK(outcome(loose, oracle::BoxKind::tight) == Outcome::fails);
+  CHECK(outcome(loose, oracle::BoxKind::of_turned_box) == Outcome::holds);
+  CHECK(outcome(tight, oracle::BoxKind::of_turned_box) == Outcome::holds);
+  CHECK(outcome(1.01 * loose, oracle::BoxKind::of_turned_box) == Outcome::fails);
+  const Polytope octahedron = std::get<Polytope>(body.shape);
+  body.shape = Compound{{{Pose{}, octahedron}}};
+  CHECK(outcome(loose, oracle::BoxKind::tight) == Outcome::fails);
+  CHECK(outcome(loose, oracle::BoxKind::of_turned_box) == Outcome::holds);
+}
+
+TEST_CASE("bounds.tight: judged in the precision that the card declares for a shape") {
+  tests::FixedSubject subject;
+  subject.said_bounds = grown(1e-6);
+  const auto outcome = [&](const std::string& shape) {
+    subject.introduced.precision_of = {{shape, oracle::Precision::binary32}};
+    return properties::find("bounds.tight").check(tests::scene("cubes that share a face"), subject).outcome;
+  };
+  CHECK(outcome("sphere") == Outcome::fails);
+  CHECK(outcome("bounds") == Outcome::holds);
+  CHECK((outcome("polytope") == Outcome::holds) != (outcome("box") == Outcome::holds));
+}
+
 TEST_CASE("bounds: one box a body") {
   CHECK(judged("bounds.tight", Bounds{grown(0)[0]}).defect == Defect::wrong_box);
   CHECK(judged("bounds.survives", Bounds{grown(-5)}).outcome == Outcome::fails);

@@ -33,6 +33,19 @@ TEST_CASE("penetration.depth: shallow, overdeep, and 0 unless overlapping") {
   CHECK(judged("penetration.depth", overlap, Penetration{}).outcome == Outcome::abstains);
 }
 
+TEST_CASE("penetration: a declared slop, and a margin of each body, are granted") {
+  const auto outcome = [](double depth, const oracle::DistanceTolerance& declared) {
+    tests::FixedSubject subject;
+    subject.introduced.distance_tolerance = declared;
+    subject.said_penetration = deep(depth);
+    return properties::find("penetration.depth").check(tests::scene(overlap), subject).outcome;
+  };
+  CHECK(outcome(0.49, {.slop = 0.011}) == Outcome::holds);
+  CHECK(outcome(0.49, {.slop = 0.009}) == Outcome::fails);
+  CHECK(outcome(0.52, {.margin = 0.011}) == Outcome::holds);
+  CHECK(outcome(0.52, {.margin = 0.009}) == Outcome::fails);
+}
+
 TEST_CASE("penetration.separates: only a move that clears the bodies") {
   CHECK(judged("penetration.separates", overlap, deep(0.5)).outcome == Outcome::holds);
   CHECK(judged("penetration.separates", overlap, deep(1.75, -Vec3::UnitX())).outcome ==

@@ -23,5 +23,6 @@ Json pixel(const Json&) { throw Refused("no compounds"); }
 
 int main() {
   serve({{"name", "faulty"}, {"version", "1"}, {"precision", "binary32"}},
-        {{"mass", mass}, {"bounds", bounds}, {"distance", distance}, {"penetration", penetration}, {"pixel", pixel}});
+        {{"mass", mass}, {"bounds", bounds}, {"distance", distance}, {"penetration", penetration}, {"pixel", pixel}},
+        {{"mass", [](const Json& scene) { return "ask about \"" + std::to_string(scene.at("bodies").size()) + '"'; }}});
 }

@@ -23,4 +23,5 @@ function pixel() {
   throw new Refused("no compounds");
 }
 
-serve({ name: "faulty", version: "1", precision: "binary32" }, { mass, bounds, distance, penetration, pixel });
+serve({ name: "faulty", version: "1", precision: "binary32" }, { mass, bounds, distance, penetration, pixel },
+  { mass: (scene) => `ask about "${scene.bodies.length}"` });

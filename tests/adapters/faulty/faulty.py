@@ -28,4 +28,5 @@ def pixel(scene):
 
 
 serve({"name": "faulty", "version": "1", "precision": "binary32"},
-      {"mass": mass, "bounds": bounds, "distance": distance, "penetration": penetration, "pixel": pixel})
+      {"mass": mass, "bounds": bounds, "distance": distance, "penetration": penetration, "pixel": pixel},
+      {"mass": lambda scene: f'ask about "{len(scene["bodies"])}"'})

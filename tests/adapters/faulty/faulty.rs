@@ -20,5 +20,6 @@ fn pixel(_: &Json) -> Result<Json, No> { Err(No::Refuses("no compounds".into()))
 
 fn main() {
     let card = vec![("name", text("faulty")), ("version", text("1")), ("precision", text("binary32"))];
-    serve(card, &[("mass", mass), ("bounds", bounds), ("distance", distance), ("penetration", penetration), ("pixel", pixel)]);
+    serve(card, &[("mass", mass), ("bounds", bounds), ("distance", distance), ("penetration", penetration), ("pixel", pixel)],
+          &[("mass", |scene| format!("ask about \"{}\"", scene.get("bodies").list().len()))]);
 }

@@ -25,8 +25,9 @@ with subprocess.Popen(["FAST"], stdin=subprocess.PIPE, stdout=subprocess.PIPE, t
             break
         answer = json.loads(fast.stdout.readline())
         if "card" in answer:
-            answer["card"].update(name="mine", answers=["distance"], knows_touching=False, reproduces=["distance"], **DECLARED)
-        elif "result" in answer:
+            answer["card"].update(name="mine", answers=["distance"], knows_touching=False, reproduces=["distance"])
+            answer["card"].update(DECLARED)
+        elif "distance" in answer.get("result", ()):
             factor = 2 if large(message["scene"]) else FACTOR
             answer["result"] = {"distance": answer["result"]["distance"] * factor}
         print(json.dumps(answer), flush=True)
@@ -63,6 +64,16 @@ class DeclaredDomain(Test):
         self.assertGreater(row["fails"], 0)
         self.assertNotIn("beyond", row)
         self.assertNotIn("apart", said)
+
+    def test_impacts_that_depend_on_declared_dynamics_are_counted_apart(self):
+        declared = {"dynamics": {"friction": "pyramid"}, "stepping": {"step": 0.25, "order": 1}}
+        self.succeeds("report", "--subjects", self.engine({"answers": ["impulse"], **declared}), "--properties", "impulse.cone",
+                      "--cases", 60, "--out", "R")
+        report = self.json("R/report.json")
+        self.assertGreater(report["beyond"][0]["holds"], report["rows"][0]["holds"])  # most contacts have friction
+        page = (self.folder / "R/index.html").read_text()
+        self.assertIn("Declared dynamics", page)
+        self.assertIn("Steps of 0.25 s, order 1", page)
 
     def test_a_declared_tolerance_is_granted(self):
         declared = {"domain": {"vertices": 6}}
