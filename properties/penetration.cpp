@@ -93,7 +93,7 @@ Finding unit_direction(const Scene& scene, Subject& subject) {
     const auto precision = subject.card().precision;
     return judge::at_most(
         std::abs(nhat_BA_W.stableNorm() - 1),
-        {tolerance::unit_length(precision), oracle::unit_roundoff(precision), "ulps of 1"}, Defect::wrong_normal,
+        {tolerance::unit_length(precision), oracle::unit_roundoff(precision), "ulps of 1", 0, 1}, Defect::wrong_normal,
         [&] { return words::text(nhat_BA_W) + " of length " + words::text(nhat_BA_W.stableNorm()); },
         [] { return std::string("a unit vector"); });
   });

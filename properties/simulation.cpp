@@ -270,7 +270,8 @@ struct ReportedImpulse {
     const Real u = oracle::unit_roundoff(asked.precision);
     return judge::at_most(
         static_cast<double>((said - expected).norm()),
-        {static_cast<double>(allowed), static_cast<double>(u * std::max<Real>(unit, 0x1p-900L)), "ulps of the impulse"},
+        {static_cast<double>(allowed), static_cast<double>(u * std::max<Real>(unit, 0x1p-900L)), "ulps of the impulse",
+         0, static_cast<double>(unit)},
         Defect::wrong_momentum, [&] { return text(event) + ": " + name + " = " + text(said); },
         [&] { return text(expected); });
   }

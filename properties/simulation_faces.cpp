@@ -325,7 +325,8 @@ Finding turns_between(const TrajectoryCase& asked, const FaceMotion& motion, con
   const Real off = angle_between(oracle::turn(w0, w1, seconds) * rotation(before.X_WB), rotation(after.X_WB));
   return counted(allowed < 0x1p-4L,
                  judge::at_most(
-                     static_cast<double>(off), {static_cast<double>(allowed), unit, "ulps of what it has turned"},
+                     static_cast<double>(off),
+                     {static_cast<double>(allowed), unit, "ulps of what it has turned", 0, static_cast<double>(turned)},
                      Defect::wrong_motion,
                      [&] {
                        return "body " + std::to_string(motion.body) + " turns otherwise from " +
@@ -373,13 +374,13 @@ Finding slides(const Scene& scene, Subject& subject) {
         v.z() = p.z() = 0;
         const Real dv =
             freedom_of(motion.on_face, motion.load, envelope(scene)) + rounding_of(motion, time, asked.precision);
-        const double unit = oracle::unit_roundoff(asked.precision) *
-                            static_cast<double>(motion.on_face.v.norm() + scene.gravity.norm() * time + 0x1p-900L);
+        const double speed = static_cast<double>(motion.on_face.v.norm() + scene.gravity.norm() * time + 0x1p-900L);
+        const double unit = oracle::unit_roundoff(asked.precision) * speed;
         const auto at = [&] { return " at " + words::text(asked.time(sample)) + " s"; };
         const auto in_words = [](const Point& x) { return words::text(Vec3(x.cast<double>())); };
         if (worse(worst, judge::at_most(
                              static_cast<double>((v - expected->v).norm()),
-                             {static_cast<double>(dv), unit, "ulps of its speed"}, Defect::wrong_velocity,
+                             {static_cast<double>(dv), unit, "ulps of its speed", 0, speed}, Defect::wrong_velocity,
                              [&] { return "v = " + in_words(v) + " along the face" + at(); },
                              [&] { return in_words(expected->v); }))) {
           return worst;

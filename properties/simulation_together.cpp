@@ -116,10 +116,11 @@ Finding unchanged(const Scene& scene, const std::optional<Scene>& other, const B
           const Velocity here = asked.said.states[sample][i].velocity, there = back(said.states[sample], i).velocity;
           const double differs =
               (here.v_WBcm - there.v_WBcm).norm() + tolerance::size(scene.bodies[i]) * (here.w_WB - there.w_WB).norm();
-          if (worse(worst, judge::at_most(
-                               differs, {part_by_rounding * first->speed, first->speed, "speeds of approach"}, defect,
-                               [&] { return "body " + std::to_string(i) + ": " + words_of(here); },
-                               [&] { return words_of(there) + ", as in the changed scene"; }))) {
+          if (worse(worst,
+                    judge::at_most(
+                        differs, {part_by_rounding * first->speed, first->speed, "speeds of approach", 0, first->speed},
+                        defect, [&] { return "body " + std::to_string(i) + ": " + words_of(here); },
+                        [&] { return words_of(there) + ", as in the changed scene"; }))) {
             return worst;
           }
         }
@@ -162,8 +163,8 @@ Finding pushes(const Scene& scene, Subject& subject) {
         if (P == 0 || !std::isfinite(mu)) return judge::outside("no impulse, or unlimited friction");
         const auto at_most = [&](double beyond, double factor, Defect defect, const std::string& law) {
           return judge::at_most(
-              std::max(0.0, beyond), {tolerance::cone(P, factor, asked.precision), unit, "ulps of the impulse"}, defect,
-              [&] { return text(event) + ": P = " + words::text(event.P_A_W); }, [&] { return law; });
+              std::max(0.0, beyond), {tolerance::cone(P, factor, asked.precision), unit, "ulps of the impulse", 0, P},
+              defect, [&] { return text(event) + ": P = " + words::text(event.P_A_W); }, [&] { return law; });
         };
         const Finding pulls = at_most(-P_n, 0, Defect::pulls, "P·n ≥ 0");
         if (pulls.outcome == oracle::Outcome::fails) return pulls;

@@ -2,31 +2,23 @@
 //     touchstone adapter check "exec:node adapters/engines/rapier.mjs"
 import { Abstain, rotated, serve, unitQuaternion } from "../js/touchstone_adapter.mjs";
 import * as snippets from "./rapier_snippets.mjs";
-import { readFileSync } from "node:fs";
-
-const { default: RAPIER } = await import("@dimforge/rapier3d-compat");
-await RAPIER.init();
-const installed = new URL("node_modules/@dimforge/rapier3d-compat/package.json", import.meta.url);
+import { RAPIER, colliderOf as collider, list, vector, version } from "./rapier_bodies.mjs";
+import { simulation, step } from "./rapier_motion.mjs";
 
 const card = {
-  name: "rapier", version: JSON.parse(readFileSync(installed)).version, precision: "binary32",
-  about: "Shape.contactShape; mass, localCom and principalInertia of a rigid body with one collider",
+  name: "rapier", version, precision: "binary32",
+  about: "Shape.contactShape; mass, localCom and principalInertia of a rigid body with one collider; World.step, equal "
+    + "steps of at most 1/60 s between sample times, without sleep, e and mu of a pair the lesser",
   homepage: "https://rapier.rs",
   // The reasons: docs/how_to/add_a_subject.md.
   domain: { lengths: [(10 * 2 ** -23) ** 0.25, 100], reach: 100, aspect: 1000 },
+  stepping: { step, order: 1 },
   distance_tolerance: { absolute: 100 * 2 ** -23, relative: Math.sqrt(10 * 2 ** -23) },
 };
 
-const vector = ([x, y, z]) => ({ x, y, z });
-const list = ({ x, y, z }) => [x, y, z];
-
 function colliderOf({ shape }) {
-  if (shape.type === "sphere") return RAPIER.ColliderDesc.ball(shape.radius);
-  if (shape.type === "box") return RAPIER.ColliderDesc.cuboid(...shape.half_extents);
-  if (shape.type === "compound") throw new Abstain("the shape queries are about one convex shape each");
-  const hull = RAPIER.ColliderDesc.convexHull(Float32Array.from(shape.vertices.flat()));
-  if (!hull) throw new Error("ColliderDesc.convexHull returns null");
-  return hull;
+  if (shape.type === "compound") throw new Abstain("the queries are about one convex shape each");
+  return collider(shape);
 }
 
 // The closest points of A and B in the world, or the deepest: the distance is negative if they overlap.
@@ -75,4 +67,4 @@ function mass(scene) {
   });
 }
 
-serve(card, { mass, distance, penetration }, snippets);
+serve(card, { mass, distance, penetration, simulation }, snippets);

@@ -110,13 +110,13 @@ oracle::Finding moves(const TrajectoryCase& asked, const Scene& ballistic_scene,
   const tolerance::BallisticBound allowed = granted(asked, ballistic_scene, k, time);
   const double radius = tolerance::radius(ballistic_scene.bodies[k]);
   const double off = (said.v_WBcm - expected.v_WBcm).norm() + radius * (said.w_WB - expected.w_WB).norm();
-  const double unit = oracle::unit_roundoff(asked.precision) * std::max(allowed.fastest, 0x1p-900);
+  const double speed = std::max(allowed.fastest, 0x1p-900), unit = oracle::unit_roundoff(asked.precision) * speed;
   const auto velocity_text = [](const Velocity& V) {
     return "v = " + words::text(V.v_WBcm) + ", w = " + words::text(V.w_WB);
   };
   return oracle::judge::at_most(
-      off, {allowed.velocity + radius * allowed.spin, unit, "ulps of its speed"}, oracle::Defect::wrong_motion,
-      [&] { return velocity_text(said); }, [&] { return velocity_text(expected); });
+      off, {allowed.velocity + radius * allowed.spin, unit, "ulps of its speed", 0, speed},
+      oracle::Defect::wrong_motion, [&] { return velocity_text(said); }, [&] { return velocity_text(expected); });
 }
 
 /// The body's velocity before an event at its time.

@@ -1,6 +1,7 @@
 // The outcomes of the mass properties, for answers computed by hand.
 #include <limits>
 
+#include "oracle/judge/grade.h"
 #include "properties/property.h"
 #include "tests/catch.h"
 #include "tests/properties/fixed_subject.h"
@@ -20,8 +21,10 @@ MassProperties cube() {
   return m;
 }
 
-oracle::Finding judged(const std::string& property, const MassProperties& said) {
+oracle::Finding judged(const std::string& property, const MassProperties& said,
+                       oracle::Precision precision = oracle::Precision::binary64) {
   tests::FixedSubject subject;
+  subject.introduced.precision = precision;
   subject.said_mass = Masses{cube(), said};
   return properties::find(property).check(tests::scene("cubes that share a face"), subject);
 }
@@ -44,6 +47,17 @@ TEST_CASE("mass: right answers hold, and each wrong part is found by its own pro
   skew.I_BBcm_B(0, 2) = skew.I_BBcm_B(2, 0) = 1e-9;
   CHECK(judged("mass.inertia", skew).outcome == Outcome::fails);
   CHECK(judged("mass.possible", skew).outcome == Outcome::holds);
+}
+
+TEST_CASE("mass: no mass has the worst grade in each property that sees it, also in single precision") {
+  for (const char* property : {"mass.mass", "mass.possible", "mass.survives"}) {
+    for (const double mass : {0.0, -1.0}) {
+      MassProperties none = cube();
+      none.mass = mass;
+      CHECK(oracle::grade(judged(property, none)) == oracle::Grade::F);
+      CHECK(oracle::grade(judged(property, none, oracle::Precision::binary32)) == oracle::Grade::F);
+    }
+  }
 }
 
 TEST_CASE("mass.possible: what no matter can have") {
