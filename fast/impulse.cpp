@@ -126,6 +126,13 @@ double error_of(const Stated& stated, const Vec3& velocity, const Vec3& P) {
   return (impulse::error_bound(greatest / least) + 4 * shape) * norm + 4 * speed;
 }
 
+/// Is u_n above what rounding changes? Else the bodies may approach by as much, so that the impulse is not exactly 0.
+/// The normal and its frame are rounded too: 8 u of |u|.
+bool surely_separates(const Stated& stated) {
+  const double rounding = stated.A.speed_error + stated.B.speed_error;
+  return stated.impact.un > rounding + 8 * u * (stated.A.velocity - stated.B.velocity).norm();
+}
+
 }  // namespace
 
 Impacted impact(const Scene& scene) {
@@ -133,7 +140,10 @@ Impacted impact(const Scene& scene) {
   Impacted done;
   done.after = {scene.bodies[0].velocity, scene.bodies[1].velocity};
   done.outcome = impulse::solve(all.impact);
-  if (!done.outcome.regime.approached) return done;
+  if (!done.outcome.regime.approached) {
+    if (!surely_separates(all)) done.error = error_of(all, all.A.velocity - all.B.velocity, Vec3::Zero());
+    return done;
+  }
   const impulse::Outcome& out = done.outcome;
   done.P_A_W = all.R * Vec3(out.P1, out.P2, out.p);
   done.after = {pushed(scene.bodies[0], all.A, done.P_A_W), pushed(scene.bodies[1], all.B, -done.P_A_W)};
