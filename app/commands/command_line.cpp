@@ -28,6 +28,7 @@
 #include "app/commands/serve.h"
 #include "app/commands/simulate.h"
 #include "app/commands/soak.h"
+#include "app/fuzz/fuzz_command.h"
 #include "app/motion/motion_scenes.h"
 #include "app/system/program_folder.h"
 #include "app/system/terminal.h"
@@ -80,6 +81,7 @@ struct Options {
   Imported import;
   std::string list;
   Soaked soak;
+  FuzzCommand fuzz;
   BenchOptions bench;
   std::string help;        ///< a command; empty: all
   std::string completion;  ///< a shell
@@ -387,6 +389,45 @@ void add_soak(CLI::App& program, Options& options) {
       [&options] { options.chosen = [&] { return soak(options.soak.pairs, options.soak.seed, options.soak.jobs); }; });
 }
 
+void add_fuzz(CLI::App& program, Options& options) {
+  auto* command =
+      program.add_subcommand("fuzz", "Look for failures on mutated scenes, guided by coverage and by how near one is");
+  FuzzCommand& words = options.fuzz;
+  add_argument(*command, "QUERY", words.query, listed(properties::tested_queries()))
+      ->required()
+      ->check(one_of(properties::tested_queries()));
+  command
+      ->add_option("--subject", words.subject,
+                   "What to test, as under --subjects of `touchstone help check`. Default: inproc:fast, which alone "
+                   "shows its coverage; inproc:reference for a query that fast does not answer")
+      ->type_name("SUBJECT");
+  command
+      ->add_option("--properties", words.properties,
+                   "The properties to test: ids of `touchstone list properties`. Default: all of this query")
+      ->delimiter(',')
+      ->type_name("PROPERTY");
+  command->add_option("--time", words.time, "End after so much time. Default: 60, unless --executions is given")
+      ->check(seconds_up_to(1e6))
+      ->type_name("SECONDS");
+  command
+      ->add_option_function<std::string>(
+          "--executions",
+          [&words](const std::string& word) {
+            words.executions = whole_number("--executions", word, 1, largest_count);
+          },
+          "End after so many scenes; then the result does not depend on the machine")
+      ->type_name("NUMBER");
+  add_seed(*command, words.seed);
+  add_limit_of_a_question(*command, words.time_limit);
+  add_folder(*command, "--out", words.out, "Write a case file for each finding to this folder")->capture_default_str();
+  command->add_flag("--json", words.json, "Print JSON");
+  command->add_flag(
+      "--skip-adapter-check", words.skip_adapter_check,
+      "Also fuzz a subject exec:... whose adapter fails the scenes of adapter check, which are asked first");
+  command->footer(help::fuzz);
+  command->callback([&options] { options.chosen = [&] { return fuzz(options.fuzz); }; });
+}
+
 void add_bench(CLI::App& program, Options& options) {
   auto* command = program.add_subcommand(
       "bench", "Compare our speed with that of other libraries (use the launcher: ./touchstone bench)");
@@ -555,9 +596,9 @@ int run_command(int argc, const char* const* argv) {
   CLI::App program("Touchstone: the reference that collision detection and impact code is tested against.",
                    "touchstone");
   Options options;
-  for (const auto add : {add_report, add_check, add_replay, add_minimise, add_adapter, add_ask, add_serve, add_judge,
-                         add_plan, add_simulate, add_import, add_list, add_soak, add_bench, add_test, add_package,
-                         add_mutate, add_completion, add_help}) {
+  for (const auto add : {add_report, add_check, add_replay,   add_minimise, add_adapter,    add_ask,  add_serve,
+                         add_judge,  add_plan,  add_simulate, add_import,   add_list,       add_soak, add_fuzz,
+                         add_bench,  add_test,  add_package,  add_mutate,   add_completion, add_help}) {
     add(program, options);
   }
   refuse_empty_words(program);

@@ -210,6 +210,28 @@ Exit codes:
   3    two algorithms disagree, which is a fault of Touchstone itself; or a full disk, or a closed stdout
   130  interrupted (SIGHUP: 129, SIGTERM: 143))";
 
+inline constexpr const char* fuzz = R"(
+Examples:
+  touchstone fuzz distance                                       fast, for a minute
+  touchstone fuzz penetration --subject bullet.double --time 600 --out bullet
+  touchstone fuzz impulse --executions 2000 --seed 7 --json      the same result on every machine
+  touchstone fuzz distance --properties distance.value --subject "exec:my_engine"
+
+The first scenes are those of the corpus and of the families that check draws too. Then scenes are mutated: moved until
+two bodies touch exactly, aligned, flattened, scaled by powers of two, changed by an ulp, spliced. Each scene is asked
+under all properties of the query. A scene that shows something new is kept and mutated further: another part of fast is
+reached, another kind of scene, a larger error, a smaller margin to a wrong verdict. A finding is reported once for each
+cause, with the smallest scene that was found to show it; `touchstone replay` asks it again.
+
+A crash of a subject in this process ends the command. Behind the pipe (--subject fast) it is a finding.
+
+Exit codes:
+  0    no property fails
+  1    findings; each has a case file
+  2    bad input or usage, or the adapter of a subject exec:... does not pass
+  3    a fault of Touchstone itself; or a full disk, or a closed stdout
+  130  interrupted (SIGHUP: 129, SIGTERM: 143); the findings until then are written)";
+
 inline constexpr const char* bench = R"(
 Examples:
   ./touchstone bench broad_phase                                  everything: several minutes

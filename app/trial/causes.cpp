@@ -31,7 +31,8 @@ std::size_t end_of_number(const std::string& words, std::size_t at) {
   return at;
 }
 
-/// Indices and coordinates differ from scene to scene. A minus before a number goes with it.
+}  // namespace
+
 std::string without_numbers(const std::string& words) {
   std::string same;
   for (std::size_t at = 0; at < words.size();) {
@@ -44,8 +45,6 @@ std::string without_numbers(const std::string& words) {
   }
   return same;
 }
-
-}  // namespace
 
 std::vector<Cause> causes(const Ledger& ledger) {
   std::vector<Cause> all;

@@ -15,6 +15,10 @@ struct Cause {
   std::vector<const Row*> rows;  ///< property by property; never empty
 };
 
+/// The words of a break with # for each number: indices and coordinates differ from scene to scene. A minus before a
+/// number goes with it.
+std::string without_numbers(const std::string& words);
+
 /// By subject, and then by first row. Each failing row is in one cause.
 std::vector<Cause> causes(const Ledger& ledger);
 

@@ -13,6 +13,7 @@ namespace touchstone::app {
 namespace {
 
 using properties::Family;
+using properties::for_query;
 using properties::Property;
 
 /// The laws of impacts compare two answers, and other properties already check each of them.
@@ -30,14 +31,6 @@ bool for_the_first_cases_all(std::size_t number, std::size_t cases, const Proper
 /// itself.
 bool asks_only_for_sense(std::size_t, std::size_t, const Property& property) {
   return property.id.ends_with(".survives") || property.id.ends_with(".repeats");
-}
-
-std::vector<const Family*> for_query(const std::vector<Family>& families, const std::string& query) {
-  std::vector<const Family*> chosen;
-  for (const Family& family : families) {
-    if (std::ranges::find(family.queries, query) != family.queries.end()) chosen.push_back(&family);
-  }
-  return chosen;
 }
 
 std::vector<Question> about_meshes(const std::string& query, const Effort& effort, std::uint64_t seed,

@@ -6,12 +6,16 @@
 #include <vector>
 
 #include "oracle/passing_on.h"
+#include "properties/property.h"
 
 namespace touchstone::app {
 
+/// Does the property compare two answers to one question? It must ask the subject itself.
+inline bool asks_twice(const properties::Property& property) { return property.id.ends_with(".repeats"); }
+
 /// Passes a question on, unless it was asked before. It is made anew for each drawn scene. Most properties of a query
-/// ask about the drawn scene itself, and without it an engine would follow a motion up to 31 times. A property that
-/// compares two answers to one question must ask the subject itself. `subject` must outlive this object.
+/// ask about the drawn scene itself, and without it an engine would follow a motion up to 31 times. `subject` must
+/// outlive this object.
 class RememberedAnswers final : public oracle::PassingOn<RememberedAnswers> {
  public:
   using PassingOn::PassingOn;

@@ -141,9 +141,6 @@ UnitResult nothing_of(const QueryTrial& query, const TestedSubjects& tested) {
           std::vector<int>(tested.size())};
 }
 
-/// The first answer to the question must not be that of an earlier property.
-bool asks_twice(const Property& property) { return property.id.ends_with(".repeats"); }
-
 bool any_failing(const UnitResult& result) { return std::ranges::any_of(result.results.all(), &Row::failing); }
 
 /// Asks one subject under each property. After a hang, a property that would ask the same question again does not.

@@ -8,7 +8,6 @@
 #include "model/sequence.h"
 #include "oracle/minimise/scene_edit.h"
 #include "oracle/minimise/shrink.h"
-#include "oracle/truth/truth.h"
 
 namespace touchstone::oracle {
 namespace {
@@ -22,16 +21,6 @@ bool off_axis(const Vec3& n) { return n.cwiseAbs().maxCoeff() != 1; }
 int extras(const Body& body) {
   return !body.name.empty() + !(body.velocity == Velocity{}) + !(body.material == Material{}) +
          !(body.mass == Mass{Density{}});
-}
-
-/// Adds the hulls of polytopes without faces, then checks all the rules of a valid scene.
-Scene completed(Scene scene) {
-  for (const Slot slot : slots(scene)) {
-    const ConvexShape shape = shape_at(scene, slot);
-    const auto* polytope = std::get_if<Polytope>(&shape);
-    if (polytope && polytope->faces.empty()) set_shape(scene, slot, truth::convex_hull(polytope->vertices));
-  }
-  return truth::completed(std::move(scene));
 }
 
 class Search {
@@ -120,7 +109,7 @@ std::optional<Scene> shrink::step(const Scene& scene, const Move& move) {
   std::optional<Scene> candidate = move(scene);
   if (!candidate) return std::nullopt;
   try {
-    candidate = completed(std::move(*candidate));
+    candidate = with_faces(std::move(*candidate));
   } catch (const InputError&) {
     return std::nullopt;
   }

@@ -4,10 +4,12 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 #include <variant>
 
 #include "model/box_vertices.h"
 #include "model/sequence.h"
+#include "oracle/truth/truth.h"
 
 namespace touchstone::oracle {
 namespace {
@@ -146,6 +148,15 @@ void drop_faces(Scene& scene) {
       set_shape(scene, slot, shape);
     }
   }
+}
+
+Scene with_faces(Scene scene) {
+  for (const Slot slot : slots(scene)) {
+    const ConvexShape shape = shape_at(scene, slot);
+    const auto* polytope = std::get_if<Polytope>(&shape);
+    if (polytope && polytope->faces.empty()) set_shape(scene, slot, truth::convex_hull(polytope->vertices));
+  }
+  return truth::completed(std::move(scene));
 }
 
 Mat3 rounded_rotation(const Quaternion& q) {

@@ -37,6 +37,10 @@ std::vector<double*> motion_numbers(Scene& scene);
 /// Removes the faces of polytopes, to be computed again.
 void drop_faces(Scene& scene);
 
+/// Gives polytopes without faces their hull, without the vertices inside it. Then checks all the rules of a valid
+/// scene. Throws InputError.
+Scene with_faces(Scene scene);
+
 /// R(q), rounded.
 Mat3 rounded_rotation(const Quaternion& q);
 

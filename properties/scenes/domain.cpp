@@ -54,6 +54,14 @@ const Family& find_family(const std::string& id) {
       "family", "no family is called " + id + (near.empty() ? "; `list families` names them" : "; there are" + near));
 }
 
+std::vector<const Family*> for_query(const std::vector<Family>& families, const std::string& query) {
+  std::vector<const Family*> chosen;
+  for (const Family& family : families) {
+    if (std::ranges::find(family.queries, query) != family.queries.end()) chosen.push_back(&family);
+  }
+  return chosen;
+}
+
 Scene draw(const Family& family, std::uint64_t seed, std::uint64_t index) {
   Random random(seed, family.id, index);
   return family.draw(random);

@@ -29,6 +29,9 @@ const std::vector<Family>& families();
 /// Throws InputError with a list of similar names if there is no such family.
 const Family& find_family(const std::string& id);
 
+/// The families, out of these or of the extreme ones, from which the query's scenes are drawn.
+std::vector<const Family*> for_query(const std::vector<Family>& families, const std::string& query);
+
 /// A pure function of its arguments, with the same bits on every machine. The scene is valid, and its faces are set.
 Scene draw(const Family& family, std::uint64_t seed, std::uint64_t index);
 

@@ -1,0 +1,193 @@
+#include "app/fuzz/fuzz_command.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+
+#include "app/adapter/proven.h"
+#include "app/fuzz/fuzz_run.h"
+#include "app/report/finding_words.h"
+#include "app/report/replay_command.h"
+#include "app/system/file_names.h"
+#include "app/system/interruption.h"
+#include "app/system/terminal.h"
+#include "app/system/writable.h"
+#include "app/trial/effort.h"
+#include "app/trial/subject_list.h"
+#include "model/input_error.h"
+#include "model/json.h"
+#include "model/near_names.h"
+#include "oracle/subjects/touchstone/fast.h"
+#include "properties/property.h"
+
+namespace touchstone::app {
+namespace {
+
+namespace fs = std::filesystem;
+using properties::Property;
+
+constexpr int minimise_budget = 800;  ///< as of effort standard
+constexpr int minimise_budget_of_trajectories = 60;
+
+std::vector<const Property*> chosen_properties(const FuzzCommand& command) {
+  std::vector<const Property*> chosen;
+  for (const std::string& id : command.properties) {
+    if (properties::find(id).query != command.query) throw InputError(id, "is no property of " + command.query);
+  }
+  for (const Property& property : properties::all()) {
+    const bool named = command.properties.empty() || std::ranges::count(command.properties, property.id) > 0;
+    if (property.query == command.query && named) chosen.push_back(&property);
+  }
+  return chosen;
+}
+
+std::string usual_subject(const std::string& query) {
+  const bool fast_answers = std::ranges::count(oracle::subjects::make_fast()->card().answers, query) > 0;
+  return fast_answers ? "inproc:fast" : "inproc:reference";
+}
+
+FuzzPlan plan_of(const FuzzCommand& command) {
+  FuzzPlan plan;
+  plan.query = command.query;
+  plan.properties = chosen_properties(command);
+  plan.seed = command.seed;
+  plan.executions = command.executions;
+  plan.seconds = command.time;
+  if (!command.time && !command.executions) plan.seconds = default_fuzz_time;
+  plan.minimise_budget = is_simulated(command.query) ? minimise_budget_of_trajectories : minimise_budget;
+  return plan;
+}
+
+void prepare_folder(const std::string& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw InputError(folder, error.message());
+  require_writable_folder(folder, folder);
+}
+
+/// A finding's file, and how to ask it again.
+struct Written {
+  std::string file;
+  std::string replay;
+};
+
+Written write(FuzzFinding& finding, const FuzzCommand& command, const std::string& connectable,
+              const std::string& file_name) {
+  const std::string name =
+      fmt::format("{}.{}.{}.json", finding.row.property->id, name_of(finding.smallest.finding.defect), file_name);
+  const std::string file = (fs::path(command.out) / name).string();
+  finding.smallest.subject = connectable;
+  finding.smallest.folder = folder_of(connectable);
+  oracle::write_case(finding.smallest, file);
+  return {file, replay_command(file, connectable)};
+}
+
+/// Of all answers that hold, the one with the largest error beside what is allowed; null if no error has a size.
+const Example* nearest(const FuzzResult& result, const Property** property) {
+  const Example* found = nullptr;
+  const auto share = [](const Example& e) { return e.finding.error / e.finding.allowed; };
+  for (const Row& row : result.holding) {
+    if (!row.examples.closest || (found != nullptr && share(*row.examples.closest) <= share(*found))) continue;
+    found = &*row.examples.closest;
+    *property = row.property;
+  }
+  return found;
+}
+
+long marks_reached(const FuzzResult& result) {
+  return std::ranges::count_if(result.marks, [](std::uint64_t count) { return count > 0; });
+}
+
+Json json_of(const FuzzFinding& finding, const Written& written) {
+  const oracle::Size size = oracle::size_of(finding.smallest.scene);
+  Json json{{"property", finding.row.property->id},
+            {"defect", name_of(finding.smallest.finding.defect)},
+            {"grade", oracle::name_of(*finding.row.grade())},
+            {"first_execution", finding.execution},
+            {"failures", finding.row.failures()},
+            {"largest_error", finding.row.largest_error.size},
+            {"unit", finding.row.largest_error.unit},
+            {"bodies", size.bodies},
+            {"vertices_per_body_max", size.vertices_per_body_max},
+            {"significant_bits_max", size.significant_bits_max},
+            {"case", written.file},
+            {"replay", written.replay}};
+  json["finding"] = oracle::json_of(finding.smallest.finding);
+  return json;
+}
+
+void print_json(const FuzzCommand& command, const FuzzResult& result, const std::vector<Written>& written) {
+  Json json{{"query", command.query},          {"subject", result.card.name},
+            {"version", result.card.version},  {"seed", command.seed},
+            {"executions", result.executions}, {"verdicts", result.verdicts},
+            {"beyond", result.beyond},         {"marks_reached", marks_reached(result)},
+            {"signals", result.signals},       {"kept", result.kept}};
+  const Property* property = nullptr;
+  if (const Example* example = nearest(result, &property)) {
+    json["nearest"] = {{"property", property->id},
+                       {"error", example->finding.error},
+                       {"allowed", example->finding.allowed},
+                       {"unit", example->finding.unit},
+                       {"execution", example->index}};
+  }
+  json["findings"] = Json::array();
+  for (std::size_t f = 0; f < written.size(); ++f) json["findings"].push_back(json_of(result.findings[f], written[f]));
+  json["interrupted"] = result.interrupted;
+  json["seconds"] = result.seconds;
+  print_lines(touchstone::text_of(json));
+}
+
+void print_words(const FuzzCommand& command, const FuzzResult& result, const std::vector<Written>& written) {
+  print("{} of {} {}, seed {}: {} executions, {} verdicts; {:.0f} executions a second\n", command.query,
+        result.card.name, result.card.version, command.seed, result.executions, result.verdicts,
+        static_cast<double>(result.executions) / std::max(result.seconds, 1e-3));
+  print("coverage: {} of {} marks of fast, {} signals, {} scenes kept\n", marks_reached(result), result.marks.size(),
+        result.signals, result.kept);
+  if (result.beyond > 0) print("outside the subject's declared domain, not counted: {} verdicts\n", result.beyond);
+  const Property* property = nullptr;
+  if (const Example* example = nearest(result, &property)) {
+    const oracle::Finding& finding = example->finding;
+    print("nearest to a failure, of what holds: {}, {:.3g} of {:.3g} {}, execution {}\n", property->id, finding.error,
+          finding.allowed, finding.unit, example->index);
+  }
+  print("findings: {}{}\n", result.findings.size(), result.interrupted ? "; interrupted" : "");
+  for (std::size_t f = 0; f < written.size(); ++f) {
+    const FuzzFinding& finding = result.findings[f];
+    const Row& row = finding.row;
+    const std::string largest =
+        row.largest_error.unit.empty() || row.largest_error.unit == oracle::without_size
+            ? ""
+            : fmt::format(", the largest error {:.3g} {}", row.largest_error.size, row.largest_error.unit);
+    print("{}: {}, grade {}: {} scenes, first in execution {}{}\n", row.property->id,
+          name_of(finding.smallest.finding.defect), oracle::name_of(*row.grade()), row.failures(), finding.execution,
+          largest);
+    for (const auto& [label, words] : lines_of(finding.smallest.finding)) print("    {:<9} {}\n", label, words);
+    print("    {:<9} {}\n", "scene", text_of(oracle::size_of(finding.smallest.scene)));
+    print("    {}\n", written[f].replay);
+  }
+}
+
+}  // namespace
+
+int fuzz(const FuzzCommand& command) {
+  const FuzzPlan plan = plan_of(command);
+  const std::string connectable = command.subject.empty() ? usual_subject(command.query) : command.subject;
+  const oracle::PipeLimits limits = limits_of(command.time_limit);
+  const std::unique_ptr<oracle::Subject> subject = connect(connectable, limits);
+  watch_for_interruption();
+  if (!command.skip_adapter_check) require_proven_adapters({connectable}, {command.query}, limits);
+  prepare_folder(command.out);
+  FuzzResult result = fuzz(plan, *subject);
+  const std::string file_name = names_of_files({result.card}).front();
+  std::vector<Written> written;
+  for (FuzzFinding& finding : result.findings) {
+    written.push_back(write(finding, command, connectable, file_name));
+  }
+  (command.json ? print_json : print_words)(command, result, written);
+  if (result.interrupted) return interrupted_exit_code();
+  return result.findings.empty() ? 0 : 1;
+}
+
+}  // namespace touchstone::app

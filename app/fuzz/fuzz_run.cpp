@@ -1,0 +1,211 @@
+#include "app/fuzz/fuzz_run.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <exception>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "app/fuzz/pool.h"
+#include "app/fuzz/signals.h"
+#include "app/fuzz/starting_scenes.h"
+#include "app/system/interruption.h"
+#include "app/system/progress.h"
+#include "app/trial/causes.h"
+#include "app/trial/domain_watch.h"
+#include "app/trial/effort.h"
+#include "app/trial/remembered_answers.h"
+#include "app/trial/smallest.h"
+#include "model/input_error.h"
+#include "oracle/judge/judge.h"
+#include "oracle/query.h"
+#include "properties/fuzzing/mutate.h"
+#include "properties/random.h"
+
+namespace touchstone::app {
+namespace {
+
+using oracle::Defect;
+using oracle::Finding;
+using properties::Property;
+using properties::Random;
+
+constexpr int most_mutations = 5;  ///< of one execution; a choice
+
+/// The property, for which an exception is a break too. A scene that subject or truth refuses as bad input is outside.
+Property guarded(const Property& property) {
+  Property same = property;
+  same.check = [check = property.check](const Scene& scene, oracle::Subject& subject) -> Finding {
+    try {
+      return check(scene, subject);
+    } catch (const InputError& refusal) {
+      return oracle::judge::outside(refusal.what());
+    } catch (const std::exception& error) {
+      return oracle::judge::broken(Breaks{Breaks::Kind::threw, error.what()});
+    }
+  };
+  return same;
+}
+
+std::string cause_of(const Property& property, const Finding& finding) {
+  const std::string defect = name_of(finding.defect);
+  return finding.outcome == oracle::Outcome::breaks ? defect + ' ' + without_numbers(finding.why)
+                                                    : property.id + ' ' + defect;
+}
+
+/// The time or the number of executions until the end.
+class End {
+ public:
+  explicit End(const FuzzPlan& plan)
+      : plan_(plan),
+        progress_("fuzzing " + plan.query, plan.executions ? static_cast<int>(*plan.executions) : whole_seconds()) {}
+
+  bool reached(long executions) const {
+    return interrupted() || (plan_.executions && executions >= *plan_.executions) ||
+           (plan_.seconds && seconds() >= *plan_.seconds);
+  }
+
+  double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+
+  void show(long executions, std::size_t findings) {
+    const int done =
+        plan_.executions ? static_cast<int>(executions) : std::min(static_cast<int>(seconds()), whole_seconds());
+    if (done == shown_) return;
+    progress_.step(fmt::format("{} executions, {} findings", executions, findings), done - shown_);
+    shown_ = done;
+  }
+
+ private:
+  int whole_seconds() const { return static_cast<int>(plan_.seconds.value_or(0)); }
+
+  const FuzzPlan& plan_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  int shown_ = 0;
+  Progress progress_;
+};
+
+class Fuzzer {
+ public:
+  Fuzzer(const FuzzPlan& plan, oracle::Subject& subject)
+      : plan_(plan), subject_(subject), query_(*oracle::find_query(plan.query)) {
+    for (const Property* property : plan.properties) {
+      properties_.push_back(guarded(*property));
+      result_.holding.emplace_back();
+      result_.holding.back().property = property;
+    }
+    result_.card = subject.card();
+  }
+
+  FuzzResult run() {
+    execute_all();
+    cut_down();
+    result_.kept = pool_.size();
+    result_.signals = seen_.size();
+    result_.interrupted = interrupted();
+    return std::move(result_);
+  }
+
+ private:
+  void execute_all() {
+    const std::vector<Scene> starts = starting_scenes(plan_.query, plan_.seed, plan_.draws);
+    const fast::MarkCounts marks_before = fast::mark_counts;
+    End end(plan_);
+    while (!end.reached(result_.executions)) {
+      const auto n = static_cast<std::uint64_t>(result_.executions++);
+      Random random(plan_.seed, "fuzz " + plan_.query, n);
+      execute(n < starts.size() ? starts[n] : next(random), n < starts.size(), random);
+      end.show(result_.executions, result_.findings.size());
+    }
+    result_.seconds = end.seconds();
+    for (std::size_t m = 0; m < result_.marks.size(); ++m) result_.marks[m] = fast::mark_counts[m] - marks_before[m];
+  }
+
+  Scene next(Random& random) {
+    Scene scene = pool_.choose(random);
+    int mutations = 1;
+    while (mutations < most_mutations && random.one_in(2)) ++mutations;
+    for (; mutations > 0; --mutations) {
+      const Scene& other = pool_.choose(random);
+      scene = properties::fuzzing::mutated(scene, other, query_, random);
+    }
+    return scene;
+  }
+
+  void execute(const Scene& scene, bool is_start, Random& random) {
+    Signals signals;
+    const fast::MarkCounts marks_before = fast::mark_counts;
+    const bool answered = judge(scene, signals);
+    signals.add_marks(marks_before, fast::mark_counts);
+    signals.add_scene(scene, plan_.query);
+    bool is_new = false;
+    for (const std::string& word : signals.words()) is_new |= seen_.insert(word).second;
+    if (is_start || (is_new && answered)) pool_.keep(scene, signals.nearness(), random);
+  }
+
+  /// Returns whether the subject ended all its answers.
+  bool judge(const Scene& scene, Signals& signals) {
+    RememberedAnswers remembered(subject_);
+    Example example{"", static_cast<std::uint64_t>(result_.executions), scene, {}, {}};
+    for (std::size_t p = 0; p < properties_.size(); ++p) {
+      DomainWatch watch(asks_twice(properties_[p]) ? subject_ : static_cast<oracle::Subject&>(remembered));
+      example.finding = properties_[p].check(scene, watch);
+      if (interrupted()) return false;
+      ++result_.verdicts;
+      if (!watch.beyond().empty()) {
+        ++result_.beyond;
+        continue;
+      }
+      signals.add_finding(properties_[p], example.finding);
+      if (failed(example.finding)) {
+        count_failure(p, example);
+      } else {
+        result_.holding[p].count(example);
+      }
+      if (example.finding.defect == Defect::hung) return false;
+    }
+    return true;
+  }
+
+  void count_failure(std::size_t property, const Example& example) {
+    const std::string cause = cause_of(properties_[property], example.finding);
+    const auto [known, is_new] = causes_.try_emplace(cause, result_.findings.size());
+    if (is_new) {
+      result_.findings.push_back({result_.executions, {}, {}});
+      result_.findings.back().row.property = plan_.properties[property];
+    }
+    Row& row = result_.findings[known->second].row;
+    if (row.property == plan_.properties[property]) row.count(example);
+  }
+
+  void cut_down() {
+    Progress progress("reducing", static_cast<int>(result_.findings.size()));
+    for (FuzzFinding& finding : result_.findings) {
+      const Example& example = *finding.row.examples.smallest;
+      finding.smallest = smallest_case(example, guarded(*finding.row.property), subject_, plan_.seed,
+                                       {.budget = plan_.minimise_budget, .hangs = most_hangs});
+      if (finding.smallest.note.empty()) {
+        finding.smallest.note = fmt::format("touchstone fuzz {}, seed {}: execution {}, made smaller", plan_.query,
+                                            plan_.seed, example.index);
+      }
+      progress.step(finding.row.property->id);
+    }
+  }
+
+  const FuzzPlan& plan_;
+  oracle::Subject& subject_;
+  const oracle::Query& query_;
+  std::vector<Property> properties_;
+  Pool pool_;
+  std::set<std::string> seen_;
+  std::map<std::string, std::size_t> causes_;  ///< to the index of the finding
+  FuzzResult result_;
+};
+
+}  // namespace
+
+FuzzResult fuzz(const FuzzPlan& plan, oracle::Subject& subject) { return Fuzzer(plan, subject).run(); }
+
+}  // namespace touchstone::app

@@ -1,0 +1,58 @@
+// Fuzzing: a subject is asked about mutated scenes, and scenes that show something new are mutated further.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/trial/row.h"
+#include "fast/mark.h"
+#include "oracle/case.h"
+#include "oracle/subject.h"
+#include "properties/property.h"
+
+namespace touchstone::app {
+
+struct FuzzPlan {
+  std::string query;
+  std::vector<const properties::Property*> properties;  ///< of the query
+  std::uint64_t seed = 1;
+  std::optional<long> executions;  ///< ends after so many scenes
+  std::optional<double> seconds;   ///< ends after so much wall-clock time; then the scenes are made smaller
+  int draws = 4;                   ///< scenes of each family to begin with
+  int minimise_budget = 0;         ///< queries per finding
+};
+
+/// All failing answers with one cause: a property and a defect; or a break with the same words, apart from numbers,
+/// whatever the property.
+struct FuzzFinding {
+  long execution = 0;     ///< in which it was first seen, counted from 1
+  Row row;                ///< of the property that met it first
+  oracle::Case smallest;  ///< minimised; its subject is the card's name
+};
+
+struct FuzzResult {
+  oracle::Card card;
+  long executions = 0;       ///< scenes
+  long verdicts = 0;         ///< scenes times properties
+  long beyond = 0;           ///< verdicts that do not count: the scene is outside the domain that the card declares
+  double seconds = 0;        ///< of executions
+  std::size_t kept = 0;      ///< scenes in the pool
+  std::size_t signals = 0;   ///< different ones (app/fuzz/signals.h)
+  fast::MarkCounts marks{};  ///< all 0 unless the subject is `fast` in this process
+  std::vector<Row> holding;  ///< by property: the answers that hold
+  std::vector<FuzzFinding> findings;  ///< in the order in which they were found
+  bool interrupted = false;
+};
+
+/// Execution n is a function of the plan's seed, n and the executions before it. So the same plan, if no time ends it,
+/// has the same result, bit for bit, with a subject that repeats itself.
+///
+/// An execution asks the subject about one scene under each property; the first executions take the starting scenes as
+/// they are. An exception of a subject in this process counts as a break,
+/// unless it says that the scene is bad input. A scene on which the subject hangs is asked
+/// no further and not kept.
+FuzzResult fuzz(const FuzzPlan& plan, oracle::Subject& subject);
+
+}  // namespace touchstone::app
