@@ -31,7 +31,7 @@ struct Stepping {
   bool operator==(const Stepping&) const = default;
 };
 
-/// Which box of a body the engine answers: the least one, or that of the turned box about the shape in the body's axes.
+/// Which box of a body it answers: the least one, or the turned one about a hull or compound in the body's own axes.
 enum class BoxKind { tight, of_turned_box };
 
 /// A subject's description of itself.

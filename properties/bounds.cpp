@@ -5,11 +5,11 @@
 #include <functional>
 #include <limits>
 
-#include "model/box_vertices.h"
 #include "oracle/judge/words.h"
 #include "oracle/tolerance/tolerance.h"
 #include "oracle/truth/truth.h"
 #include "properties/judging/asking.h"
+#include "properties/judging/declared_boxes.h"
 #include "properties/queries.h"
 #include "properties/transforms/scene.h"
 
@@ -77,29 +77,6 @@ std::array<Rational, 6> outward(const Aabb& said, const ExactBox& exact) {
 }
 
 // Agreement with the exact answer
-
-// The box about a polytope, in its axes.
-Polytope box_about(const Polytope& p) {
-  Vec3 lo = p.vertices.front(), hi = lo;
-  for (const Vec3& v : p.vertices) lo = lo.cwiseMin(v), hi = hi.cwiseMax(v);
-  Polytope box = as_polytope(Box{Vec3::Ones()});
-  for (Vec3& v : box.vertices) v = (v.array() < 0).select(lo, hi);
-  return box;
-}
-
-// The bodies whose least boxes the subject declares to answer. Balls and boxes are their own.
-Scene boxed(Scene scene, oracle::BoxKind kind) {
-  if (kind == oracle::BoxKind::tight) return scene;
-  for (Body& body : scene.bodies) {
-    if (Polytope* hull = std::get_if<Polytope>(&body.shape)) *hull = box_about(*hull);
-    if (Compound* compound = std::get_if<Compound>(&body.shape)) {
-      for (Part& part : compound->parts) {
-        if (Polytope* hull = std::get_if<Polytope>(&part.shape)) *hull = box_about(*hull);
-      }
-    }
-  }
-  return scene;
-}
 
 // Judges the largest error over all bodies. `excess` reduces the six distances of one box to its error.
 // `bodies`: those whose boxes the answer is compared with.

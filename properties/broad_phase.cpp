@@ -12,6 +12,7 @@
 #include "oracle/truth/truth.h"
 #include "properties/cases/pair_sets.h"
 #include "properties/judging/asking.h"
+#include "properties/judging/declared_boxes.h"
 #include "properties/queries.h"
 #include "properties/transforms/scene.h"
 
@@ -69,7 +70,8 @@ Finding adds_none(const Scene& scene, Subject& subject) {
   return of_pairs(scene, subject, [&](const PairSet& said) {
     const PairSet extra = without(as_set(said, scene), truth::broad_phase(scene));
     double widest = 0;
-    for (const Pair& pair : extra) widest = std::max(widest, gap(scene, pair).nearest());
+    const Scene bodies = boxed(scene, subject.card().boxes);
+    for (const Pair& pair : extra) widest = std::max(widest, gap(bodies, pair).nearest());
     Finding finding = judge::at_most(
         widest, judge::in_ulps(scene, subject.card(), reach(scene, subject.card())), Defect::phantom,
         [&] { return "with " + words::text(extra); },

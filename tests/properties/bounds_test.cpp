@@ -70,8 +70,13 @@ TEST_CASE("bounds.tight: an answer is compared with the kind of box that the car
   CHECK(outcome(tight, oracle::BoxKind::of_turned_box) == Outcome::holds);
   CHECK(outcome(1.01 * loose, oracle::BoxKind::of_turned_box) == Outcome::fails);
   const Polytope octahedron = std::get<Polytope>(body.shape);
+  for (const Part& part : {Part{Pose{}, octahedron}, Part{Pose{}, Sphere{1}}}) {  // also about a ball, if it is a part
+    body.shape = Compound{{part}};
+    CHECK(outcome(1.001, oracle::BoxKind::tight) == Outcome::fails);
+    CHECK(outcome(loose, oracle::BoxKind::of_turned_box) == Outcome::holds);
+    CHECK(outcome(1.01 * loose, oracle::BoxKind::of_turned_box) == Outcome::fails);
+  }
   body.shape = Compound{{{Pose{}, octahedron}}};
-  CHECK(outcome(loose, oracle::BoxKind::tight) == Outcome::fails);
   CHECK(outcome(loose, oracle::BoxKind::of_turned_box) == Outcome::holds);
 }
 

@@ -1,4 +1,6 @@
 // The outcomes of the broad phase properties, for answers computed by hand.
+#include <cmath>
+
 #include "properties/property.h"
 #include "tests/catch.h"
 #include "tests/properties/fixed_subject.h"
@@ -39,6 +41,20 @@ TEST_CASE("broad_phase.adds_none: none further apart than rounding and the margi
   CHECK(phantom.margin == Interval{0.25, 0.25});
   CHECK(judged("broad_phase.adds_none", apart, PairSet{{0, 1}}, 0.25).outcome == Outcome::holds);
   CHECK(judged("broad_phase.adds_none", apart, PairSet{{0, 1}}, 0.2).outcome == Outcome::fails);
+  // An octahedron turned by 45° reaches to 1/√2 in x, and the turned box about it to √2; a ball begins at 1.
+  Scene scene;
+  scene.bodies.resize(2);
+  scene.bodies[0].shape = Polytope{{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}}, {}};
+  scene.bodies[0].X_WB.q_WB = {std::cos(std::atan(1.0) / 2), 0, 0, std::sin(std::atan(1.0) / 2)};
+  scene.bodies[1].shape = Sphere{1};
+  scene.bodies[1].X_WB.p_WB.x() = 2;
+  tests::FixedSubject subject;
+  subject.said_pairs = PairSet{{0, 1}};
+  CHECK(properties::find("broad_phase.adds_none").check(scene, subject).outcome == Outcome::fails);
+  subject.introduced.boxes = oracle::BoxKind::of_turned_box;
+  CHECK(properties::find("broad_phase.adds_none").check(scene, subject).outcome == Outcome::holds);
+  scene.bodies[1].X_WB.p_WB.x() = 2.5;
+  CHECK(properties::find("broad_phase.adds_none").check(scene, subject).outcome == Outcome::fails);
 }
 
 TEST_CASE("broad_phase.well_formed: i < j of bodies, sorted, each once") {

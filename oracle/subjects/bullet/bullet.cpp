@@ -145,8 +145,8 @@ class Bullet : public Subject {
           "0.04 m); getAabb; btDbvtBroadphase; calculateLocalInertia of spheres and boxes",
       .homepage = "https://github.com/bulletphysics/bullet3",
       .deviations = {{"", "normals flip and the error grows as two shapes near each other", issues + "889"},
-                     {"", "a positive distance for boxes of margin 0 that penetrate", issues + "1703"},
-                     {"", "a hull's box is that of its rotated local box", ""}}};
+                     {"", "a positive distance for boxes of margin 0 that penetrate", issues + "1703"}},
+      .boxes = BoxKind::of_turned_box};
 };
 
 }  // namespace
