@@ -14,6 +14,9 @@ enum class Mark : unsigned char {
   climb,              ///< fast/bounds/climb: one polytope at one pose
   climb_step,         ///< a vertex left for a higher one
   climb_exact,        ///< an axis along which doubles could not decide
+  depth,              ///< fast/penetration/depth_bracket: one pair of convex bodies
+  depth_exact,        ///< fast/penetration/exact_depth: a vertex added
+  depth_step,         ///< a vertex difference asked for
   descent,            ///< fast/lin_canny/descent: one pair of convex parts
   descent_step,       ///< a vertex difference added
   exact_proximity,    ///< fast/lin_canny/exact_proximity: a pair that doubles could not decide

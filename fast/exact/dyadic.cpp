@@ -154,4 +154,14 @@ double ratio(const Dyadic& x, const Dyadic& y) {
   return std::ldexp(a.m / b.m, static_cast<int>(std::clamp(a.exponent - b.exponent, -3000L, 3000L)));
 }
 
+/// The quotient is off by at most 5u and its root by half of that; the root rounds.
+double root_of_ratio(const Dyadic& x, const Dyadic& y) {
+  const Dyadic::Scientific a = x.scientific();
+  const Dyadic::Scientific b = y.scientific();
+  const long exponent = a.exponent - b.exponent;
+  const bool is_odd = exponent % 2 != 0;
+  const double m = std::sqrt((is_odd ? 2 : 1) * a.m / b.m);
+  return std::ldexp(m, static_cast<int>(std::clamp((exponent - (is_odd ? 1 : 0)) / 2, -3000L, 3000L)));
+}
+
 }  // namespace touchstone::fast::exact

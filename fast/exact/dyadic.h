@@ -46,5 +46,7 @@ class Dyadic {
 
 /// x/y in doubles, y ≠ 0: relative error < 6u; ±infinity or 0 beyond the range.
 double ratio(const Dyadic& x, const Dyadic& y);
+/// √(x/y) in doubles, x ≥ 0, y > 0: relative error < 4u; infinity or 0 beyond the range.
+double root_of_ratio(const Dyadic& x, const Dyadic& y);
 
 }  // namespace touchstone::fast::exact

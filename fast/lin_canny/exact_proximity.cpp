@@ -51,11 +51,6 @@ double times_power(double m, long exponent) {
   return std::ldexp(m, static_cast<int>(std::clamp(exponent, -5000L, 5000L)));
 }
 
-double root(const Dyadic::Scientific& x) {
-  const bool odd = x.exponent % 2 != 0;
-  return times_power(std::sqrt(odd ? 2 * x.m : x.m), (x.exponent - (odd ? 1 : 0)) / 2);
-}
-
 double over(const Dyadic::Scientific& x, double y) {
   int exponent = 0;
   const double m = std::frexp(y, &exponent);
@@ -132,7 +127,7 @@ Proximity exact_proximity(const Convex& A, const CachedPose& body_A, const Conve
   answer.p_WCa += A.radius * n;
   answer.p_WCb -= B.radius * n;
   if (answer.verdict != Verdict::separated) return answer;
-  const double core_distance = root(quotient(found.squared_times, square_over));
+  const double core_distance = exact::root_of_ratio(found.squared_times, square_over);
   const double distance =
       radius.sign() == 0 ? core_distance : over(quotient(above, square_over), core_distance + radius.approximate());
   if (!std::isfinite(distance) || !std::isfinite(core_distance)) {

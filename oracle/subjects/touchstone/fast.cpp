@@ -8,6 +8,7 @@
 #include "fast/distance.h"
 #include "fast/impulse.h"
 #include "fast/mass.h"
+#include "fast/penetration.h"
 #include "fast/pixel.h"
 #include "fast/plan.h"
 #include "fast/simulation.h"
@@ -33,6 +34,15 @@ class Fast : public Subject {
   Answer<Distance> distance(const Scene& scene) override {
     try {
       return fast::distance(scene);
+    } catch (const std::range_error& beyond) {
+      return Abstains{beyond.what()};
+    }
+  }
+  Answer<Penetration> penetration(const Scene& scene) override {
+    try {
+      return fast::penetration_depth(scene).answer;
+    } catch (const InputError& beyond) {
+      return Abstains{beyond.what()};
     } catch (const std::range_error& beyond) {
       return Abstains{beyond.what()};
     }
@@ -77,8 +87,8 @@ class Fast : public Subject {
   const Card card_{
       .name = "fast",
       .version = "0.1.0",
-      .answers = {"mass", "bounds", "broad_phase", "pair_history", "distance", "impulse", "pixel", "time_of_impact",
-                  "constraint", "simulation"},
+      .answers = {"mass", "bounds", "broad_phase", "pair_history", "distance", "penetration", "impulse", "pixel",
+                  "time_of_impact", "constraint", "simulation"},
       .knows_touching = true,
       .about = "Touchstone's optimised algorithms, as planned for each scene; Lin-Canny from a corner, exact verdicts",
       .homepage = "",

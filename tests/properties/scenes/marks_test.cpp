@@ -15,6 +15,7 @@ namespace {
 void ask(oracle::Subject& subject, const std::string& query, const Scene& scene) {
   if (query == "broad_phase") subject.pair_history(scene);
   if (query == "distance") subject.distance(scene);
+  if (query == "penetration") subject.penetration(scene);
   if (query == "impulse") subject.impulse(scene);
   if (query == "pixel") subject.pixel(scene);
   if (query == "time_of_impact") subject.time_of_impact(scene);
@@ -46,6 +47,9 @@ const std::vector<Reach> reaches = {
     {Mark::climb, "broad_phase", "films.round_solids"},
     {Mark::climb_step, "broad_phase", "films.round_solids"},
     {Mark::climb_exact, "broad_phase", "films.round_solids"},
+    {Mark::depth, "penetration", "hulls.generic"},
+    {Mark::depth_exact, "penetration", "touching.ulps"},
+    {Mark::depth_step, "penetration", "hulls.generic"},
     {Mark::descent, "distance", "hulls.generic"},
     {Mark::descent_step, "distance", "hulls.generic"},
     {Mark::exact_proximity, "distance", "touching.exact"},
@@ -111,6 +115,10 @@ TEST_CASE("marks: on generic scenes what is slow runs seldom") {
   const MarkCounts distance = counts("distance", "hulls.generic", 200);
   CHECK(100 * of(distance, Mark::exact_proximity) <= of(distance, Mark::descent));
   CHECK(of(distance, Mark::descent_step) <= 4 * of(distance, Mark::descent));
+
+  const MarkCounts depth = counts("penetration", "hulls.generic", 200);
+  CHECK(of(depth, Mark::depth_exact) == 0);
+  CHECK(of(depth, Mark::depth_step) <= 24 * of(depth, Mark::depth));
 
   const MarkCounts motion = counts("time_of_impact", "flights.generic", 100);
   CHECK(100 * of(motion, Mark::exact_proximity) <= of(motion, Mark::toi_search));

@@ -1,0 +1,119 @@
+#include "fast/penetration.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "fast/exact/nearest.h"
+#include "fast/lin_canny/proximity.h"
+#include "fast/penetration/depth_bracket.h"
+#include "fast/penetration/exact_depth.h"
+#include "fast/rounding.h"
+#include "model/input_error.h"
+
+namespace touchstone::fast {
+namespace {
+
+using namespace lin_canny;
+using penetration::DepthBracket;
+
+// The width of a bracket in rounding errors ε: 4 of lo, 4 of hi, and less than 1 by which the search may end early. A
+// wider one would allow a depth that is off by more than rounding.
+constexpr double explained_by_rounding = 9;
+
+struct PosedBody {
+  PosedBody(const Solid& solid, const Pose& X_WB) : convex(solid.parts().front()), pose(X_WB) {}
+
+  Convex core() const {
+    Convex core = convex;
+    core.radius = 0;
+    return core;
+  }
+  bool is_point() const { return convex.core.vertex_count() == 1; }
+
+  const Convex& convex;
+  CachedPose pose;
+};
+
+bool fit_doubles(const PosedHull& A, const PosedHull& B) {
+  return A.hull->fits_doubles() && B.hull->fits_doubles() && (B.t - A.t).lpNorm<Eigen::Infinity>() < 0x1p250;
+}
+
+/// The depth of cores with a common interior point, if doubles prove and bound it.
+std::optional<DepthBracket> of_clear_overlap(const PosedBody& A, const PosedBody& B, penetration::DepthMemory& memory) {
+  const Vec3& p_WO = A.pose.X_WB.p_WB;
+  const PosedHull placed_A = posed_hull(A.convex, A.pose, p_WO), placed_B = posed_hull(B.convex, B.pose, p_WO);
+  if (!fit_doubles(placed_A, placed_B)) return {};
+  const DepthBracket found = depth_bracket(placed_A, placed_B, memory);
+  const bool is_narrow = found.hi - found.lo <= explained_by_rounding * rounding(placed_A, placed_B);
+  return found.lo > 0 && is_narrow ? std::optional(found) : std::nullopt;
+}
+
+exact::Difference difference_of(const PosedBody& A, const PosedBody& B) {
+  return {{std::span(&A.pose.X_WB, 1), A.convex.core.vertices()},
+          {std::span(&B.pose.X_WB, 1), B.convex.core.vertices()}};
+}
+
+/// Of cores that touch or overlap, exactly. Two points that are one have no direction: x.
+DepthBracket exactly(const PosedBody& A, const PosedBody& B) {
+  if (A.is_point() && B.is_point()) return {0, 0, 0, Vec3::UnitX()};
+  exact::Difference difference = difference_of(A, B);
+  const penetration::ExactDepth found = penetration::exact_depth(difference);
+  return {found.depth.lo, found.depth.lo, found.depth.hi, found.n};
+}
+
+/// The negative distance of cores that are apart, perhaps by less than doubles can tell.
+DepthBracket of_cores_apart(const PosedBody& A, const PosedBody& B, const Proximity& nearest) {
+  Vec3 from_B = nearest.p_WCa - nearest.p_WCb;
+  if (from_B.isZero(0)) {
+    exact::Difference difference = difference_of(A, B);
+    from_B = -exact::direction(exact::nearest(difference, {{0, 0}}).normal);
+  }
+  return {-nearest.enclosure.hi, -nearest.distance, -nearest.enclosure.lo, from_B.stableNormalized()};
+}
+
+}  // namespace
+
+struct PenetrationPair::Kept {
+  Solid A, B;
+  penetration::DepthMemory memory;
+};
+
+PenetrationPair::PenetrationPair(const Shape& A, const Shape& B)
+    : kept_(new Kept{Solid(A, Solid::Preparation::vertices), Solid(B, Solid::Preparation::vertices), {}}) {}
+
+PenetrationPair::~PenetrationPair() = default;
+
+PenetrationDepth PenetrationPair::at(const Pose& X_WA, const Pose& X_WB) {
+  const PosedBody A(kept_->A, X_WA), B(kept_->B, X_WB);
+  std::optional<DepthBracket> cores = of_clear_overlap(A, B, kept_->memory);
+  PenetrationDepth found;
+  found.answer.verdict = cores ? Verdict::overlapping : proximity(A.convex, A.pose, B.convex, B.pose).verdict;
+  found.answer.depth = 0;
+  if (found.answer.verdict != Verdict::overlapping) return found;
+
+  const double radius = A.convex.radius + B.convex.radius;
+  if (!cores && radius > 0) {
+    const Proximity nearest = proximity(A.core(), A.pose, B.core(), B.pose);
+    if (nearest.verdict == Verdict::separated) cores = of_cores_apart(A, B, nearest);
+  }
+  if (!cores) cores = exactly(A, B);
+  if (!std::isfinite(cores->height + radius)) throw std::range_error("the depth is beyond the range of doubles");
+  const double rounding = 4 * u * (std::abs(cores->height) + radius);
+  found.enclosure = {std::max(0.0, cores->lo + radius - rounding), cores->hi + radius + rounding};
+  found.answer.depth = std::clamp(cores->height + radius, found.enclosure.lo, found.enclosure.hi);
+  found.answer.nhat_BA_W = cores->n;
+  return found;
+}
+
+PenetrationDepth penetration_depth(const Scene& scene) {
+  if (scene.bodies.size() < 2) throw InputError("bodies", "expected two");
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (!std::holds_alternative<Compound>(scene.bodies[i].shape)) continue;
+    throw InputError("bodies[" + std::to_string(i) + "].shape", "the depth of a union of parts is not defined here");
+  }
+  const Body &A = scene.bodies[0], &B = scene.bodies[1];
+  return PenetrationPair(A.shape, B.shape).at(A.X_WB, B.X_WB);
+}
+
+}  // namespace touchstone::fast
