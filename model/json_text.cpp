@@ -94,8 +94,8 @@ class Draft {
       if (is_innermost && !of_next) break;
       if (open_[i]->is_array()) {
         path += '[' + std::to_string(open_[i]->size() - (is_innermost ? 0 : 1)) + ']';
-      } else {
-        path += (path.empty() ? "" : ".") + shortened(open_[i]->get_ref<const Json::object_t&>().back().first);
+      } else if (const auto& members = open_[i]->get_ref<const Json::object_t&>(); !members.empty()) {
+        path += (path.empty() ? "" : ".") + shortened(members.back().first);
       }
     }
     return path;

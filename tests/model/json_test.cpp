@@ -169,6 +169,9 @@ TEST_CASE("what is not JSON is refused by line and column") {
   CHECK(of("{\"a\": ").starts_with("f.json:1:7: "));
   CHECK(of("{}\n{}").starts_with("f.json:2:1: "));
   CHECK(of("[NaN]") == "f.json:1:2: [0]: expected a finite number, found NaN");
+  CHECK(of("{NaN").find("expected a finite number, found NaN") !=
+        std::string::npos);  // once a crash, found by libFuzzer
+  CHECK(of("[{\"a\":{inf}}]").find("[0].a: expected a finite number, found inf") != std::string::npos);
   CHECK(of("[-Infinity]") == "f.json:1:2: [0]: expected a finite number, found -Infinity");
   CHECK(of("[1e400]") == "f.json:1:2: [0]: too great for a double, found 1e400");
   CHECK(of("{\"a\": [1,\n-1e-400]}") ==
