@@ -29,10 +29,8 @@ Solid solid(const Box& box) {
   return {volume, Vec3::Zero(), (volume / 3 * h.cwiseProduct(h)).asDiagonal()};
 }
 
-Solid solid(const Polytope& polytope) {
-  if (polytope.faces.empty()) throw InputError("shape.faces", "are missing: mass properties need them");
-  Vec3 inside = Vec3::Zero();
-  for (const Vec3& v : polytope.vertices) inside += v / static_cast<double>(polytope.vertices.size());
+/// By tetrahedra from a point of the solid to the triangles of its faces. The volume may round to 0 or below.
+Solid solid_about(const Polytope& polytope, const Vec3& inside) {
   double sixfold = 0;
   Vec3 moment = Vec3::Zero();
   Mat3 second = Mat3::Zero();
@@ -50,6 +48,20 @@ Solid solid(const Polytope& polytope) {
   const double volume = sixfold / 6;
   const Vec3 shift = moment / (4 * sixfold);
   return {volume, inside + shift, second / 120 - volume * shift * shift.transpose()};
+}
+
+/// About the mean of the vertices. In a sliver so thin that the volume is lost in rounding, about a vertex: coordinates
+/// that vertices share then vanish exactly, and so do the tetrahedra of the faces at that vertex.
+Solid solid(const Polytope& polytope) {
+  if (polytope.faces.empty()) throw InputError("shape.faces", "are missing: mass properties need them");
+  Vec3 mean = Vec3::Zero();
+  for (const Vec3& v : polytope.vertices) mean += v / static_cast<double>(polytope.vertices.size());
+  Solid found = solid_about(polytope, mean);
+  for (const Vec3& vertex : polytope.vertices) {
+    if (found.volume > 0) break;
+    found = solid_about(polytope, vertex);
+  }
+  return found;
 }
 
 Solid solid(const Compound& compound) {

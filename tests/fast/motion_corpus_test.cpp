@@ -1,10 +1,11 @@
-// Distances, impacts and motions that once gave wrong results.
+// Masses, distances, impacts and motions that once gave wrong results.
 #include <filesystem>
 #include <utility>
 
 #include "fast/constraint.h"
 #include "fast/distance.h"
 #include "fast/impulse.h"
+#include "fast/mass.h"
 #include "fast/simulation.h"
 #include "fast/time_of_impact.h"
 #include "oracle/case.h"
@@ -20,6 +21,7 @@ class Fast : public oracle::Subject {
   Fast() { card_.name = "fast"; }
   const oracle::Card& card() const override { return card_; }
   Answer<Distance> distance(const Scene& scene) override { return fast::distance(scene); }
+  Answer<Masses> mass(const Scene& scene) override { return fast::mass(scene); }
   Answer<Impulse> impulse(const Scene& scene) override { return impulse_of(scene); }
   Answer<TimeOfImpact> time_of_impact(const Scene& scene) override { return time_of_impact_of(scene); }
   Answer<Trajectory> simulation(const Scene& scene) override { return fast::simulate(scene).trajectory; }
@@ -29,11 +31,11 @@ class Fast : public oracle::Subject {
   oracle::Card card_;
 };
 
-TEST_CASE("distances, impacts and motions of the corpus: what once went wrong holds") {
+TEST_CASE("masses, distances, impacts and motions of the corpus: what once went wrong holds") {
   Fast fast;
   for (const auto& [query, at_least] :
-       {std::pair("distance", 6), std::pair("impulse", 2), std::pair("time_of_impact", 5), std::pair("simulation", 10),
-        std::pair("constraint", 1)}) {
+       {std::pair("distance", 6), std::pair("impulse", 2), std::pair("mass", 4), std::pair("time_of_impact", 5),
+        std::pair("simulation", 10), std::pair("constraint", 1)}) {
     int cases = 0;
     for (const auto& entry :
          std::filesystem::directory_iterator(std::filesystem::path(TOUCHSTONE_SOURCE) / "properties/corpus" / query)) {
