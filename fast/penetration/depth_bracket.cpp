@@ -56,45 +56,51 @@ class Search {
     return polytope_.least_height() > 4 * error_;
   }
 
-  /// Four vertices of M, far apart: along the axis on which M is longest, then off that line, then off that plane. None
-  /// if M is flat within rounding.
+  /// Four vertices of M that are far apart: on a line, off that line, then off that plane; first along the line of the
+  /// origins, where M is near 0. None if M is flat within rounding.
   bool start() {
     std::array<VertexDifference, 4> corners;
-    double longest = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-      const VertexDifference up = probe(Vec3::Unit(axis)), down = probe(-Vec3::Unit(axis));
+    double longest = 4 * error_, farthest = 4 * error_, highest = 4 * error_;
+    const Vec3 between = (B_.t - A_.t).normalized();
+    for (const Vec3& d : {between, Vec3(Vec3::UnitX()), Vec3(Vec3::UnitY()), Vec3(Vec3::UnitZ())}) {
+      if (d.isZero(0)) continue;
+      const VertexDifference down = probe(-d), up = probe(d);
       if (const double length = (up.w - down.w).norm(); length > longest) {
         longest = length;
         corners[0] = up, corners[1] = down;
       }
+      if (longest > far_enough()) break;
     }
     if (!(longest > 4 * error_)) return false;
     const Vec3 along = (corners[1].w - corners[0].w) / longest;
     int least = 0;
     along.cwiseAbs().minCoeff(&least);
     const Vec3 side = along.cross(Vec3::Unit(least)).normalized(), across = along.cross(side);
-    double farthest = 4 * error_;
     for (const Vec3& d : {side, Vec3(-side), across, Vec3(-across)}) {
       const VertexDifference off = probe(d);
       if (const double far = along.cross(off.w - corners[0].w).norm(); far > farthest) {
         farthest = far;
         corners[2] = off;
       }
+      if (farthest > far_enough()) break;
     }
     if (!(farthest > 4 * error_)) return false;
     const Vec3 n = along.cross(corners[2].w - corners[0].w).normalized();
-    double highest = 4 * error_;
     for (const Vec3& d : {n, Vec3(-n)}) {
       const VertexDifference off = probe(d);
       if (const double height = d.dot(off.w - corners[0].w); height > highest) {
         highest = height;
         corners[3] = off;
       }
+      if (highest > far_enough()) break;
     }
     if (!(highest > 4 * error_)) return false;
     polytope_.start(A_, B_, corners);
     return true;
   }
+
+  /// An extent of M with which the search for the first corners is content. A choice.
+  double far_enough() const { return (A_.hull->radius() + B_.hull->radius()) / 8; }
 
   /// Returns false if the polytope was kept from another pose and does not grow well.
   bool expand(bool is_kept) {
