@@ -49,7 +49,7 @@ class Fuzz(Test):
         self.assertLess(found["seconds"], 10)
 
     def test_the_words_say_what_was_done(self):
-        said = self.succeeds("fuzz", "penetration", "--executions", 60)
+        said = self.succeeds("fuzz", "penetration", "--subject", "inproc:reference", "--executions", 60)
         self.assertRegex(said, r"^penetration of reference .*, seed 1: 60 executions, 720 verdicts; \d+ executions a second\n"
                                r"coverage: 0 of \d+ marks of fast, \d+ signals, \d+ scenes kept\n")
         self.assertIn("findings: 0\n", said)
