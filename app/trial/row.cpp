@@ -137,10 +137,14 @@ void Row::forget() {
 }
 
 std::optional<Grade> Row::grade() const {
-  for (std::size_t g = grades.size(); g-- > 0;) {
-    if (grades[g] > 0) return static_cast<Grade>(g);
+  std::optional<Grade> worst;
+  for (std::size_t g = 0; g < grades.size(); ++g) {
+    if (grades[g] > 0) worst = static_cast<Grade>(g);
   }
-  return std::nullopt;
+  if (worst && minimised.result && failed(minimised.result->finding)) {
+    worst = std::max(*worst, oracle::grade(minimised.result->finding));
+  }
+  return worst;
 }
 
 const oracle::Finding& shown_finding(const Row& row) {

@@ -105,7 +105,8 @@ struct Row {
   bool failing() const { return failures() > 0; }
   long failures() const { return counts.failures(); }
   long answered() const { return counts.answered(); }
-  std::optional<oracle::Grade> grade() const;  ///< the worst; none if there is no answer
+  /// The worst of all answers and of the case that is shown; none if there is no answer.
+  std::optional<oracle::Grade> grade() const;
 };
 
 /// The finding shown for a failing row: that of the minimised scene, else the worst one.

@@ -26,6 +26,17 @@ Example example(Outcome outcome, Defect defect = Defect::none, double error = 0,
   return made;
 }
 
+TEST_CASE("A row's grade is not milder than that of the case that is shown") {
+  Row row;
+  row.count(example(Outcome::fails, Defect::too_far, 5000));
+  CHECK(row.grade() == Grade::C);
+  row.minimised.result.emplace();
+  row.minimised.result->finding = example(Outcome::fails, Defect::too_far, 0x1p30).finding;
+  CHECK(row.grade() == Grade::D);
+  row.minimised.result->finding = example(Outcome::fails, Defect::too_far, 5).finding;
+  CHECK(row.grade() == Grade::C);
+}
+
 TEST_CASE("Each outcome has its own count, and only answers have a grade") {
   Row row;
   row.count(example(Outcome::outside));
