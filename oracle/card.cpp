@@ -24,7 +24,8 @@ bool has(const std::string& name, const Body& body) {
 Precision precision_for(const Card& card, const std::string& query, const Scene& scene) {
   Precision found = card.precision;
   for (const auto& [part, precision] : card.precision_of) {
-    const bool counts = part == query || std::ranges::any_of(scene.bodies, [&](const Body& b) { return has(part, b); });
+    const auto has_part = [&name = part](const Body& body) { return has(name, body); };
+    const bool counts = part == query || std::ranges::any_of(scene.bodies, has_part);
     if (counts) found = std::max(found, precision);
   }
   return found;
