@@ -1,0 +1,74 @@
+// A libFuzzer target: one reader of texts from outside. It returns or throws its own error, whatever the bytes.
+//
+// The macro TOUCHSTONE_FUZZED_PARSER is "scene", "obj", "off", "stl", "ply" or "protocol".
+#include <unistd.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "model/input_error.h"
+#include "model/json.h"
+#include "oracle/process/protocol.h"
+#include "reference/mesh.h"
+
+using namespace touchstone;
+
+namespace {
+
+void mesh(std::string_view text, const std::string& ending) {
+  static const std::string path =
+      (std::filesystem::temp_directory_path() / ("touchstone_fuzz_" + std::to_string(getpid()) + ending)).string();
+  std::ofstream(path, std::ios::binary) << text;
+  reference::read_mesh(path);
+}
+
+/// A line of the protocol, as each side reads it.
+void protocol(std::string_view line) {
+  namespace lines = oracle::protocol;
+  const auto tried = [&](auto&& read) {
+    try {
+      read();
+    } catch (const InputError&) {
+    }
+  };
+  tried([&] { lines::seq_of(line); });
+  tried([&] { lines::read_request(line); });
+  tried([&] { lines::read_introduction(line, 1); });
+  tried([&] { lines::read_snippet(line, 1); });
+  tried([&] { lines::read_answer<Masses>(line, 1); });
+  tried([&] { lines::read_answer<Bounds>(line, 1); });
+  tried([&] { lines::read_answer<PairSet>(line, 1); });
+  tried([&] { lines::read_answer<PairHistory>(line, 1); });
+  tried([&] { lines::read_answer<Distance>(line, 1); });
+  tried([&] { lines::read_answer<Penetration>(line, 1); });
+  tried([&] { lines::read_answer<Pixels>(line, 1); });
+  tried([&] { lines::read_answer<Impulse>(line, 1); });
+  tried([&] { lines::read_answer<TimeOfImpact>(line, 1); });
+  tried([&] { lines::read_answer<Trajectory>(line, 1); });
+}
+
+using Parser = void (*)(std::string_view);
+
+const std::map<std::string_view, Parser> parsers = {
+    {"scene", [](std::string_view text) { scene_from(text, "scene"); }},
+    {"obj", [](std::string_view text) { mesh(text, ".obj"); }},
+    {"off", [](std::string_view text) { mesh(text, ".off"); }},
+    {"stl", [](std::string_view text) { mesh(text, ".stl"); }},
+    {"ply", [](std::string_view text) { mesh(text, ".ply"); }},
+    {"protocol", protocol},
+};
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  static const Parser parser = parsers.at(TOUCHSTONE_FUZZED_PARSER);
+  try {
+    parser({reinterpret_cast<const char*>(data), size});
+  } catch (const InputError&) {
+  }
+  return 0;
+}
