@@ -62,14 +62,23 @@ DepthBracket exactly(const PosedBody& A, const PosedBody& B) {
   return {found.depth.lo, found.depth.lo, found.depth.hi, found.n};
 }
 
-/// The negative distance of cores that are apart, perhaps by less than doubles can tell.
+/// Whether the planes perpendicular to n, a unit vector from B to A, separate the cores by `gap`, within rounding.
+bool separates(const PosedBody& A, const PosedBody& B, const Vec3& n, double gap) {
+  const Vec3& p_WO = A.pose.X_WB.p_WB;
+  const PosedHull placed_A = posed_hull(A.convex, A.pose, p_WO), placed_B = posed_hull(B.convex, B.pose, p_WO);
+  if (!fit_doubles(placed_A, placed_B) || n.isZero(0)) return false;
+  return penetration::height_along(placed_A, placed_B, n) <= 4 * rounding(placed_A, placed_B) - gap;
+}
+
+/// The negative distance of cores that are apart. Witness points that are nearly one, or far from the origin of W, give
+/// no direction; the exact one does.
 DepthBracket of_cores_apart(const PosedBody& A, const PosedBody& B, const Proximity& nearest) {
-  Vec3 from_B = nearest.p_WCa - nearest.p_WCb;
-  if (from_B.isZero(0)) {
+  Vec3 n = (nearest.p_WCa - nearest.p_WCb).stableNormalized();
+  if (!separates(A, B, n, nearest.enclosure.lo)) {
     exact::Difference difference = difference_of(A, B);
-    from_B = -exact::direction(exact::nearest(difference, {{0, 0}}).normal);
+    n = -exact::direction(exact::nearest(difference, {{0, 0}}).normal).normalized();
   }
-  return {-nearest.enclosure.hi, -nearest.distance, -nearest.enclosure.lo, from_B.stableNormalized()};
+  return {-nearest.enclosure.hi, -nearest.distance, -nearest.enclosure.lo, n};
 }
 
 }  // namespace

@@ -88,6 +88,19 @@ TEST_CASE("spheres: with a common centre, on a face, on an edge, and in a corner
   }
 }
 
+// Found by `touchstone fuzz`: witness points in W, at 2^31 m, gave any direction.
+TEST_CASE("a large ball whose centre is 1e-12 m from a small polytope, far from the origin") {
+  const Polytope small{{{16, 0, 0}, {16, 0, 16}, {0, -16, 0}, {0, 0, -0x1p-39}},
+                       {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}}};
+  for (const double x : {0.0, 2147483620.0}) {
+    const Vec3 place(x, 32, 8);
+    for (const Scene& scene : {tests::pair_of({{Sphere{8192}, place}, {small, place}}),
+                               tests::pair_of({{small, place}, {Sphere{8192}, place}})}) {
+      check(scene, penetration_depth(scene));
+    }
+  }
+}
+
 TEST_CASE("two hulls that are followed: what is kept of a pose changes no bound that matters") {
   Dice dice(33);
   for (const int vertices : {8, 20, 60}) {

@@ -65,7 +65,7 @@ class Skeletons(Test):
         self.refused("adapter", "check", says="expected a subject")
         self.refused("adapter", "check", "refrence", says="did you mean reference")
         self.refused("adapter", "check", "inproc:fast", "--queries", "distanse", says="did you mean distance")
-        self.refused("adapter", "check", "inproc:fast", "--queries", "penetration", says="claims none of the queries")
+        self.refused("adapter", "check", "fast.bsp", "--queries", "penetration", says="claims none of the queries")
 
 
 class RightAdapters(Test):
