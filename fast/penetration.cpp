@@ -35,10 +35,6 @@ struct PosedBody {
   CachedPose pose;
 };
 
-bool fit_doubles(const PosedHull& A, const PosedHull& B) {
-  return A.hull->fits_doubles() && B.hull->fits_doubles() && (B.t - A.t).lpNorm<Eigen::Infinity>() < 0x1p250;
-}
-
 /// The depth of cores with a common interior point, if doubles prove and bound it.
 std::optional<DepthBracket> of_clear_overlap(const PosedBody& A, const PosedBody& B, penetration::DepthMemory& memory) {
   const Vec3& p_WO = A.pose.X_WB.p_WB;

@@ -4,29 +4,12 @@
 
 #include "model/input_error.h"
 #include "model/near_names.h"
-#include "oracle/passing_on.h"
 #include "oracle/query.h"
+#include "oracle/with_card.h"
 #include "properties/queries.h"
 
 namespace touchstone::properties {
 namespace {
-
-/// Shows one card, and passes all questions on.
-class WithCard final : public oracle::PassingOn<WithCard> {
- public:
-  WithCard(oracle::Subject& subject, oracle::Card card) : PassingOn(subject), card_(std::move(card)) {}
-  const oracle::Card& card() const override { return card_; }
-
- private:
-  friend PassingOn;
-
-  template <class T>
-  Answer<T> pass(Answer<T> (Subject::*query)(const Scene&), const Scene& scene) {
-    return (subject_.*query)(scene);
-  }
-
-  oracle::Card card_;
-};
 
 /// The same property; it judges by the precision that the card declares for the query and the scene's shapes.
 Property in_its_precision(Property property) {
@@ -35,7 +18,7 @@ Property in_its_precision(Property property) {
     if (precision == subject.card().precision) return check(scene, subject);
     oracle::Card card = subject.card();
     card.precision = precision;
-    WithCard seen(subject, std::move(card));
+    oracle::WithCard seen(subject, std::move(card));
     return check(scene, seen);
   };
   return property;

@@ -93,9 +93,7 @@ std::vector<Tally> tallies(oracle::Subject& subject, const std::vector<Scene>& p
     RememberedAnswers remembered(subject);
     for (std::size_t i = 0; i < asked.size(); ++i) {
       const Property& property = *asked[i]->property;
-      const bool asks_again = property.id.ends_with(".repeats");
-      const oracle::Finding finding =
-          property.check(*changed, asks_again ? subject : static_cast<oracle::Subject&>(remembered));
+      const oracle::Finding finding = property.check(*changed, remembered.asked_by(property));
       found[i].holds += finding.outcome == oracle::Outcome::holds;
       found[i].fails += failed(finding);
     }

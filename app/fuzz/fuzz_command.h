@@ -13,7 +13,7 @@ struct FuzzCommand {
   std::string subject;                  ///< a connectable; if empty: inproc:fast, or what answers the query
   std::vector<std::string> properties;  ///< ids; empty: all of the query
   std::optional<long> executions;
-  std::optional<double> time;  ///< s; if neither is given, default_time
+  std::optional<double> time;  ///< s; if neither is given, default_fuzz_time
   std::uint64_t seed = 1;
   std::string out = "findings";  ///< a folder
   double time_limit = 2;         ///< as in RunOptions

@@ -150,7 +150,7 @@ class Fuzzer {
     RememberedAnswers remembered(subject_);
     Example example{"", static_cast<std::uint64_t>(result_.executions), scene, {}, {}};
     for (std::size_t p = 0; p < properties_.size(); ++p) {
-      DomainWatch watch(asks_twice(properties_[p]) ? subject_ : static_cast<oracle::Subject&>(remembered));
+      DomainWatch watch(remembered.asked_by(properties_[p]));
       example.finding = properties_[p].check(scene, watch);
       if (interrupted()) return false;
       ++result_.verdicts;

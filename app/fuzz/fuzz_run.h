@@ -50,9 +50,8 @@ struct FuzzResult {
 /// has the same result, bit for bit, with a subject that repeats itself.
 ///
 /// An execution asks the subject about one scene under each property; the first executions take the starting scenes as
-/// they are. An exception of a subject in this process counts as a break,
-/// unless it says that the scene is bad input. A scene on which the subject hangs is asked
-/// no further and not kept.
+/// they are. An exception of a subject in this process counts as a break, unless it says that the scene is bad input. A
+/// scene on which the subject hangs is asked no further and not kept.
 FuzzResult fuzz(const FuzzPlan& plan, oracle::Subject& subject);
 
 }  // namespace touchstone::app

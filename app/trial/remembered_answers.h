@@ -20,6 +20,11 @@ class RememberedAnswers final : public oracle::PassingOn<RememberedAnswers> {
  public:
   using PassingOn::PassingOn;
 
+  /// The subject that the property is to ask: this one, or the one that remembers nothing.
+  oracle::Subject& asked_by(const properties::Property& property) {
+    return asks_twice(property) ? subject_ : static_cast<oracle::Subject&>(*this);
+  }
+
  private:
   friend PassingOn;
 

@@ -157,8 +157,8 @@ void ask_all(const Question& question, const QueryTrial& query, const TestedSubj
     if (!is_asked || (asks_twice(*property) && hangs > hangs_before)) {
       ++row.counts.not_asked;
     } else {
-      ask(question, *property, asks_twice(*property) ? static_cast<oracle::Subject&>(counted) : remembered, hangs, row,
-          result.beyond.at(*property, tested), example);
+      ask(question, *property, remembered.asked_by(*property), hangs, row, result.beyond.at(*property, tested),
+          example);
     }
   }
 }

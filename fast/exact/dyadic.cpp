@@ -141,27 +141,26 @@ Dyadic::Scientific Dyadic::scientific() const {
           limb_bits * (lowest_ + static_cast<long>(limbs_.size())) - zeros};
 }
 
-double Dyadic::approximate() const {
-  const Scientific x = scientific();
+double Dyadic::approximate() const { return exact::approximate(scientific()); }
+
+double approximate(const Dyadic::Scientific& x) {
   constexpr long beyond = 3000;  // more than the range of doubles
   return std::ldexp(x.m, static_cast<int>(std::clamp(x.exponent, -beyond, beyond)));
 }
 
 /// Both are truncated to 53 bits (2u each), and their quotient rounds.
-double ratio(const Dyadic& x, const Dyadic& y) {
-  const Dyadic::Scientific a = x.scientific();
-  const Dyadic::Scientific b = y.scientific();
-  return std::ldexp(a.m / b.m, static_cast<int>(std::clamp(a.exponent - b.exponent, -3000L, 3000L)));
+Dyadic::Scientific quotient(const Dyadic& x, const Dyadic& y) {
+  const Dyadic::Scientific a = x.scientific(), b = y.scientific();
+  return {a.m / b.m, a.exponent - b.exponent};
 }
+
+double ratio(const Dyadic& x, const Dyadic& y) { return approximate(quotient(x, y)); }
 
 /// The quotient is off by at most 5u and its root by half of that; the root rounds.
 double root_of_ratio(const Dyadic& x, const Dyadic& y) {
-  const Dyadic::Scientific a = x.scientific();
-  const Dyadic::Scientific b = y.scientific();
-  const long exponent = a.exponent - b.exponent;
-  const bool is_odd = exponent % 2 != 0;
-  const double m = std::sqrt((is_odd ? 2 : 1) * a.m / b.m);
-  return std::ldexp(m, static_cast<int>(std::clamp((exponent - (is_odd ? 1 : 0)) / 2, -3000L, 3000L)));
+  const Dyadic::Scientific square = quotient(x, y);
+  const bool is_odd = square.exponent % 2 != 0;
+  return approximate({std::sqrt((is_odd ? 2 : 1) * square.m), (square.exponent - (is_odd ? 1 : 0)) / 2});
 }
 
 }  // namespace touchstone::fast::exact

@@ -44,6 +44,11 @@ class Dyadic {
   std::vector<std::uint32_t> limbs_;  ///< first and last are not 0; empty for 0
 };
 
+/// The same as a double; ±infinity or 0 beyond the range.
+double approximate(const Dyadic::Scientific& x);
+
+/// x/y, y ≠ 0, as a double times 2^exponent: relative error < 6u.
+Dyadic::Scientific quotient(const Dyadic& x, const Dyadic& y);
 /// x/y in doubles, y ≠ 0: relative error < 6u; ±infinity or 0 beyond the range.
 double ratio(const Dyadic& x, const Dyadic& y);
 /// √(x/y) in doubles, x ≥ 0, y > 0: relative error < 4u; infinity or 0 beyond the range.

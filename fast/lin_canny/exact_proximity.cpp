@@ -40,21 +40,10 @@ std::vector<VertexPair> first_pairs(const Hull& A, const Hull& B, const FeatureP
   return pairs;
 }
 
-/// x/y as a double times 2^exponent, relative error < 2^-50: both were truncated by less than 2^-52.
-Dyadic::Scientific quotient(const Dyadic& x, const Dyadic& y) {
-  const Dyadic::Scientific a = x.scientific();
-  const Dyadic::Scientific b = y.scientific();
-  return {a.m / b.m, a.exponent - b.exponent};
-}
-
-double times_power(double m, long exponent) {
-  return std::ldexp(m, static_cast<int>(std::clamp(exponent, -5000L, 5000L)));
-}
-
 double over(const Dyadic::Scientific& x, double y) {
   int exponent = 0;
   const double m = std::frexp(y, &exponent);
-  return times_power(x.m / m, x.exponent - exponent);
+  return exact::approximate({x.m / m, x.exponent - exponent});
 }
 
 /// An interval around a value with a relative error of a few 2^-52.
@@ -78,8 +67,7 @@ Vec3 combined(const Hull& hull, const exact::Nearest& found, int VertexPair::*si
   for (const Dyadic& w : found.weights) sum = sum + w;
   Vec3 x = Vec3::Zero();
   for (std::size_t i = 0; i < found.pairs.size(); ++i) {
-    const Dyadic::Scientific share = quotient(found.weights[i], sum);
-    x += times_power(share.m, share.exponent) * hull.vertex(found.pairs[i].*side);
+    x += exact::ratio(found.weights[i], sum) * hull.vertex(found.pairs[i].*side);
   }
   return x;
 }
@@ -128,8 +116,9 @@ Proximity exact_proximity(const Convex& A, const CachedPose& body_A, const Conve
   answer.p_WCb -= B.radius * n;
   if (answer.verdict != Verdict::separated) return answer;
   const double core_distance = exact::root_of_ratio(found.squared_times, square_over);
-  const double distance =
-      radius.sign() == 0 ? core_distance : over(quotient(above, square_over), core_distance + radius.approximate());
+  const double distance = radius.sign() == 0
+                              ? core_distance
+                              : over(exact::quotient(above, square_over), core_distance + radius.approximate());
   if (!std::isfinite(distance) || !std::isfinite(core_distance)) {
     throw std::range_error("the distance is beyond the range of doubles");
   }

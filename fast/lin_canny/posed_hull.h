@@ -38,4 +38,9 @@ struct PosedHull {
   Vec3 vertex(int v) const { return out(hull->vertex(v)); }
 };
 
+/// Whether products of four lengths of the pair neither overflow nor lose bits to underflow.
+inline bool fit_doubles(const PosedHull& A, const PosedHull& B) {
+  return A.hull->fits_doubles() && B.hull->fits_doubles() && (B.t - A.t).lpNorm<Eigen::Infinity>() < 0x1p250;
+}
+
 }  // namespace touchstone::fast::lin_canny

@@ -15,10 +15,6 @@ namespace {
 /// more would give wider enclosures, less would compute exactly more often.
 constexpr double explained_by_rounding = 3;
 
-bool fit_doubles(const PosedHull& A, const PosedHull& B) {
-  return A.hull->fits_doubles() && B.hull->fits_doubles() && (B.t - A.t).lpNorm<Eigen::Infinity>() < 0x1p250;
-}
-
 /// Derives the answer for the parts (cores with radii) from the cores' bracket; returns false if it leaves the verdict
 /// open.
 bool decide(const Bracket& cores, double radius, double error, Proximity& answer) {

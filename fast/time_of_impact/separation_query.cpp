@@ -73,10 +73,6 @@ Vec3 point_of(const PosedHull& P, const lin_canny::FeatureId& feature) {
   return (P.vertex(edge.tail) + P.vertex(edge.head)) / 2;
 }
 
-bool fit_doubles(const PosedHull& A, const PosedHull& B) {
-  return A.hull->fits_doubles() && B.hull->fits_doubles() && (B.t - A.t).lpNorm<Eigen::Infinity>() < 0x1p250;
-}
-
 MovingCore inflated(MovingCore side, const Inflation& inflation, double t) {
   side.radius += inflation.at(t);
   side.slope_error += inflation.rate;

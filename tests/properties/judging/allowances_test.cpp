@@ -4,8 +4,9 @@
 #include <cstdio>
 #include <map>
 #include <string>
+#include <utility>
 
-#include "oracle/passing_on.h"
+#include "oracle/with_card.h"
 #include "properties/property.h"
 #include "tests/catch.h"
 #include "tests/properties/generated_page.h"
@@ -17,24 +18,11 @@ using namespace touchstone;
 namespace {
 
 /// Truthful answers of a subject that says it computes in binary32.
-class Single final : public oracle::PassingOn<Single> {
- public:
-  explicit Single(oracle::Subject& exact) : PassingOn(exact), card_(exact.card()) {
-    card_.precision = oracle::Precision::binary32;
-  }
-
-  const oracle::Card& card() const override { return card_; }
-
- private:
-  friend PassingOn;
-
-  template <class T>
-  Answer<T> pass(Answer<T> (Subject::*query)(const Scene&), const Scene& scene) {
-    return (subject_.*query)(scene);
-  }
-
-  oracle::Card card_;
-};
+oracle::WithCard in_single(oracle::Subject& exact) {
+  oracle::Card card = exact.card();
+  card.precision = oracle::Precision::binary32;
+  return {exact, std::move(card)};
+}
 
 /// Two digits: the judge's own rounding must not show.
 std::string text(double x) {
@@ -83,7 +71,7 @@ std::string allowances() {
       "`TOUCHSTONE_UPDATE=1 ./touchstone test -R \"allowances' page\"`.\n\n"
       "| property | double precision | outside | single precision | outside |\n|---|---|---|---|---|\n";
   const auto exact = tests::truthful();
-  Single single(*exact);
+  oracle::WithCard single = in_single(*exact);
   for (const properties::Property& property : properties::all()) {
     page += "| `" + property.id + "` | " + cells(property, *exact) + " | " + cells(property, single) + " |\n";
   }
