@@ -137,8 +137,6 @@ void validate(const MassProperties& given, const std::string& place) {
   validate_inertia(given.I_BBcm_B, place + ".I_BBcm_B");
 }
 
-bool is_fixed(const Body& body) { return std::holds_alternative<Fixed>(body.mass); }
-
 void validate_restitution(double e, const std::string& place) {
   finite(e, place);
   if (e < 0 || e > 1) throw InputError(place, "expected a number from 0 to 1" + found(e));

@@ -67,6 +67,9 @@ struct Body {
   bool operator==(const Body&) const = default;
 };
 
+/// Whether nothing changes its velocity.
+inline bool is_fixed(const Body& body) { return std::holds_alternative<Fixed>(body.mass); }
+
 /// The change that a frame makes to one body: it gets this pose until its next placement; without a pose it is removed.
 struct Placement {
   int body = 0;

@@ -29,8 +29,6 @@ double combined(Combine rule, double a, double b) {
   return std::min(a, b);
 }
 
-bool is_fixed(const Body& body) { return std::holds_alternative<Fixed>(body.mass); }
-
 // The first reason that `of(a, b)` gives for two bodies that may meet.
 template <class Of>
 Reason of_pairs(const Scene& scene, Of&& of) {

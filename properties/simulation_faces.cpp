@@ -36,8 +36,6 @@ constexpr Real infinite = std::numeric_limits<Real>::infinity();
 // Smaller components, relative to what they are computed from, are rounding of the judge's own long doubles.
 constexpr Real negligible = 0x1p-40L;
 
-bool is_fixed(const Body& body) { return std::holds_alternative<Fixed>(body.mass); }
-
 Matrix rotation(const Pose& X) {
   const Quaternion& q = X.q_WB;
   return Eigen::Quaternion<Real>(q.w, q.x, q.y, q.z).normalized().toRotationMatrix();

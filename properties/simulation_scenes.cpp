@@ -28,8 +28,6 @@ namespace judge = oracle::judge;
 namespace tolerance = oracle::tolerance;
 namespace words = oracle::words;
 
-bool is_fixed(const Body& body) { return std::holds_alternative<Fixed>(body.mass); }
-
 std::vector<Segment> from_the_start(const Scene& scene, std::size_t i, std::size_t j) {
   const auto segment = [&](std::size_t k) {
     const Body& body = scene.bodies[k];

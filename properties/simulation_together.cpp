@@ -31,8 +31,6 @@ struct FirstInstant {
   double speed = 0;          ///< m/s: the greatest at which centres of mass approach each other
 };
 
-bool is_fixed(const Body& body) { return std::holds_alternative<Fixed>(body.mass); }
-
 /// Nothing but impacts changes a velocity, and fixed bodies do not clamp others between them.
 bool only_impacts_act(const Scene& scene) {
   const Body* fixed = nullptr;

@@ -19,8 +19,6 @@
 namespace touchstone::reference {
 namespace {
 
-bool is_fixed(const Body& body) { return std::holds_alternative<Fixed>(body.mass); }
-
 State state_of(const Body& body) { return {body.X_WB, body.velocity}; }
 
 /// The event that may come next. An applied force has b = −1. Not `known`: the pair's motion after `time` is unknown.

@@ -47,8 +47,6 @@ Parts parts_of(const Scene& scene) {
   return parts;
 }
 
-bool is_fixed(const Body& body) { return std::holds_alternative<Fixed>(body.mass); }
-
 bool stand_as_written(const Scene& scene, std::size_t a, std::size_t b) {
   const std::vector<double>& since = scene.motion->start_times;
   if (since.empty() || since[a] == since[b]) return true;

@@ -11,8 +11,6 @@
 namespace touchstone::properties {
 namespace {
 
-bool is_fixed(const Body& body) { return std::holds_alternative<Fixed>(body.mass); }
-
 std::size_t index(int body) { return static_cast<std::size_t>(body); }
 
 /// Is the body in ballistic motion after this event? An applied force, and micro-bounces of a contact, do not change

@@ -461,8 +461,7 @@ bool begin_apart(const Scene& scene, std::size_t i, std::size_t j) {
 /// Two fixed bodies may overlap, unless they are what the query is about.
 bool begins_apart(const Scene& scene, const oracle::Query& query) {
   const auto may_overlap = [&](std::size_t i, std::size_t j) {
-    const auto is_fixed = [&](std::size_t b) { return std::holds_alternative<Fixed>(scene.bodies[b].mass); };
-    return is_fixed(i) && is_fixed(j) && !query.about_two_bodies;
+    return is_fixed(scene.bodies[i]) && is_fixed(scene.bodies[j]) && !query.about_two_bodies;
   };
   for (std::size_t j = 0; scene.motion && j < scene.bodies.size(); ++j) {
     for (std::size_t i = 0; i < j; ++i) {

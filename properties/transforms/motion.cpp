@@ -8,8 +8,6 @@
 namespace touchstone::properties {
 namespace {
 
-bool is_fixed(const Body& body) { return std::holds_alternative<Fixed>(body.mass); }
-
 bool start_at_once(const Scene& scene) {
   const std::vector<double>& starts = scene.motion->start_times;
   return std::ranges::all_of(starts, [&](double t) { return t == starts.front(); });

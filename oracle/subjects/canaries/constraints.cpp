@@ -14,8 +14,6 @@ Lies trajectories(Lie<Trajectory> lie) {
   return lies;
 }
 
-bool is_fixed(const Body& body) { return std::holds_alternative<Fixed>(body.mass); }
-
 // Answers the truth about a changed scene; if the truthful subject has no answer for it, keeps the answer as it was.
 Lies as_if(const std::function<void(Scene&)>& change) {
   return trajectories([change](Subject& truthful, const Scene& scene, Trajectory& said) {

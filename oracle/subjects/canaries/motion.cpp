@@ -36,8 +36,6 @@ Lies with_time(const std::function<double(double, const Scene&)>& other) {
   });
 }
 
-bool is_fixed(const Body& body) { return std::holds_alternative<Fixed>(body.mass); }
-
 double start_of(const Scene& scene) {
   const std::vector<double>& since = scene.motion->start_times;
   return since.empty() ? 0 : *std::ranges::max_element(since);

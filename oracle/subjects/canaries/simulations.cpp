@@ -72,8 +72,6 @@ Lies each_state(const std::function<void(State&, const Scene&, std::size_t body,
   });
 }
 
-bool is_fixed(const Body& body) { return std::holds_alternative<Fixed>(body.mass); }
-
 // Drops the second event: it is missed, and the bodies keep their ballistic motion.
 void not_keyed_again(Subject&, const Scene&, Trajectory& said) {
   if (said.events && said.events->size() > 1) said.events->erase(said.events->begin() + 1);

@@ -17,8 +17,6 @@ inline Pose centre_of_mass(const Body& body) {
   return X;
 }
 
-inline bool is_fixed(const Body& body) { return std::holds_alternative<Fixed>(body.mass); }
-
 /// Volume (m³) of a sphere or a box: engines take a mass and leave its computation from a density to their users.
 inline double volume(const Shape& shape) {
   if (const auto* sphere = std::get_if<Sphere>(&shape)) {
