@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "oracle/judge/words.h"
+#include "oracle/rotation.h"
 #include "oracle/tolerance/impulse.h"
 #include "oracle/tolerance/tolerance.h"
 #include "properties/cases/constraint_case.h"
@@ -157,8 +158,7 @@ double energy(const Scene& scene, const std::vector<State>& states) {
     Mat3 I;
     const double xy = middle(m.I_BBcm_B[3]), xz = middle(m.I_BBcm_B[4]), yz = middle(m.I_BBcm_B[5]);
     I << middle(m.I_BBcm_B[0]), xy, xz, xy, middle(m.I_BBcm_B[1]), yz, xz, yz, middle(m.I_BBcm_B[2]);
-    const Quaternion& q = states[i].X_WB.q_WB;
-    const Eigen::Quaterniond turn = Eigen::Quaterniond(q.w, q.x, q.y, q.z).normalized();
+    const Eigen::Quaterniond turn = oracle::rotation(states[i].X_WB.q_WB);
     const Vec3 w = turn.conjugate() * states[i].velocity.w_WB, v = states[i].velocity.v_WBcm;
     const Vec3 p = turn * Vec3(middle(m.p_BBcm[0]), middle(m.p_BBcm[1]), middle(m.p_BBcm[2])) + states[i].X_WB.p_WB;
     sum += middle(m.mass) * (v.squaredNorm() / 2 - scene.gravity.dot(p)) + w.dot(I * w) / 2;

@@ -5,6 +5,8 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "oracle/rotation.h"
+
 namespace touchstone::app {
 namespace {
 
@@ -55,8 +57,6 @@ constexpr double of_direction = 0.1;
 constexpr double of_rotation = 0.02;
 constexpr double of_stepped_place = 0.1;
 constexpr double of_stepped_velocity = 0.2;
-
-Eigen::Quaterniond unit(const Quaternion& q) { return Eigen::Quaterniond(q.w, q.x, q.y, q.z).normalized(); }
 
 std::string of_body(const std::string& part, std::size_t body) { return fmt::format("{} of body {}", part, body); }
 
@@ -174,7 +174,7 @@ struct Compare {
         complaint.near(of_body("v_WBcm", i), known.velocity.v_WBcm, found.velocity.v_WBcm, of_stepped_velocity);
         complaint.near(of_body("w_WB", i), known.velocity.w_WB, found.velocity.w_WB, of_stepped_velocity);
         if (known.X_WB.q_WB == not_judged) continue;
-        const double turned = unit(known.X_WB.q_WB).angularDistance(unit(found.X_WB.q_WB));
+        const double turned = oracle::rotation(known.X_WB.q_WB).angularDistance(oracle::rotation(found.X_WB.q_WB));
         complaint.unless(turned <= of_rotation, of_body("X_WB.q", i) + fmt::format(": off by {:.3g} rad", turned));
       }
     }

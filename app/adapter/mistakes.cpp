@@ -8,6 +8,7 @@
 
 #include "model/input_error.h"
 #include "oracle/query.h"
+#include "oracle/rotation.h"
 #include "oracle/subjects/touchstone/fast.h"
 #include "oracle/subjects/touchstone/reference.h"
 #include "reference/validity.h"
@@ -20,9 +21,7 @@ using Said = std::function<void(AnyAnswer&, const Scene&)>;
 
 constexpr double degree = std::numbers::pi / 180;
 
-Eigen::Quaterniond unit(const Quaternion& q) { return Eigen::Quaterniond(q.w, q.x, q.y, q.z).normalized(); }
-Mat3 rotation(const Body& body) { return unit(body.X_WB.q_WB).toRotationMatrix(); }
-Quaternion plain(const Eigen::Quaterniond& q) { return {q.w(), q.x(), q.y(), q.z()}; }
+Mat3 rotation(const Body& body) { return oracle::rotation(body.X_WB.q_WB).toRotationMatrix(); }
 
 /// The same change of each body, or of each shape, which may be a part of a compound.
 Asked each_body(const std::function<void(Body&)>& change) {
@@ -63,8 +62,8 @@ Asked each_turn(const std::function<Quaternion(const Quaternion&)>& change) {
 /// The rotation about the same axis by another angle.
 Asked angles_times(double factor) {
   return each_turn([=](const Quaternion& q) {
-    const Eigen::AngleAxisd turn(unit(q));
-    return plain(Eigen::Quaterniond(Eigen::AngleAxisd(factor * turn.angle(), turn.axis())));
+    const Eigen::AngleAxisd turn(oracle::rotation(q));
+    return oracle::quaternion(Eigen::Quaterniond(Eigen::AngleAxisd(factor * turn.angle(), turn.axis())));
   });
 }
 
@@ -569,19 +568,19 @@ std::vector<Mistake> of_states() {
   return {
       {"place of the centre of mass instead of the body's origin", {}, each_state([](State& state, const Body& body) {
          const auto* known = std::get_if<MassProperties>(&body.mass);
-         if (known) state.X_WB.p_WB += unit(state.X_WB.q_WB) * known->p_BBcm;
+         if (known) state.X_WB.p_WB += oracle::rotation(state.X_WB.q_WB) * known->p_BBcm;
        })},
       {"velocity of the body's origin instead of that of the centre of mass",
        {},
        each_state([](State& state, const Body& body) {
          const auto* known = std::get_if<MassProperties>(&body.mass);
          if (!known) return;
-         state.velocity.v_WBcm -= state.velocity.w_WB.cross(unit(state.X_WB.q_WB) * known->p_BBcm);
+         state.velocity.v_WBcm -= state.velocity.w_WB.cross(oracle::rotation(state.X_WB.q_WB) * known->p_BBcm);
        })},
       {"quaternion order of the states: x, y, z, w was given as w, x, y, z",
        {},
        each_state([](State& state, const Body&) {
-         const Quaternion q = plain(unit(state.X_WB.q_WB));
+         const Quaternion q = oracle::quaternion(oracle::rotation(state.X_WB.q_WB));
          state.X_WB.q_WB = {q.x, q.y, q.z, q.w};
        })},
       {"pose transposed: the inverse rotation was given in the states", {}, each_state([](State& state, const Body&) {
@@ -594,7 +593,7 @@ std::vector<Mistake> of_states() {
       {"frame of the angular velocity: those of the states are in the bodies' axes",
        {},
        each_state([](State& state, const Body&) {
-         state.velocity.w_WB = unit(state.X_WB.q_WB).conjugate() * state.velocity.w_WB;
+         state.velocity.w_WB = oracle::rotation(state.X_WB.q_WB).conjugate() * state.velocity.w_WB;
        })},
       {"order of the bodies", {}, of<Trajectory>([](Trajectory& t, const Scene&) {
          for (auto& states : t.states) std::ranges::reverse(states);

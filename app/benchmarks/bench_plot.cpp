@@ -60,7 +60,7 @@ std::string style_of(const Line& line) {
   return line.name == "wrapped_grid" ? "default" : "ours";
 }
 
-std::vector<Line> lines_of(const std::vector<BenchRow>& rows, const std::string& workload) {
+std::vector<Line> curves_of(const std::vector<BenchRow>& rows, const std::string& workload) {
   std::vector<Line> lines;
   for (const BenchRow& row : rows) {
     if (row.workload != workload || !row.ns) continue;
@@ -129,7 +129,7 @@ std::string drawn(const Line& line, const Axes& axes) {
 }
 
 std::string panel(const std::vector<BenchRow>& rows, const std::string& workload, const Axes& axes) {
-  std::vector<Line> lines = lines_of(rows, workload);
+  std::vector<Line> lines = curves_of(rows, workload);
   place_names(lines, axes);
   std::string svg = fmt::format("<text class='title' x='{}' y='20'>{}</text>\n", left, escaped(workload));
   svg += grid(axes, rows);

@@ -51,7 +51,7 @@ Axes axes_of(const std::vector<WorkPrecision>& rows) {
   return axes;
 }
 
-std::vector<Line> lines_of(const std::vector<WorkPrecision>& rows, const std::string& workload) {
+std::vector<Line> curves_of(const std::vector<WorkPrecision>& rows, const std::string& workload) {
   std::vector<Line> lines;
   for (const WorkPrecision& row : rows) {
     if (row.workload != workload || !drawable(row)) continue;
@@ -119,7 +119,7 @@ std::string drawn(const Line& line, const Axes& axes) {
 
 std::string panel(const std::vector<WorkPrecision>& rows, const std::string& workload, const Axes& axes,
                   const WorkPrecisionWords& words) {
-  std::vector<Line> lines = lines_of(rows, workload);
+  std::vector<Line> lines = curves_of(rows, workload);
   place_names(lines, axes);
   std::string svg = fmt::format("<text class='title' x='{}' y='20'>{}</text>\n", left, escaped(workload)) + grid(axes);
   for (const Line& line : lines) svg += drawn(line, axes);

@@ -205,7 +205,7 @@ MotionRun without_frames(const Scene& scene, const MotionRun& run) {
   return samples;
 }
 
-std::string lines_of(const std::vector<Event>& events) {
+std::string json_lines(const std::vector<Event>& events) {
   std::string lines;
   for (const Event& event : events) lines += json_of(event).dump() + "\n";
   return lines;
@@ -282,7 +282,7 @@ int simulate(const SimulateCommand& command) {
   print_truth(scene, samples);
   const std::optional<std::vector<Event>>& events = run.trajectory.events;
   if (!command.replay.empty()) write(command.replay, replay_page(scene, run.times, run.trajectory));
-  if (!command.out.empty() && events) write(command.out, lines_of(*events));
+  if (!command.out.empty() && events) write(command.out, json_lines(*events));
   if (by_constraint) warn_of_long_steps(scene);
   const int code = report_end(scene, run);
   const bool answered = !run.interrupted && run.broke.empty();

@@ -1,8 +1,7 @@
 #include "fast/contact/active_set.h"
 
-#include <Eigen/QR>
-
 #include "fast/contact/cross_matrix.h"
+#include "fast/contact/least_norm.h"
 
 namespace touchstone::fast::contact {
 namespace {
@@ -53,7 +52,7 @@ void solve_active_set(std::vector<ContactRow>& rows, const std::vector<Mobility>
     matrix.block<3, 3>(at, at) += row.K_tt * (across - d * row.n.transpose());
   }
   if (closed.empty()) return;
-  const Eigen::VectorXd dP = matrix.completeOrthogonalDecomposition().solve(rest);
+  const Eigen::VectorXd dP = least_norm_solution(matrix, rest);
   for (std::size_t i = 0; i < closed.size(); ++i) {
     apply_impulse(rows[closed[i]], dP.segment<3>(static_cast<Eigen::Index>(3 * i)), bodies, twists);
     rows[closed[i]].P += dP.segment<3>(static_cast<Eigen::Index>(3 * i));

@@ -1,11 +1,11 @@
 #include "fast/simultaneous/round.h"
 
 #include <Eigen/Cholesky>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
+#include "fast/contact/least_norm.h"
 #include "fast/contact/solver.h"
 #include "fast/simultaneous/nonnegative.h"
 
@@ -87,7 +87,7 @@ VectorXd shared(const std::vector<Region>& regions, const std::vector<ContactRow
   for (Index k = 0; k < p.size(); ++k) {
     if (!(split[k] > 0)) pressing.col(k).setZero();
   }
-  split += pressing.completeOrthogonalDecomposition().solve(A * (p - split));
+  split += contact::least_norm_solution(pressing, A * (p - split));
   return split.cwiseMax(0.0);
 }
 
@@ -172,7 +172,7 @@ VectorXd compression(const std::vector<ContactRow>& points, const std::vector<Mo
   for (std::size_t k = 0; k < points.size(); ++k)
     missing[static_cast<Index>(k)] = least_u_n - normal_velocity(points[k], twists);
   // With Aᵀb = missing, the least |A p − b| over p ≥ 0 is the projection.
-  return nonnegative_least_squares(A, A.transpose().completeOrthogonalDecomposition().solve(missing));
+  return nonnegative_least_squares(A, contact::least_norm_solution(A.transpose(), missing));
 }
 
 void act(std::vector<Region>& regions, const std::vector<Mobility>& bodies, std::vector<Twist>& twists) {

@@ -7,7 +7,7 @@ namespace touchstone::oracle::shrink {
 namespace {
 
 template <class Change>
-Move changed(Change change) {
+Move changed_impact(Change change) {
   return [change](const Scene& before) -> std::optional<Scene> {
     if (!before.contact) return std::nullopt;
     Scene scene = before;
@@ -44,18 +44,18 @@ void seen_from_B(Scene& scene) {
 
 std::vector<Move> shrink_contacts(const Scene& scene) {
   if (!scene.contact) return {};
-  std::vector<Move> moves = {changed([](Scene& s) { s.contact.reset(); }), changed(normal_along_axis),
-                             changed(contact_at_origin), changed(seen_from_B),
-                             changed([](Scene& s) { s.contact->law = Law::poisson; })};
+  std::vector<Move> moves = {changed_impact([](Scene& s) { s.contact.reset(); }), changed_impact(normal_along_axis),
+                             changed_impact(contact_at_origin), changed_impact(seen_from_B),
+                             changed_impact([](Scene& s) { s.contact->law = Law::poisson; })};
   for (const double plain : {0.0, 1.0}) {
-    moves.push_back(changed([plain](Scene& s) { s.contact->friction = plain; }));
-    moves.push_back(changed([plain](Scene& s) { s.contact->restitution = plain; }));
+    moves.push_back(changed_impact([plain](Scene& s) { s.contact->friction = plain; }));
+    moves.push_back(changed_impact([plain](Scene& s) { s.contact->restitution = plain; }));
   }
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
-    moves.push_back(changed([i](Scene& s) { s.bodies[i].mass = Fixed{}; }));
-    moves.push_back(changed([i](Scene& s) { sphere_for_shape(s.bodies[i]); }));
-    moves.push_back(changed([i](Scene& s) { s.bodies[i].velocity.w_WB.setZero(); }));
-    moves.push_back(changed([i](Scene& s) { s.bodies[i].velocity.v_WBcm.setZero(); }));
+    moves.push_back(changed_impact([i](Scene& s) { s.bodies[i].mass = Fixed{}; }));
+    moves.push_back(changed_impact([i](Scene& s) { sphere_for_shape(s.bodies[i]); }));
+    moves.push_back(changed_impact([i](Scene& s) { s.bodies[i].velocity.w_WB.setZero(); }));
+    moves.push_back(changed_impact([i](Scene& s) { s.bodies[i].velocity.v_WBcm.setZero(); }));
   }
   return moves;
 }

@@ -7,7 +7,7 @@ namespace touchstone::oracle::shrink {
 namespace {
 
 template <class Change>
-Move changed(Change change) {
+Move changed_motion(Change change) {
   return [change](const Scene& before) -> std::optional<Scene> {
     if (!before.motion) return std::nullopt;
     Scene scene = before;
@@ -41,7 +41,7 @@ void seen_from(Scene& scene, std::size_t i) {
 
 template <class Change>
 Move of_body(std::size_t i, Change change) {
-  return changed([i, change](Scene& scene) {
+  return changed_motion([i, change](Scene& scene) {
     if (i < scene.bodies.size()) change(scene.bodies[i]);
   });
 }
@@ -50,14 +50,15 @@ Move of_body(std::size_t i, Change change) {
 
 std::vector<Move> shrink_motions(const Scene& scene) {
   if (!scene.motion) return {};
-  std::vector<Move> moves = {changed([](Scene& s) { s.motion.reset(); }),
-                             changed([](Scene& s) { s.motion->sample_times = {s.motion->sample_times.back()}; }),
-                             changed([](Scene& s) { s.motion->sample_times = {s.motion->sample_times.front()}; }),
-                             changed([](Scene& s) { s.motion->forces.clear(); }),
-                             changed([](Scene& s) { s.motion->start_times.clear(); }),
-                             changed([](Scene& s) { s.motion->envelope.reset(); }),
-                             changed([](Scene& s) { s.motion->force_bound = 0; }),
-                             changed([](Scene& s) { s.motion->law = Law::poisson; })};
+  std::vector<Move> moves = {
+      changed_motion([](Scene& s) { s.motion.reset(); }),
+      changed_motion([](Scene& s) { s.motion->sample_times = {s.motion->sample_times.back()}; }),
+      changed_motion([](Scene& s) { s.motion->sample_times = {s.motion->sample_times.front()}; }),
+      changed_motion([](Scene& s) { s.motion->forces.clear(); }),
+      changed_motion([](Scene& s) { s.motion->start_times.clear(); }),
+      changed_motion([](Scene& s) { s.motion->envelope.reset(); }),
+      changed_motion([](Scene& s) { s.motion->force_bound = 0; }),
+      changed_motion([](Scene& s) { s.motion->law = Law::poisson; })};
   for (std::size_t i = scene.motion->sample_times.size(); i-- > 0;) {
     moves.push_back([i](const Scene& s) { return without_time(s, i); });
   }
@@ -65,7 +66,7 @@ std::vector<Move> shrink_motions(const Scene& scene) {
     moves.push_back([i](const Scene& s) { return without_push(s, i); });
   }
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
-    moves.push_back(changed([i](Scene& s) { seen_from(s, i); }));
+    moves.push_back(changed_motion([i](Scene& s) { seen_from(s, i); }));
     moves.push_back(of_body(i, [](Body& body) { body.mass = Fixed{}; }));
     moves.push_back(of_body(i, [](Body& body) { body.mass = Density{}; }));
     moves.push_back(of_body(i, [](Body& body) { body.velocity.w_WB.setZero(); }));

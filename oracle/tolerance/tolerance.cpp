@@ -30,11 +30,11 @@ constexpr double combination = 14;
 
 // |p_WCa − p_WCb|: subtraction u for each coordinate, squares, sums and root 3u more, of at most 2√3·S: 4u·3.47S <
 // 14uS.
-constexpr double length = 14;
+constexpr double norm = 14;
 
 // Distance and depth change by at most ε if every point of one body moves by at most ε (as the support function of A −
 // B does), so the poses of the two bodies count once each.
-constexpr double pair_value = 2 * (poses + combination) + length;
+constexpr double pair_value = 2 * (poses + combination) + norm;
 
 // An exact subject rounds only its answer: u of a value ≤ 2√3·S, or of each coordinate, or the far end of the tightest
 // enclosure, 2u: < 7uS.

@@ -52,11 +52,13 @@ Scene sequence(Random& random, const Script& script) {
   return scene;
 }
 
-Shape some_box(Random& random) { return Box{Vec3{random.whole(1, 3), random.whole(1, 3), random.whole(1, 3)}}; }
+Shape box_of_whole_size(Random& random) {
+  return Box{Vec3{random.whole(1, 3), random.whole(1, 3), random.whole(1, 3)}};
+}
 
 Shape box_or_sphere(Random& random) {
   if (random.one_in(3)) return Sphere{random.whole(1, 3)};
-  return some_box(random);
+  return box_of_whole_size(random);
 }
 
 std::function<Pose(Random&)> within(int limit) {
@@ -73,10 +75,10 @@ Scene random_walk(Random& random) {
 /// Every body can be anywhere in every frame: no order persists.
 Scene teleport(Random& random) {
   const auto anywhere = within(6);
-  return sequence(random,
-                  {.rests = 6, .shape = some_box, .enter = anywhere, .step = [anywhere](Random& r, const Pose&) {
-                     return anywhere(r);
-                   }});
+  return sequence(
+      random, {.rests = 6, .shape = box_of_whole_size, .enter = anywhere, .step = [anywhere](Random& r, const Pose&) {
+                 return anywhere(r);
+               }});
 }
 
 /// Unit cells of a lattice: end points tie on all axes, and neighbours touch exactly.
@@ -111,10 +113,11 @@ Scene clusters(Random& random) {
 
 /// Bodies are removed as often as they move, several in one frame, and are added again, elsewhere or in the same place.
 Scene come_and_go(Random& random) {
-  return sequence(random,
-                  {.rests = 4, .goes = 2, .shape = some_box, .enter = within(3), .step = [](Random&, const Pose& X_WB) {
-                     return X_WB;
-                   }});
+  return sequence(
+      random,
+      {.rests = 4, .goes = 2, .shape = box_of_whole_size, .enter = within(3), .step = [](Random&, const Pose& X_WB) {
+         return X_WB;
+       }});
 }
 
 /// Mostly nothing happens, and a body that is moved is often put at the same place.
@@ -124,15 +127,16 @@ Scene hardly_moving(Random& random) {
                    .goes = 12,
                    .comes = 1,
                    .still = 2,
-                   .shape = some_box,
+                   .shape = box_of_whole_size,
                    .enter = within(3),
                    .step = [](Random& r, const Pose& X_WB) { return r.one_in(2) ? X_WB : step_on_lattice(r, X_WB); }});
 }
 
 /// No body, one, or two.
 Scene hardly_any(Random& random) {
-  return sequence(random,
-                  {.fewest = 0, .most = 2, .goes = 3, .shape = some_box, .enter = within(2), .step = step_on_lattice});
+  return sequence(
+      random,
+      {.fewest = 0, .most = 2, .goes = 3, .shape = box_of_whole_size, .enter = within(2), .step = step_on_lattice});
 }
 
 /// All along one axis, so that two of the three sorted lists consist of ties.

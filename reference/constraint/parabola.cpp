@@ -72,12 +72,12 @@ class Gap {
 Enclosed point(const Float& f) { return {f, f}; }
 
 /// A point between lo and hi, but not the middle: changes tend to be at simple fractions, where f would be 0.
-Float between(const Float& lo, const Float& hi) { return lo + (hi - lo) * 0.4932; }
+Float point_between(const Float& lo, const Float& hi) { return lo + (hi - lo) * 0.4932; }
 
 /// The zero of f in (lo, hi). Requires f(lo) > 0 > f(hi) and f falling.
 Enclosed narrowed(const Gap& gap, Float lo, Float hi) {
   for (int i = 0; i < 300; ++i) {
-    const Float inside = between(lo, hi);
+    const Float inside = point_between(lo, hi);
     const Enclosed f = gap.value(point(inside));
     if (f.holds_zero()) break;
     (f.is_positive() ? lo : hi) = inside;
@@ -98,7 +98,7 @@ std::optional<Enclosed> searched(const Gap& gap, const Float& from, const Float&
     return narrowed(gap, from, to);
   }
   if (--pieces < 0 || to - from < shortest) throw Undecided("whether the ball meets a box that it comes very near to");
-  const Float inside = between(from, to);
+  const Float inside = point_between(from, to);
   if (const auto early = searched(gap, from, inside, shortest, pieces)) return early;
   return searched(gap, inside, to, shortest, pieces);
 }

@@ -194,7 +194,6 @@ class Least {
 };
 
 Enclosure square(const Enclosure& x) { return CGAL::square(x); }
-Enclosure squared_length(const EnclosureVec& v) { return square(v.x) + square(v.y) + square(v.z); }
 bool surely_negative(const Enclosure& x) { return x.sup() < 0; }
 
 void vertex_vertex(const PosedCore& A, int a, const PosedCore& B, int b, Least& least) {

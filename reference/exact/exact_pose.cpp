@@ -132,17 +132,17 @@ Enclosure enclosure_of_scaled(double scaled, double original) {
 
 using Faces = std::vector<std::vector<int>>;
 
-Core core_of(const Sphere& sphere) {
+Core core(const Sphere& sphere) {
   static const Faces none;
   return {{Vec3::Zero()}, &none, sphere.radius};
 }
 
-Core core_of(const Box& box) {
+Core core(const Box& box) {
   static const Faces six = as_polytope(box).faces;
   return {vertices_of(box), &six, 0};
 }
 
-Core core_of(const Polytope& polytope) { return {polytope.vertices, &polytope.faces, 0}; }
+Core core(const Polytope& polytope) { return {polytope.vertices, &polytope.faces, 0}; }
 
 }  // namespace
 
@@ -152,13 +152,13 @@ Pose part_pose(const Body& body, int part) {
 }
 
 Core core_of(const Body& body, int part) {
-  const auto convex = [](const auto& shape) { return core_of(shape); };
+  const auto convex = [](const auto& shape) { return core(shape); };
   if (const auto* compound = std::get_if<Compound>(&body.shape)) {
     return std::visit(convex, compound->parts.at(static_cast<std::size_t>(part)).shape);
   }
-  if (const auto* sphere = std::get_if<Sphere>(&body.shape)) return core_of(*sphere);
-  if (const auto* box = std::get_if<Box>(&body.shape)) return core_of(*box);
-  return core_of(std::get<Polytope>(body.shape));
+  if (const auto* sphere = std::get_if<Sphere>(&body.shape)) return core(*sphere);
+  if (const auto* box = std::get_if<Box>(&body.shape)) return core(*box);
+  return core(std::get<Polytope>(body.shape));
 }
 
 RationalVec3 in_world(const Pose& X_WB, const Vec3& p_BA) {

@@ -25,6 +25,10 @@ using Enclosure = CGAL::Interval_nt<false>;  // only inside a scope of RoundUpwa
 using EnclosureVec = Coordinates<Enclosure>;
 using PlainVec = Coordinates<double>;
 
+inline Enclosure squared_length(const EnclosureVec& v) {
+  return CGAL::square(v.x) + CGAL::square(v.y) + CGAL::square(v.z);
+}
+
 /// Interval arithmetic needs the processor to round upwards. Plain double code stays outside this scope to stay
 /// reproducible.
 using RoundUpward = CGAL::Protect_FPU_rounding<true>;

@@ -14,8 +14,6 @@
 namespace touchstone::reference {
 namespace {
 
-Enclosure squared_length(const EnclosureVec& v) { return CGAL::square(v.x) + CGAL::square(v.y) + CGAL::square(v.z); }
-
 /// A, or −B.
 struct Summand {
   Summand(const PosedCore& posed, int times) : core(posed), sign(times), edges(edges_of(posed.faces())) {

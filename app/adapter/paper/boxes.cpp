@@ -5,18 +5,17 @@
 namespace touchstone::app {
 namespace {
 
-constexpr double r = 2;
-const Vec3 h(1, 2, 3);
 const std::vector<Vec3> tetrahedron = {{0, 0, 0}, {4, 0, 0}, {0, 2, 0}, {0, 0, 1}};
 
 // The box of a ball has its radius on each side of its centre.
 PaperScene box_of_ball(const Vec3& p, const Turn& turn) {
+  const double r = 2;
   return {scene("a ball", {body(Sphere{r}, p, turn)}), Bounds{{p - Vec3(r, r, r), p + Vec3(r, r, r)}}};
 }
 
 // A box reaches Σ |R_ij| h_j along axis i.
 PaperScene box_of_box(const Vec3& p, const Turn& turn) {
-  const Vec3 reach = turn.R.cwiseAbs() * h;
+  const Vec3 h(1, 2, 3), reach = turn.R.cwiseAbs() * h;
   return {scene("a box", {body(Box{h}, p, turn)}), Bounds{{p - reach, p + reach}}};
 }
 

@@ -36,7 +36,7 @@ PaperScene ball_of(const std::string& name, double r, double density) {
 
 // Corner tetrahedron with the orthogonal edges a, b, c: m = ρ abc/6, centre (a, b, c)/4. The mean of x² is a²/10, and
 // that of xy is ab/20; about the centre they are 3a²/80 and −ab/80, and Ixy is minus the latter.
-PaperScene tetrahedron() {
+PaperScene corner_tetrahedron() {
   const double a = 4, b = 2, c = 1, m = 3 * a * b * c / 6;
   const Body solid = body(Polytope{{{0, 0, 0}, {a, 0, 0}, {0, b, 0}, {0, 0, c}}, {}}, {0, 0, 0});
   return known("a tetrahedron", dense(solid, 3),
@@ -81,15 +81,15 @@ PaperScene dumbbell() {
 
 std::vector<PaperScene> mass_on_paper() {
   const Body box = body(Box{{1, 2, 3}}, {0, 0, 0});
-  return in_all(
-      {box_of("a box", {1, 2, 3}, 1), box_of("a light box", {2, 1, 3}, 0.25), box_of("a slab", {4, 2, 0.5}, 5),
-       box_of("a small, heavy box", {0.25, 0.5, 1}, 800), ball_of("a ball", 2, 1),
-       ball_of("a small, heavy ball", 0.5, 300), tetrahedron(), shifted_hull(), prism(), octahedron(), dumbbell(),
-       // given mass properties are returned as they are
-       known("a given mass", given(box, 3, {4, 5, 6}, {1, 2, 3}), with(3, {1, 2, 3}, {4, 5, 6})),
-       // a fixed body has no mass
-       known("a fixed body", fixed(box), std::nullopt)},
-      three_frames());
+  return in_all({box_of("a box", {1, 2, 3}, 1), box_of("a light box", {2, 1, 3}, 0.25),
+                 box_of("a slab", {4, 2, 0.5}, 5), box_of("a small, heavy box", {0.25, 0.5, 1}, 800),
+                 ball_of("a ball", 2, 1), ball_of("a small, heavy ball", 0.5, 300), corner_tetrahedron(),
+                 shifted_hull(), prism(), octahedron(), dumbbell(),
+                 // given mass properties are returned as they are
+                 known("a given mass", given(box, 3, {4, 5, 6}, {1, 2, 3}), with(3, {1, 2, 3}, {4, 5, 6})),
+                 // a fixed body has no mass
+                 known("a fixed body", fixed(box), std::nullopt)},
+                three_frames());
 }
 
 }  // namespace touchstone::app

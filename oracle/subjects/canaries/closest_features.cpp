@@ -5,16 +5,11 @@
 #include <cmath>
 #include <limits>
 
+#include "oracle/rotation.h"
 #include "oracle/subjects/canaries/lie.h"
 
 namespace touchstone::oracle::subjects {
 namespace {
-
-Lies distances(Lie<Distance> lie) {
-  Lies lies;
-  lies.distance = std::move(lie);
-  return lies;
-}
 
 /// Vertices, edges and faces in the world frame. Edges and faces are empty for a shape without faces.
 struct Surface {
@@ -30,8 +25,7 @@ std::vector<std::vector<int>> faces_of(const Shape& shape) {
 }
 
 Surface surface(const Body& body) {
-  const Quaternion& q = body.X_WB.q_WB;
-  const Eigen::Quaterniond R_WB = Eigen::Quaterniond(q.w, q.x, q.y, q.z).normalized();
+  const Eigen::Quaterniond R_WB = rotation(body.X_WB.q_WB);
   Surface found;
   for (const Vec3& v : corners(body)) found.vertices.emplace_back(R_WB * v + body.X_WB.p_WB);
   for (const std::vector<int>& face : faces_of(body.shape)) {

@@ -111,6 +111,12 @@ Canary lying(const std::string& id, const std::string& says, std::function<Lies(
           queries_of(make_lies())};
 }
 
+Lies distances(Lie<Distance> lie) {
+  Lies lies;
+  lies.distance = std::move(lie);
+  return lies;
+}
+
 double distance_by(Subject& truthful, const Scene& scene) {
   double distance = 0;
   with(truthful.distance(scene), [&](const Distance& said) { distance = said.distance.value_or(0); });

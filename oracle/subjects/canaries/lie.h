@@ -48,6 +48,9 @@ std::vector<Canary> canaries_about_simulations();
 std::vector<Canary> canaries_about_constraints();
 std::vector<Canary> canaries_about_anything();
 
+/// Lies about distances alone.
+Lies distances(Lie<Distance> lie);
+
 /// Calls `f` with the answer if the subject gave one; otherwise does nothing.
 template <class T, class F>
 void with(const Answer<T>& answer, F&& f) {

@@ -1,6 +1,7 @@
 // Canaries that lie about mass, centre of mass and inertia.
 #include <Eigen/Geometry>
 
+#include "oracle/rotation.h"
 #include "oracle/subjects/canaries/lie.h"
 
 namespace touchstone::oracle::subjects {
@@ -35,8 +36,7 @@ void inertia_about_origin(const Body&, MassProperties& said) {
 }
 
 void inertia_in_world(const Body& body, MassProperties& said) {
-  const Quaternion& q = body.X_WB.q_WB;
-  const Mat3 R_WB = Eigen::Quaterniond(q.w, q.x, q.y, q.z).normalized().toRotationMatrix();
+  const Mat3 R_WB = rotation(body.X_WB.q_WB).toRotationMatrix();
   said.I_BBcm_B = R_WB * said.I_BBcm_B * R_WB.transpose();
 }
 

@@ -4,16 +4,11 @@
 #include <cmath>
 
 #include "model/infinity.h"
+#include "oracle/rotation.h"
 #include "oracle/subjects/canaries/lie.h"
 
 namespace touchstone::oracle::subjects {
 namespace {
-
-Lies distances(Lie<Distance> lie) {
-  Lies lies;
-  lies.distance = std::move(lie);
-  return lies;
-}
 
 Lies penetrations(Lie<Penetration> lie) {
   Lies lies;
@@ -80,8 +75,7 @@ struct Solid {
 
 // Boxes and polytopes in the world frame, with their face normals; other shapes have no normals.
 Solid solid(const Body& body) {
-  const Quaternion& q = body.X_WB.q_WB;
-  const Eigen::Quaterniond R_WB = Eigen::Quaterniond(q.w, q.x, q.y, q.z).normalized();
+  const Eigen::Quaterniond R_WB = rotation(body.X_WB.q_WB);
   Solid solid;
   for (const Vec3& v : corners(body)) solid.vertices.emplace_back(R_WB * v + body.X_WB.p_WB);
   if (std::holds_alternative<Box>(body.shape)) {

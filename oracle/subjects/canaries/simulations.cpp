@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "model/limits.h"
+#include "oracle/rotation.h"
 #include "oracle/subjects/canaries/lie.h"
 #include "oracle/truth/motion_in_doubles.h"
 
@@ -246,12 +247,10 @@ void top_leads(State& state, const Scene& scene, std::size_t body, double time) 
   const auto* given = std::get_if<MassProperties>(&scene.bodies[body].mass);
   const Vec3 w = state.velocity.w_WB;
   if (given == nullptr || w.isZero(0)) return;
-  const Quaternion& q = state.X_WB.q_WB;
-  const Eigen::Quaterniond R_WB = Eigen::Quaterniond(q.w, q.x, q.y, q.z).normalized();
+  const Eigen::Quaterniond R_WB = rotation(state.X_WB.q_WB);
   const Vec3 L = R_WB * (given->I_BBcm_B * (R_WB.conjugate() * w));
   const Eigen::Quaterniond ahead(Eigen::AngleAxisd(1e-6 * time, L.normalized()));
-  const Eigen::Quaterniond turned = ahead * R_WB;
-  state.X_WB.q_WB = {turned.w(), turned.x(), turned.y(), turned.z()};
+  state.X_WB.q_WB = quaternion(ahead * R_WB);
   state.velocity.w_WB = ahead * w;
 }
 
@@ -261,10 +260,8 @@ void adds_angles(State& state, const Scene& scene, std::size_t body, double time
   if (!std::holds_alternative<Sphere>(start.shape) || !scene.motion->start_times.empty()) return;
   const Vec3 angle = time / 2 * (start.velocity.w_WB + state.velocity.w_WB);
   if (is_fixed(start) || angle.isZero(0)) return;
-  const Quaternion& q = start.X_WB.q_WB;
-  const Eigen::Quaterniond turned =
-      Eigen::AngleAxisd(angle.norm(), angle.normalized()) * Eigen::Quaterniond(q.w, q.x, q.y, q.z).normalized();
-  state.X_WB.q_WB = {turned.w(), turned.x(), turned.y(), turned.z()};
+  const Eigen::AngleAxisd turn(angle.norm(), angle.normalized());
+  state.X_WB.q_WB = quaternion(turn * rotation(start.X_WB.q_WB));
 }
 
 // Half of the friction. Without events, the law of single impacts does not show it.
