@@ -1,4 +1,4 @@
-// Rotations in plain doubles, for what needs no bound: lies of canaries, hints about adapters.
+// Rotations in plain doubles, for what needs no bound: the input of engines, lies of canaries, hints about adapters.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -7,8 +7,10 @@
 
 namespace touchstone::oracle {
 
-/// The rotation of q/|q|, within a few ulps. Requires a q whose norm neither overflows nor underflows.
-inline Eigen::Quaterniond rotation(const Quaternion& q) { return Eigen::Quaterniond(q.w, q.x, q.y, q.z).normalized(); }
+/// q/|q| for any q that is not zero, within a few ulps.
+inline Eigen::Quaterniond rotation(const Quaternion& q) {
+  return Eigen::Quaterniond(Eigen::Vector4d(q.x, q.y, q.z, q.w).stableNormalized());
+}
 
 inline Quaternion quaternion(const Eigen::Quaterniond& R) { return {R.w(), R.x(), R.y(), R.z()}; }
 

@@ -17,7 +17,7 @@ inline btVector3 vector(const Vec3& v) { return {scalar(v.x()), scalar(v.y()), s
 inline Vec3 vec3(const btVector3& v) { return {v.x(), v.y(), v.z()}; }
 
 inline btTransform transform(const Pose& X_WB) {
-  const Eigen::Quaterniond q = unit_quaternion(X_WB.q_WB);
+  const Eigen::Quaterniond q = rotation(X_WB.q_WB);
   return btTransform(btQuaternion(scalar(q.x()), scalar(q.y()), scalar(q.z()), scalar(q.w())), vector(X_WB.p_WB));
 }
 

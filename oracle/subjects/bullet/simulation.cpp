@@ -193,6 +193,8 @@ class BulletSimulation : public Subject {
         (tuned_ ? "restitution threshold 0, no warm starting, processing threshold 0, slop 0, split impulse from "
                   "penetration 0 on"
                 : "settings as shipped: restitution from 0.2 m/s on");
+    if (!tuned_) card_.dynamics.restitution_threshold = btContactSolverInfo().m_restitutionVelocityThreshold;
+    card_.dynamics.angular_speed_limit = ANGULAR_MOTION_THRESHOLD / dt;  // a body turns no farther in a step
     card_.homepage = "https://github.com/bulletphysics/bullet3";
     combine_by_the_lesser();
   }

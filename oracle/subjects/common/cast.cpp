@@ -26,7 +26,7 @@ bool turns_evenly(const Body& body) {
   if (body.velocity.w_WB.isZero(0)) return true;
   const std::optional<MassProperties> mass = inertia(body);
   if (!mass || !mass->p_BBcm.isZero(0)) return false;
-  const Vec3 w_B = unit_quaternion(body.X_WB.q_WB).conjugate() * body.velocity.w_WB;
+  const Vec3 w_B = rotation(body.X_WB.q_WB).conjugate() * body.velocity.w_WB;
   return w_B.cross(mass->I_BBcm_B * w_B).isZero(0);
 }
 
@@ -52,7 +52,7 @@ Pose pose_at(const Body& body, double time) {
   const double rate = w.norm();
   Pose at{body.X_WB.p_WB + time * body.velocity.v_WBcm, body.X_WB.q_WB};
   if (rate == 0) return at;
-  const Eigen::Quaterniond q = Eigen::AngleAxisd(rate * time, w / rate) * unit_quaternion(body.X_WB.q_WB);
+  const Eigen::Quaterniond q = Eigen::AngleAxisd(rate * time, w / rate) * rotation(body.X_WB.q_WB);
   at.q_WB = {q.w(), q.x(), q.y(), q.z()};
   return at;
 }

@@ -1,20 +1,14 @@
 // What all adapters pass to engines, and how they turn engines' results into answers.
 #pragma once
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <variant>
 
 #include "model/answers.h"
 #include "model/scene.h"
+#include "oracle/rotation.h"
 
 namespace touchstone::oracle::subjects {
-
-/// q/|q|, rounded, since engines take unit quaternions. The rounding is part of the conversion, so its error counts as
-/// part of the answer's error.
-inline Eigen::Quaterniond unit_quaternion(const Quaternion& q) {
-  return Eigen::Quaterniond(Eigen::Vector4d(q.x, q.y, q.z, q.w).stableNormalized());
-}
 
 /// The engines' pair queries take convex bodies only, no unions.
 inline bool has_compound(const Scene& scene) {

@@ -13,7 +13,7 @@ namespace touchstone::oracle::subjects {
 inline Pose centre_of_mass(const Body& body) {
   Pose X = body.X_WB;
   const auto* given = std::get_if<MassProperties>(&body.mass);
-  if (given != nullptr) X.p_WB += unit_quaternion(X.q_WB) * given->p_BBcm;
+  if (given != nullptr) X.p_WB += rotation(X.q_WB) * given->p_BBcm;
   return X;
 }
 

@@ -80,7 +80,7 @@ Trajectory follow(const Scene& scene, double dt, SimulationWorld& world) {
 }
 
 Pose pose_of_body(const Vec3& p_WE, const Eigen::Quaterniond& q_WE, const Pose& X_BE) {
-  const Eigen::Quaterniond q_WB = q_WE * unit_quaternion(X_BE.q_WB).conjugate();
+  const Eigen::Quaterniond q_WB = q_WE * rotation(X_BE.q_WB).conjugate();
   return {p_WE - q_WB * X_BE.p_WB, {q_WB.w(), q_WB.x(), q_WB.y(), q_WB.z()}};
 }
 

@@ -130,11 +130,12 @@ Card card(const std::string& name, const std::string& solver, std::vector<Deviat
 }  // namespace
 
 std::unique_ptr<Subject> make_fcl_libccd() {
-  return std::make_unique<Fcl>(card("fcl.libccd", "GST_LIBCCD",
-                                    {{"", "the distance of two unit boxes, 3 apart along y, is 3.16", issues + "508"},
-                                     {"", "__ccdGJK mistakes touching and giving up for separated", issues + "366"},
-                                     {"", "exceptions and failed asserts in EPA when touching", issues + "319"}}),
-                               ::fcl::GST_LIBCCD);
+  Card libccd = card("fcl.libccd", "GST_LIBCCD",
+                     {{"", "the distance of two unit boxes, 3 apart along y, is 3.16", issues + "508"},
+                      {"", "__ccdGJK mistakes touching and giving up for separated", issues + "366"},
+                      {"", "exceptions and failed asserts in EPA when touching", issues + "319"}});
+  libccd.distance_tolerance.absolute = ::fcl::DistanceRequestd().distance_tolerance;  // that of collide() is the same
+  return std::make_unique<Fcl>(std::move(libccd), ::fcl::GST_LIBCCD);
 }
 
 std::unique_ptr<Subject> make_fcl_indep() {

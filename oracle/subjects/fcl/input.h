@@ -30,7 +30,7 @@ struct MakeGeometry {
 
 inline ::fcl::Transform3d transform(const Pose& X_WB) {
   ::fcl::Transform3d X = ::fcl::Transform3d::Identity();
-  X.linear() = unit_quaternion(X_WB.q_WB).toRotationMatrix();
+  X.linear() = rotation(X_WB.q_WB).toRotationMatrix();
   X.translation() = X_WB.p_WB;
   return X;
 }

@@ -26,7 +26,7 @@ std::vector<Vec3> vertices(const Shape& shape) {
 
 CcdBody ccd_body(const Body& body) {
   CcdBody ready;
-  const Mat3 R_WB = unit_quaternion(body.X_WB.q_WB).toRotationMatrix();
+  const Mat3 R_WB = rotation(body.X_WB.q_WB).toRotationMatrix();
   for (const Vec3& p_BV : vertices(body.shape)) ready.vertices_W.emplace_back(R_WB * p_BV + body.X_WB.p_WB);
   if (const Sphere* sphere = std::get_if<Sphere>(&body.shape)) ready.radius = sphere->radius;
   return ready;
@@ -55,11 +55,16 @@ void center(const void* object, ccd_vec3_t* inner) {
 
 using Query = decltype(&ccdGJKPenetration);
 
+ccd_t settings() {
+  ccd_t made{};
+  CCD_INIT(&made);
+  return made;
+}
+
 class Libccd : public Subject {
  public:
   Libccd(Card card, decltype(&ccdGJKIntersect) intersect, Query penetrate)
       : card_(std::move(card)), intersect_(intersect), penetrate_(penetrate) {
-    CCD_INIT(&ccd_);
     ccd_.support1 = ccd_.support2 = support;
     ccd_.center1 = ccd_.center2 = center;
   }
@@ -91,19 +96,21 @@ class Libccd : public Subject {
 
  private:
   Card card_;
-  ccd_t ccd_{};
+  ccd_t ccd_ = settings();
   decltype(&ccdGJKIntersect) intersect_;
   Query penetrate_;
 };
 
-Card card(const std::string& name, const std::string& about, std::vector<Deviation> deviations) {
+/// Its steps end when they gain less than `tolerance`, in metres.
+Card card(const std::string& name, const std::string& about, std::vector<Deviation> deviations, ccd_real_t tolerance) {
   return {.name = name,
           .version = "2.1",
           .precision = sizeof(ccd_real_t) == sizeof(double) ? Precision::binary64 : Precision::binary32,
           .answers = {"distance", "penetration"},
           .about = about,
           .homepage = "https://github.com/danfis/libccd",
-          .deviations = std::move(deviations)};
+          .deviations = std::move(deviations),
+          .distance_tolerance = {.absolute = tolerance}};
 }
 
 }  // namespace
@@ -113,7 +120,8 @@ std::unique_ptr<Subject> make_libccd_gjk() {
       card("libccd.gjk", "ccdGJKIntersect; ccdGJKPenetration (EPA); CCD_INIT's settings; the verdict only, no distance",
            {{"", "EPA reports depth 0 and direction NaN for two cubes in each other",
              "https://github.com/danfis/libccd/issues/25"},
-            {"", "ccdGJKPenetration can loop for ever", "https://github.com/danfis/libccd/issues/7"}}),
+            {"", "ccdGJKPenetration can loop for ever", "https://github.com/danfis/libccd/issues/7"}},
+           settings().epa_tolerance),
       ccdGJKIntersect, ccdGJKPenetration);
 }
 
@@ -121,7 +129,8 @@ std::unique_ptr<Subject> make_libccd_mpr() {
   return std::make_unique<Libccd>(
       card("libccd.mpr", "ccdMPRIntersect; ccdMPRPenetration; CCD_INIT's settings; the verdict only, no distance",
            {{"", "ccdMPRPenetration's direction, and so its depth, is not that of the least",
-             "https://github.com/danfis/libccd/issues/71"}}),
+             "https://github.com/danfis/libccd/issues/71"}},
+           settings().mpr_tolerance),
       ccdMPRIntersect, ccdMPRPenetration);
 }
 

@@ -40,6 +40,7 @@ class OdeImpulse : public Subject {
                              " by 1/64 s over one contact joint: dContactBounce, bounce_vel 0, dContactApprox1, depth "
                              "0, CFM 0 (its default is 1e-10), no gyroscopic term");
     card_.answers = {"impulse"};
+    card_.dynamics.friction_pyramid = true;
   }
 
   const Card& card() const override { return card_; }

@@ -42,7 +42,7 @@ inline dBodyID put(dWorldID world, const Body& body) {
   const dBodyID made = dBodyCreate(world);
   const Pose X = centre_of_mass(body);
   dBodySetPosition(made, real(X.p_WB.x()), real(X.p_WB.y()), real(X.p_WB.z()));
-  dBodySetQuaternion(made, turn(unit_quaternion(X.q_WB)).data());
+  dBodySetQuaternion(made, turn(rotation(X.q_WB)).data());
   const Vec3 &v = body.velocity.v_WBcm, &w = body.velocity.w_WB;
   dBodySetLinearVel(made, real(v.x()), real(v.y()), real(v.z()));
   dBodySetAngularVel(made, real(w.x()), real(w.y()), real(w.z()));

@@ -41,7 +41,7 @@ class OdeWorld : public World {
     const dGeomID geom = geoms_[static_cast<std::size_t>(body)];
     const Vec3& p = X_WB.p_WB;
     dGeomSetPosition(geom, real(p.x()), real(p.y()), real(p.z()));
-    dGeomSetQuaternion(geom, turn(unit_quaternion(X_WB.q_WB)).data());
+    dGeomSetQuaternion(geom, turn(rotation(X_WB.q_WB)).data());
   }
 
   void take(int body) override { dGeomDestroy(geoms_[static_cast<std::size_t>(body)]); }

@@ -94,12 +94,12 @@ class World : public SimulationWorld {
       const Vec3 p = X_BP.p_WB - centre(body);
       dGeomSetBody(geom, moved);
       dGeomSetOffsetPosition(geom, real(p.x()), real(p.y()), real(p.z()));
-      dGeomSetOffsetQuaternion(geom, turn(unit_quaternion(X_BP.q_WB)).data());
+      dGeomSetOffsetQuaternion(geom, turn(rotation(X_BP.q_WB)).data());
     } else {
-      const Eigen::Quaterniond q_WB = unit_quaternion(body.X_WB.q_WB);
+      const Eigen::Quaterniond q_WB = rotation(body.X_WB.q_WB);
       const Vec3 p = body.X_WB.p_WB + q_WB * X_BP.p_WB;
       dGeomSetPosition(geom, real(p.x()), real(p.y()), real(p.z()));
-      dGeomSetQuaternion(geom, turn(q_WB * unit_quaternion(X_BP.q_WB)).data());
+      dGeomSetQuaternion(geom, turn(q_WB * rotation(X_BP.q_WB)).data());
     }
   }
 
@@ -141,6 +141,7 @@ class OdeSimulation : public Subject {
             " s between sample times; dSweepAndPruneSpace, contacts with dContactBounce, bounce_vel 0, "
             "dContactApprox1, e and mu of a pair the lesser; ERP, CFM and the rest as shipped, sleeping disabled");
     card_.answers = {"simulation"};
+    card_.dynamics.friction_pyramid = true;
     card_.stepping = Stepping{dt, 1};
   }
 

@@ -11,7 +11,7 @@ inline RigidBody rigid(const Body& body) {
   RigidBody made;
   const Pose X = centre_of_mass(body);
   made.p_WBcm = X.p_WB;
-  made.q_WB = unit_quaternion(X.q_WB);
+  made.q_WB = rotation(X.q_WB);
   if (is_fixed(body)) return made;
   made.v_WBcm = body.velocity.v_WBcm;
   made.w_WB = body.velocity.w_WB;

@@ -42,6 +42,9 @@ struct Place {
 /// m. Simbody's default distance at which a contact becomes active.
 inline constexpr double default_tolerance = 1e-3;
 
+/// m/s. By default Simbody restores nothing of a slower approach.
+inline constexpr double default_capture = 2 * default_tolerance;
+
 /// Bodies of mass 0 stand where they are.
 class RigidBodies {
  public:

@@ -47,7 +47,7 @@ class Face {
 
   in_simbody::Face plane() const {
     const Vec3 n = sign_ * Vec3::Unit(axis_);
-    const Eigen::Quaterniond q = unit_quaternion(box_.X_WB.q_WB);
+    const Eigen::Quaterniond q = rotation(box_.X_WB.q_WB);
     return {box_.X_WB.p_WB + q * (half()[axis_] * n), q * n};
   }
   double height(const Vec3& p_WC) const { return sign_ * in_box(p_WC)[axis_] - half()[axis_]; }
@@ -59,7 +59,7 @@ class Face {
 
  private:
   const Vec3& half() const { return std::get<Box>(box_.shape).half_extents; }
-  Vec3 in_box(const Vec3& p_WC) const { return unit_quaternion(box_.X_WB.q_WB).conjugate() * (p_WC - box_.X_WB.p_WB); }
+  Vec3 in_box(const Vec3& p_WC) const { return rotation(box_.X_WB.q_WB).conjugate() * (p_WC - box_.X_WB.p_WB); }
 
   const Body& box_;
   int axis_, sign_;
@@ -68,7 +68,7 @@ class Face {
 double lowest(const Face& face, const Body& body) {
   double height = INFINITY;
   for (const Knob& knob : knobs(body)) {
-    const Vec3 p_WC = body.X_WB.p_WB + unit_quaternion(body.X_WB.q_WB) * knob.p_BC;
+    const Vec3 p_WC = body.X_WB.p_WB + rotation(body.X_WB.q_WB) * knob.p_BC;
     height = std::min(height, face.height(p_WC) - knob.radius);
   }
   return height;
@@ -167,6 +167,7 @@ class SimbodySimulation : public Subject {
         " s between sample times; contacts declared in advance: balls, and balls and corners on the faces of fixed "
         "boxes, e and mu of a pair the lesser; settings as shipped: constraint tolerance 1e-3, below 2e-3 m/s "
         "nothing is restored";
+    card_.dynamics.restitution_threshold = in_simbody::default_capture;
     card_.homepage = "https://github.com/simbody/simbody";
   }
 
