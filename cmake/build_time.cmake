@@ -1,7 +1,7 @@
 # Keeps a clean build short: code is optimised where time is spent at run time, headers that nearly every source
 # includes are precompiled once for each set of flags, and several sources are compiled as one unit. Sources still
-# include what they use (a build with -D CMAKE_UNITY_BUILD=OFF -D CMAKE_DISABLE_PRECOMPILE_HEADERS=ON checks it). The bits
-# of answers do not depend on the level (tests/fast/fingerprint).
+# include what they use (a build with -D CMAKE_UNITY_BUILD=OFF -D CMAKE_DISABLE_PRECOMPILE_HEADERS=ON checks it). The
+# bits of answers do not depend on the level (tests/fast/fingerprint).
 
 # In a Release build, code that computes answers has the level of the build type, code that judges answers a lower one,
 # and code that only prints them the lowest.

@@ -4,6 +4,7 @@
 #include <set>
 #include <tuple>
 
+#include "app/baseline/named_value.h"
 #include "app/report/report_json.h"
 #include "model/input_error.h"
 #include "model/json_node.h"
@@ -17,19 +18,6 @@ namespace {
 constexpr const char* baseline_format = "baseline/1";
 
 auto key_of(const KnownFailure& failure) { return std::tie(failure.subject, failure.property, failure.cause); }
-
-/// Finds the value of an enumeration by its name, from `first` to `last`.
-template <class Name>
-Name read_name(const Node& node, Name first, Name last) {
-  std::vector<std::string> names;
-  for (int i = static_cast<int>(first); i <= static_cast<int>(last); ++i) {
-    names.push_back(oracle::name_of(static_cast<Name>(i)));
-  }
-  const std::string word = node.text();
-  const auto found = std::ranges::find(names, word);
-  if (found == names.end()) node.refuse(Json(word).dump() + " is " + unknown_among(word, names));
-  return static_cast<Name>(static_cast<int>(first) + static_cast<int>(found - names.begin()));
-}
 
 std::string read_property(const Node& node) {
   std::vector<std::string> ids;
@@ -60,8 +48,8 @@ KnownFailure read_failure(const Node& node) {
   KnownFailure failure;
   failure.subject = read_words(node.at("subject"));
   failure.property = read_property(node.at("property"));
-  failure.cause = read_name(node.at("cause"), oracle::Defect::phantom, oracle::Defect::garbage);
-  failure.grade = read_name(node.at("grade"), oracle::Grade::A_minus, oracle::Grade::F);
+  failure.cause = read_named(node.at("cause"), oracle::Defect::phantom, oracle::Defect::garbage);
+  failure.grade = read_named(node.at("grade"), oracle::Grade::A_minus, oracle::Grade::F);
   if (const auto waiver = node.find("waiver")) failure.waiver = read_waiver(*waiver);
   return failure;
 }

@@ -17,6 +17,7 @@
 #include "app/commands/ask.h"
 #include "app/commands/bench.h"
 #include "app/commands/case_commands.h"
+#include "app/commands/compare.h"
 #include "app/commands/completion.h"
 #include "app/commands/help_texts.h"
 #include "app/commands/import.h"
@@ -82,6 +83,7 @@ struct Options {
   std::string list;
   Soaked soak;
   FuzzCommand fuzz;
+  CompareOptions compare;
   BenchOptions bench;
   std::string help;        ///< a command; empty: all
   std::string completion;  ///< a shell
@@ -428,6 +430,23 @@ void add_fuzz(CLI::App& program, Options& options) {
   command->callback([&options] { options.chosen = [&] { return fuzz(options.fuzz); }; });
 }
 
+void add_compare(CLI::App& program, Options& options) {
+  auto* command = program.add_subcommand(
+      "compare", "What changed between two reports: two versions of an engine, or two of its settings");
+  CompareOptions& words = options.compare;
+  add_argument(*command, "OLD", words.before, "A report.json")->required();
+  add_argument(*command, "NEW", words.after, "Another one; or the same, with --subjects OLD=NEW")->required();
+  command
+      ->add_option(
+          "--subjects", words.subjects,
+          "The subjects to compare: a name, or OLD=NEW if it has another one now. Default: all that are in both")
+      ->delimiter(',')
+      ->type_name("SUBJECT");
+  command->add_flag("--json", words.json, "Print JSON");
+  command->footer(help::compare);
+  command->callback([&options] { options.chosen = [&] { return compare_reports(options.compare); }; });
+}
+
 void add_bench(CLI::App& program, Options& options) {
   auto* command = program.add_subcommand(
       "bench", "Compare our speed with that of other libraries (use the launcher: ./touchstone bench)");
@@ -596,9 +615,9 @@ int run_command(int argc, const char* const* argv) {
   CLI::App program("Touchstone: the reference that collision detection and impact code is tested against.",
                    "touchstone");
   Options options;
-  for (const auto add : {add_report, add_check, add_replay,   add_minimise, add_adapter,    add_ask,  add_serve,
-                         add_judge,  add_plan,  add_simulate, add_import,   add_list,       add_soak, add_fuzz,
-                         add_bench,  add_test,  add_package,  add_mutate,   add_completion, add_help}) {
+  for (const auto add : {add_report,  add_check, add_replay,   add_minimise, add_adapter, add_ask,        add_serve,
+                         add_judge,   add_plan,  add_simulate, add_import,   add_list,    add_soak,       add_fuzz,
+                         add_compare, add_bench, add_test,     add_package,  add_mutate,  add_completion, add_help}) {
     add(program, options);
   }
   refuse_empty_words(program);

@@ -144,6 +144,21 @@ Exit codes:
   2  bad input or usage
   3  a fault of Touchstone itself; or a full disk, or a closed stdout)";
 
+inline constexpr const char* compare = R"(
+Examples:
+  touchstone compare old/report.json new/report.json
+  touchstone compare report/report.json report/report.json --subjects bullet.impulse=bullet.impulse_tuned
+
+For each subject that is in both reports, prints the properties that changed: new (fails now, and did not before), worse
+or better (by its grade; of equal grades, by how often it fails, if both reports asked the same scenes), fixed,
+unanswered and answered.
+
+Exit codes:
+  0  nothing is new, worse or unanswered
+  1  something is
+  2  bad input or usage
+  3  a fault of Touchstone itself; or a full disk, or a closed stdout)";
+
 inline constexpr const char* plan = R"(
 Examples:
   touchstone plan docs/scenes/broad_phase/swarm.json
