@@ -12,6 +12,7 @@ inline Eigen::Quaterniond rotation(const Quaternion& q) {
   return Eigen::Quaterniond(Eigen::Vector4d(q.x, q.y, q.z, q.w).stableNormalized());
 }
 
+/// The components of a rotation.
 inline Quaternion quaternion(const Eigen::Quaterniond& R) { return {R.w(), R.x(), R.y(), R.z()}; }
 
 }  // namespace touchstone::oracle
