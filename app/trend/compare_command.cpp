@@ -1,4 +1,4 @@
-#include "app/commands/compare.h"
+#include "app/trend/compare_command.h"
 
 #include <fmt/format.h>
 
