@@ -194,7 +194,8 @@ class BulletSimulation : public Subject {
                   "penetration 0 on"
                 : "settings as shipped: restitution from 0.2 m/s on");
     if (!tuned_) card_.dynamics.restitution_threshold = btContactSolverInfo().m_restitutionVelocityThreshold;
-    card_.dynamics.angular_speed_limit = ANGULAR_MOTION_THRESHOLD / dt;  // a body that should turn farther in a step turns less
+    card_.dynamics.angular_speed_limit =
+        ANGULAR_MOTION_THRESHOLD / dt;  // a body that should turn farther in a step turns less
     card_.homepage = "https://github.com/bulletphysics/bullet3";
     combine_by_the_lesser();
   }
