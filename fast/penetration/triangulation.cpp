@@ -40,13 +40,12 @@ void Triangulation::find_outline() {
   }
 }
 
-/// Whether the outline is one cycle that has each corner once.
+/// Whether the outline is one cycle that has each corner once. Of edges with one tail the last is kept, so that a way
+/// along the others ends too early, or never.
 bool Triangulation::is_one_cycle(int corners) {
   starts_at_.assign(static_cast<std::size_t>(corners), none);
   for (std::size_t k = 0; k < outline_.size(); ++k) {
-    int& first = starts_at_[static_cast<std::size_t>(outline_[k].tail)];
-    if (first != none) return false;
-    first = static_cast<int>(k);
+    starts_at_[static_cast<std::size_t>(outline_[k].tail)] = static_cast<int>(k);
   }
   if (outline_.size() < 3) return false;
   int at = 0;
