@@ -95,16 +95,25 @@ void Tumble::grow_errors(Step& taken) {
   Mat3 once = P[enough];
   for (std::size_t k = enough; k-- > 0;) once += P[k];
   const Terms& x = taken.series[0];
-  const double rate = Vec3(x[4], x[5], x[6]).norm();
-  const double before = std::sqrt(spread_.trace());
+  const double rate = taken.rate = Vec3(x[4], x[5], x[6]).norm();
+  const double before = taken.w_error_before = std::sqrt(spread_.trace());
   spread_ = once.lazyProduct(spread_).lazyProduct(once.transpose()).eval();
   const double added = 1.5 * (4 * u * rate + c_error_ * rate * rate * taken.length);
   const double k = 16 + static_cast<double>(steps_.size());
   spread_ = (1 + 1 / k) * spread_ + (1 + k) * (added * added) * Mat3::Identity();
   taken.w_error = 1.5 * std::max(before, std::sqrt(spread_.trace()));
+  taken.error_before = error_;
   error_ += taken.w_error * taken.length + 16 * u;
   if (!(error_ < 0x1p-10)) error_ = nothing_known;
   taken.error = error_;
+}
+
+/// The error of ω a while after a step's start. |ω|² at most doubles within a motion.
+double Tumble::w_error_after(const Step& step, double time) const {
+  const double growth = 2 * step.rate * time;
+  if (!(growth < 0.5)) return step.w_error;
+  const double added = 4 * u * step.rate + 2 * c_error_ * step.rate * step.rate * time;
+  return std::min(step.w_error, 1.5 * (step.w_error_before + added) / (1 - growth));
 }
 
 Tumble::Terms Tumble::sum(const Step& step, double x) {
@@ -125,8 +134,10 @@ Tumble::Now Tumble::within(double time) {
   }
   const auto after = [](double t, const Step& s) { return t < s.from; };
   const Step& now = *std::prev(std::upper_bound(steps_.begin() + 1, steps_.end(), time, after));
-  const Terms x = sum(now, (time - now.from) / now.length);
-  return {{x[0], x[1], x[2], x[3]}, {x[4], x[5], x[6]}, now.error, now.w_error, 0, 0};
+  const double since = time - now.from, w_error = w_error_after(now, since);
+  const double error = std::min(now.error, now.error_before + w_error * since + 16 * u);
+  const Terms x = sum(now, since / now.length);
+  return {{x[0], x[1], x[2], x[3]}, {x[4], x[5], x[6]}, error, w_error, 0, 0};
 }
 
 /// By repeated squaring: each squaring doubles the error and adds 16u, and each product adds 16u.

@@ -74,6 +74,8 @@ TEST_CASE("Meetings of the corpus by hand") {
   CHECK(back.lo <= 0.5);
   CHECK(back.hi >= 0.5);
   CHECK(back.hi - back.lo < 1e-14);
+  // The edge from (1, 0, 0) to (2, 1, 1) meets the one of x/2 + y/8 = 1 at (1.8, 0.8, 1), at 8 m/s after 0.2 m.
+  CHECK(met("compound_that_hardly_turns").time.lo == Approx(0.025).epsilon(1e-11));
   // By Runge-Kutta steps of Euler's equations, and the separating axes of the two boxes.
   CHECK(met("flat_body_tumbles_for_many_periods").time.lo == Approx(8.65629195124).epsilon(1e-11));
 }
