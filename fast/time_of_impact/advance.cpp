@@ -97,7 +97,8 @@ class Advance {
       const SeparationQuery next(pair_, t, memory, known_);
       if (next.overlap(query)) return hit(query, t);
       if (next.plane().is_clear()) {
-        doubt(query.at_most(), t);
+        if (may_have_met(next, t - t_)) doubt(query.at_most(), t);
+        t_ = t;
         memory_ = memory;
         return std::nullopt;
       }
@@ -118,13 +119,18 @@ class Advance {
     return std::max(grain, std::min({by_speed, by_fall, left()}));
   }
 
+  /// Whether motion through the gap is possible in the time h before. Within a motion |ω| at most doubles.
+  bool may_have_met(const SeparationQuery& now, double h) const {
+    const double speed = now.greatest_speed() + now.plane().greatest_bend() * h + pair_.inflation.rate;
+    return !(now.plane().gap() > 2 * speed * h);
+  }
+
   /// They may have touched between t_ and t.
   void doubt(double at_most, double t) {
     mark(Mark::toi_doubt);
     if (!doubt_) doubt_ = Doubt{t_, t, at_most};
     doubt_->until = t;
     doubt_->gap = std::min(doubt_->gap, at_most);
-    t_ = t;
   }
 
   FirstContact hit(const SeparationQuery& query, double hi) const {

@@ -144,7 +144,8 @@ Vec3 SeparationQuery::turn_of_features(const Vec3& n) const {
   return across_n((B_.v + B_.w.cross(at_b)) - (A_.v + A_.w.cross(at_a))) / std::sqrt(walked_.closest.squared);
 }
 
-/// Features that are apart define their direction well. If they are no farther apart than rounding, they do not: the
+/// Features that are apart define their direction well, though the radii may touch. If they are no farther apart than
+/// rounding, they do not: the
 /// difference of two vertices is noise, the normal of two edges may have the wrong sign, and inside there is none.
 SeparatingPlane SeparationQuery::best_plane(const FeaturePair& before, const Vec3& known) const {
   const Vec3 n =
@@ -153,6 +154,8 @@ SeparatingPlane SeparationQuery::best_plane(const FeaturePair& before, const Vec
   if (!n.isZero(0)) {
     SeparatingPlane plane(A_, B_, n, turn_of_features(n), p_OC);
     if (plane.gap() > plane.error()) return plane;
+    const double distance = std::sqrt(walked_.closest.squared), beyond_radii = distance - (A_.radius + B_.radius);
+    if (distance > 16 * plane.error() && plane.gap() > beyond_radii - 8 * plane.error()) return plane;
   }
   Widest widest(A_.core, B_.core);
   widest.ask(n);
@@ -167,9 +170,14 @@ SeparatingPlane SeparationQuery::best_plane(const FeaturePair& before, const Vec
   const double radii = A_.radius + B_.radius;
   const double rounding = 8 * lin_canny::rounding(A_.core, B_.core);
   if (!widest.has_one() || widest.found_gap() < radii - rounding) widest.ask_faces();
-  // Nearly parallel faces: the walk may end at features that are not the closest, and a normal of two edges separates
-  // the two.
-  if (!walked_.inside && widest.found_gap() < -rounding) widest.ask_all();
+  // Nearly parallel faces: the walk may end at features that are not the closest. Then the plane between them is worse
+  // than their distance says, and a normal of a face or of two edges separates the two.
+  const double unseen = at_most() - std::max(0.0, widest.found_gap() - radii);
+  if (!walked_.inside &&
+      (widest.found_gap() < -rounding || (widest.found_gap() < radii + rounding && unseen > 8 * rounding))) {
+    widest.ask_faces();
+    widest.ask_all();
+  }
   return {A_, B_, widest.direction(), Vec3::Zero(), p_OC};
 }
 
