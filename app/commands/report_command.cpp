@@ -13,7 +13,7 @@
 #include "app/baseline/comparison.h"
 #include "app/report/finding_words.h"
 #include "app/report/replay_command.h"
-#include "app/report/report_html.h"
+#include "app/report/page/report_html.h"
 #include "app/report/report_json.h"
 #include "app/report/report_junit.h"
 #include "app/report/report_sarif.h"

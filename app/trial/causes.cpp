@@ -1,6 +1,8 @@
 #include "app/trial/causes.h"
 
+#include <algorithm>
 #include <cctype>
+#include <iterator>
 #include <map>
 #include <utility>
 
@@ -46,21 +48,26 @@ std::string without_numbers(const std::string& words) {
   return same;
 }
 
+std::vector<Cause> causes(const ResultMatrix& results, const TestedSubject& subject) {
+  std::vector<Cause> all;
+  std::map<std::pair<oracle::Defect, std::string>, std::size_t> known;  // break -> index into `all`
+  for (const Row* row : results.of(subject)) {
+    if (!row->failing()) continue;
+    const oracle::Finding& finding = shown_finding(*row);
+    const auto next = all.size();
+    const bool breaks = finding.outcome == oracle::Outcome::breaks;
+    const std::size_t at =
+        breaks ? known.try_emplace({finding.defect, without_numbers(finding.why)}, next).first->second : next;
+    if (at == next) all.push_back({&subject, {}});
+    all[at].rows.push_back(row);
+  }
+  return all;
+}
+
 std::vector<Cause> causes(const Ledger& ledger) {
   std::vector<Cause> all;
-  for (const TestedSubject& subject : ledger.subjects) {
-    std::map<std::pair<oracle::Defect, std::string>, std::size_t> known;  // break -> index into `all`
-    for (const Row* row : ledger.results.of(subject)) {
-      if (!row->failing()) continue;
-      const oracle::Finding& finding = shown_finding(*row);
-      const auto next = all.size();
-      const bool breaks = finding.outcome == oracle::Outcome::breaks;
-      const std::size_t at =
-          breaks ? known.try_emplace({finding.defect, without_numbers(finding.why)}, next).first->second : next;
-      if (at == next) all.push_back({&subject, {}});
-      all[at].rows.push_back(row);
-    }
-  }
+  for (const TestedSubject& subject : ledger.subjects)
+    std::ranges::move(causes(ledger.results, subject), std::back_inserter(all));
   return all;
 }
 

@@ -19,7 +19,10 @@ struct Cause {
 /// number goes with it.
 std::string without_numbers(const std::string& words);
 
-/// By subject, and then by first row. Each failing row is in one cause.
+/// Of one subject, by first row. Each failing row is in one cause.
+std::vector<Cause> causes(const ResultMatrix& results, const TestedSubject& subject);
+
+/// Of all subjects, inside their declared domains.
 std::vector<Cause> causes(const Ledger& ledger);
 
 }  // namespace touchstone::app

@@ -18,6 +18,15 @@ ResultMatrix::ResultMatrix(Properties tested, const std::vector<TestedSubject>& 
   }
 }
 
+std::vector<ResultMatrix::Properties> ResultMatrix::by_query() const {
+  std::vector<Properties> queries;
+  for (const properties::Property* property : properties_) {
+    if (queries.empty() || queries.back().front()->query != property->query) queries.emplace_back();
+    queries.back().push_back(property);
+  }
+  return queries;
+}
+
 Row& ResultMatrix::at(const properties::Property& property, const TestedSubject& subject) {
   Row& row = rows_.at(first_row(property) + subject.index);
   if (row.subject != &subject) throw std::out_of_range(subject.card.name + " is not a subject of this matrix");

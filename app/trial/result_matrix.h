@@ -17,6 +17,9 @@ class ResultMatrix {
 
   const Properties& tested_properties() const { return properties_; }
 
+  /// The tested properties, query by query.
+  std::vector<Properties> by_query() const;
+
   /// Throws std::out_of_range if the property or the subject is not of this matrix.
   Row& at(const properties::Property& property, const TestedSubject& subject);
 

@@ -57,12 +57,6 @@ void widen(LargestError& largest, const LargestError& other) {
   largest.unit = other.unit;
 }
 
-/// "0.36 %", "43 %"; "100 %" only of all.
-std::string percent(long some, long all) {
-  const double share = 100 * static_cast<double>(some) / static_cast<double>(all);
-  return share < 1 ? fmt::format("{:.2g} %", share) : fmt::format("{:.0f} %", some < all ? std::min(share, 99.0) : 100);
-}
-
 void worsen(std::map<oracle::Defect, Grade>& worst, oracle::Defect defect, Grade grade) {
   Grade& known = worst.try_emplace(defect, grade).first->second;
   known = std::max(known, grade);
@@ -107,16 +101,21 @@ void Row::count(const Example& example) {
   keep(examples.smallest, example, handier);
 }
 
+Counts& Counts::operator+=(const Counts& more) {
+  holds += more.holds;
+  fails += more.fails;
+  abstains += more.abstains;
+  breaks += more.breaks;
+  refused += more.refused;
+  outside += more.outside;
+  not_asked += more.not_asked;
+  beyond += more.beyond;
+  impacts += more.impacts;
+  return *this;
+}
+
 void Row::merge(const Row& later) {
-  counts.holds += later.counts.holds;
-  counts.fails += later.counts.fails;
-  counts.abstains += later.counts.abstains;
-  counts.breaks += later.counts.breaks;
-  counts.refused += later.counts.refused;
-  counts.outside += later.counts.outside;
-  counts.not_asked += later.counts.not_asked;
-  counts.beyond += later.counts.beyond;
-  counts.impacts += later.counts.impacts;
+  counts += later.counts;
   for (std::size_t g = 0; g < grades.size(); ++g) grades[g] += later.grades[g];
   for (const auto& [defect, count] : later.defects) defects[defect] += count;
   for (const auto& [defect, grade] : later.worst_grades) worsen(worst_grades, defect, grade);
@@ -149,6 +148,11 @@ std::optional<Grade> Row::grade() const {
 
 const oracle::Finding& shown_finding(const Row& row) {
   return row.minimised.result ? row.minimised.result->finding : row.examples.worst->finding;
+}
+
+std::string percent(long some, long all) {
+  const double share = 100 * static_cast<double>(some) / static_cast<double>(all);
+  return share < 1 ? fmt::format("{:.2g} %", share) : fmt::format("{:.0f} %", some < all ? std::min(share, 99.0) : 100);
 }
 
 std::string share_of(const Row& row) {

@@ -50,6 +50,8 @@ struct Counts {
 
   long failures() const { return fails + breaks + refused; }
   long answered() const { return holds + failures(); }
+
+  Counts& operator+=(const Counts& more);
 };
 
 /// Among the wrong answers whose error has a size.
@@ -111,6 +113,9 @@ struct Row {
 
 /// The finding shown for a failing row: that of the minimised scene, else the worst one.
 const oracle::Finding& shown_finding(const Row& row);
+
+/// "0.36 %", "43 %"; "100 %" only of all. Requires a positive `all`.
+std::string percent(long some, long all);
 
 /// "1 of 281 fail (0.36 %)", "7 of 7 fail (100 %), 3 of them refused". Requires a failing row.
 std::string share_of(const Row& row);

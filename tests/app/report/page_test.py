@@ -51,6 +51,59 @@ class Page(Test):
         self.assertEqual(linked, {"cases/" + p.name for p in (self.runs / "R/cases").iterdir()})
         self.assertGreater(len(linked), 5)
 
+    def test_begins_with_subjects_and_queries(self):
+        self.browser.open(self.page, 1300)
+        self.assertEqual(self.browser.value("[...document.querySelectorAll('h2')].map(e => e.id)")[:3],
+                         ["matrix", "plainest", "table"])
+        cells = self.browser.value("[...document.querySelectorAll('.matrix tr')].map(r => [...r.cells].map("
+                                   "c => c.innerText.trim().replace(/\\s+/g, ' ')))")
+        self.assertEqual(cells[0], ["subject", "all", "mass", "distance", "penetration"])
+        table = {row[0]: row[1:] for row in cells[1:]}
+        self.assertEqual(table["libccd.gjk"][1], "–")
+        rows = json.loads((self.runs / "R/report.json").read_text())["rows"]
+        for subject, shown in table.items():
+            own = [r for r in rows if r["subject"] == subject and r["property"].startswith("penetration.")
+                   and r["holds"] + r["fails"] + r["breaks"] + r["refused"]]
+            hold = [r for r in own if not r["fails"] + r["breaks"] + r["refused"]]
+            self.assertIn(f"{len(hold)} of {len(own)}", shown[3], subject)
+
+    def test_tables_leave_out_who_does_not_answer(self):
+        self.browser.open(self.page, 1300)
+        columns = "[...document.getElementById('table.{}').querySelectorAll('thead th')].map(e => e.innerText.trim())"
+        self.assertEqual(self.browser.value(columns.format("distance")),
+                         ["property", "reference", "fast", "bullet.float", "fcl.indep", "libccd.gjk"])
+        self.assertNotIn("libccd.gjk", self.browser.value(columns.format("mass")))
+        self.assertIn("libccd.gjk", self.browser.value("document.getElementById('table.mass').textContent"))
+
+    def test_heads_stay(self):
+        self.browser.open(self.page, 390, height=300)
+        top_and_left = "(h => [h.top, h.left])(document.querySelector('.matrix thead th').getBoundingClientRect())"
+        before = self.browser.value(top_and_left)
+        self.browser.value("document.querySelector('.matrix').parentElement.scrollBy(200, 100)")
+        self.assertEqual(self.browser.value("document.querySelector('.matrix').parentElement.scrollLeft > 0"), True)
+        self.assertEqual(self.browser.value(top_and_left), before)
+
+    def test_filter(self):
+        visible = "[...document.querySelectorAll('{}')].filter(e => e.offsetParent).map(e => e.dataset.{})"
+        self.browser.open(self.page, 1300)
+        self.browser.value("(f => { f.value = 'fcl LIBCCD'; f.dispatchEvent(new Event('input', {bubbles: true})) })"
+                           "(document.querySelector('[name=subjects]'))")
+        self.assertEqual(self.browser.value(visible.format(".matrix tr[data-subject]", "subject")), ["fcl.indep", "libccd.gjk"])
+        self.assertEqual(self.browser.value("location.search"), "?subjects=fcl+LIBCCD")
+        self.browser.open(self.page + "?subjects=bullet&properties=mass.", 1300)  # a link to what was filtered
+        self.assertEqual(self.browser.value(visible.format(".matrix tr[data-subject]", "subject")), ["bullet.float"])
+        shown = self.browser.value(visible.format(".by-subject tr[data-property]", "property"))
+        self.assertGreater(len(shown), 5)
+        self.assertTrue(all(name.startswith("mass.") for name in shown), shown)
+        self.assertEqual(set(self.browser.value(visible.format(".by-subject th[data-subject]", "subject"))), {"bullet.float"})
+
+    def test_a_link_opens_its_row(self):
+        self.browser.open(self.page, 1300)
+        rows = self.browser.value("[...document.querySelectorAll('details.row')].map(e => e.id)")
+        self.browser.open(f"{self.page}?#{rows[0]}", 1300)
+        self.assertEqual(self.browser.value("[...document.querySelectorAll('details.row')].map(e => e.open)"),
+                         [True] + [False] * (len(rows) - 1))
+
     def test_pictures_are_drawn(self):
         self.browser.open(self.page, 1300)
         self.assertGreater(self.browser.value("document.querySelectorAll('svg').length"), 0)

@@ -1,5 +1,5 @@
 // Drawings contain what is in the scene, in finite numbers, and are left out where they would show nothing.
-#include "app/report/picture.h"
+#include "app/report/page/picture.h"
 
 #include <regex>
 

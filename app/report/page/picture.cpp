@@ -1,4 +1,4 @@
-#include "app/report/picture.h"
+#include "app/report/page/picture.h"
 
 #include <fmt/format.h>
 

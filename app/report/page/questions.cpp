@@ -3,7 +3,7 @@
 
 #include <map>
 
-#include "app/report/page.h"
+#include "app/report/page/page.h"
 #include "app/report/xml.h"
 
 namespace touchstone::app::page {

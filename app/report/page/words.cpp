@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "app/report/page.h"
+#include "app/report/page/page.h"
 #include "app/report/xml.h"
 
 namespace touchstone::app::page {
@@ -34,6 +34,24 @@ std::string badge(oracle::Grade grade) {
 std::string anchor(const Row& row) {
   const bool beyond = row.examples.smallest && !row.examples.smallest->beyond.empty();
   return escaped(row.property->id + "." + row.subject->card.name + (beyond ? ".beyond" : ""));
+}
+
+std::string subject_anchor(const TestedSubject& subject) { return escaped("subject." + subject.card.name); }
+
+std::string failures_anchor(const TestedSubject& subject) { return escaped("failures." + subject.card.name); }
+
+std::string table_anchor(const std::string& query) { return "table." + query; }
+
+std::string silence_of(const Counts& counts) {
+  if (counts.abstains > 0) return "abstains";
+  if (counts.beyond > 0) return "beyond its domain";
+  return counts.not_asked > 0 ? "not asked" : "outside";
+}
+
+std::string breakable(const std::string& name) {
+  std::string html;
+  for (const char c : escaped(name)) html += c == '_' ? "_<wbr>" : std::string(1, c);
+  return html;
 }
 
 std::string definition(const std::string& term, const std::string& html) {

@@ -1,9 +1,10 @@
-#include "app/report/report_html.h"
+#include "app/report/page/report_html.h"
 
 #include <fmt/format.h>
 
-#include "app/report/page.h"
-#include "app/report/report_style.h"
+#include "app/report/page/page.h"
+#include "app/report/page/script.h"
+#include "app/report/page/style.h"
 #include "app/report/xml.h"
 #include "app/system/version.h"
 
@@ -46,31 +47,41 @@ std::string head() {
       report_style);
 }
 
+constexpr const char* contents = R"html(<nav aria-label="Contents"><a href="#matrix">Subjects and queries</a>
+<a href="#plainest">One failing scene of each</a><a href="#table">Properties</a><a href="#failures">Failing rows</a>
+<a href="#errors">Errors</a><a href="#subjects">Subjects</a><a href="#asked">What was asked</a>
+<a href="#limits">Limits</a></nav>)html";
+
+/// Shown by the script alone.
+constexpr const char* filter = R"html(<form id="filter" role="search" hidden><label>Subjects <input name="subjects"
+type="search" placeholder="bullet fcl" autocomplete="off"></label> <label>Properties <input name="properties" type="search"
+placeholder="distance.value" autocomplete="off"></label></form>)html";
+
 std::string header(const Ledger& ledger) {
   return fmt::format(
-      "<header><h1>Which engines are wrong, by how much, on which scenes</h1>{}{}<nav aria-label=\"Contents\"><a "
-      "href=\"#glance\">At a "
-      "glance</a>"
-      "<a href=\"#table\">Table</a><a href=\"#subjects\">Subjects</a><a href=\"#errors\">Errors</a><a "
-      "href=\"#failures\">Failing rows</a>"
-      "<a href=\"#asked\">What was asked</a><a href=\"#limits\">Limits</a></nav></header>",
-      lead(ledger),
+      "<header><h1>Which engines are wrong, by how much, on which scenes</h1>{}{}{}{}</header>", lead(ledger),
       ledger.interrupted ? "<p class=\"partial\"><b>Interrupted: this report is partial.</b> What was not asked is not "
                            "counted.</p>"
-                         : "");
+                         : "",
+      contents, filter);
 }
 
 }  // namespace
 
 std::string report_html(const Ledger& ledger) {
-  return head() + "<body>" + header(ledger) + "<main>" +                          //
-         "<h2 id=\"glance\">At a glance</h2>" + page::gallery(ledger) +           //
-         "<h2 id=\"table\">Properties and subjects</h2>" + page::table(ledger) +  //
-         "<h2 id=\"subjects\">Subjects</h2>" + page::subjects(ledger) +           //
-         "<h2 id=\"errors\">Errors</h2>" + page::errors(ledger) +                 //
-         "<h2 id=\"failures\">Failing rows</h2>" + page::failures(ledger) +       //
-         "<h2 id=\"asked\">What was asked</h2>" + page::what_was_asked(ledger) +  //
-         "<h2 id=\"limits\">Limits</h2>" + limitations + "</main></body></html>\n";
+  const auto section = [](const char* id, const char* heading, const std::string& html) {
+    return fmt::format("<section aria-labelledby=\"{0}\"><h2 id=\"{0}\">{1}</h2>{2}</section>", id, heading, html);
+  };
+  return head() + "<body>" + header(ledger) + "<main>" +                                 //
+         section("matrix", "Subjects and queries", page::matrix(ledger)) +               //
+         section("plainest", "One failing scene of each", page::gallery(ledger)) +       //
+         section("table", "Properties", page::tables(ledger)) +                          //
+         section("failures", "Failing rows", page::failures(ledger)) +                   //
+         section("errors", "Errors", page::errors(ledger)) +                             //
+         section("subjects", "Subjects", page::subjects(ledger)) +                       //
+         section("asked", "What was asked", page::what_was_asked(ledger)) +              //
+         section("limits", "Limits", limitations) + "</main><script>" + report_script +  //
+         "</script></body></html>\n";
 }
 
 }  // namespace touchstone::app

@@ -18,14 +18,24 @@ nav{display:flex;flex-wrap:wrap;gap:.3rem 1.1rem;margin:.8rem 0}
 .partial{border-left:.3rem solid var(--f);padding:.4rem .8rem;background:var(--card)}
 .legend{display:grid;grid-template-columns:auto 1fr;gap:.2rem .6rem;font-size:.9rem;margin:.6rem 0}
 .legend dd{font-size:.9rem}
-.scroll{overflow-x:auto;border:1px solid var(--line);border-radius:.6rem;background:var(--card)}
+[hidden]{display:none!important}
+#filter{display:flex;flex-wrap:wrap;gap:.3rem 1.1rem;margin:.6rem 0;font-size:.9rem}
+input{font:inherit;color:inherit;background:var(--card);border:1px solid var(--line);border-radius:.35rem;padding:.15rem .5rem;max-width:100%}
+.scroll{overflow:auto;max-height:90vh;border:1px solid var(--line);border-radius:.6rem;background:var(--card)}
 table{border-collapse:collapse;font-size:.84rem;font-variant-numeric:tabular-nums;width:100%}
 th,td{padding:.26rem .6rem;text-align:left;border-bottom:1px solid var(--line);white-space:nowrap}
-tbody tr:last-child>*{border-bottom:0}thead th{background:var(--card);vertical-align:bottom}
+tbody tr:last-child>*{border-bottom:0}
+thead th{background:var(--card);vertical-align:bottom;position:sticky;top:0;z-index:2;box-shadow:0 1px var(--line)}
+thead th:first-child{left:0;z-index:3}
+.by-subject th[scope=row]{white-space:normal;min-width:clamp(8rem,24vw,17rem)}.by-subject td{white-space:normal}.by-subject th small{display:block;font-weight:400}
+.by-subject th[data-subject]{overflow-wrap:anywhere;white-space:normal;min-width:6.5rem}
+section:target>h3{color:var(--link)}section,tr{scroll-margin-top:.5rem}
+.matrix small{display:block;color:inherit}.matrix td a{text-decoration:none}.matrix td a:is(:hover,:focus-visible){text-decoration:underline}
+.matrix thead th{white-space:normal}.matrix th,.matrix td{padding:.2rem .45rem}.matrix .g{margin-right:.2rem}.matrix td.none{background:none;text-align:center}
 tbody th{font-weight:500;position:sticky;left:0;background:var(--card);z-index:1;border-right:1px solid var(--line)}
 tr.query th,tr.query td{font-weight:700;background:var(--none)}td a{display:block;color:inherit}
 .A,.A-{background:var(--a)}.A-{font-style:italic}.B{background:var(--b)}.C{background:var(--c)}.D{background:var(--d)}.F{background:var(--f)}
-td.share{background:color-mix(in srgb,var(--link) calc(var(--share)*70%),transparent)}
+td.share{background:color-mix(in srgb,var(--link) calc(var(--share)*45%),transparent)}
 td.none{background:var(--none);color:var(--soft)}
 .g{color:var(--ink);display:inline-block;min-width:1.6em;text-align:center;font-weight:700;border-radius:.3rem;padding:0 .3rem;margin-right:.35rem}
 .bar{display:flex;height:.7rem;border-radius:.35rem;overflow:hidden;margin:.5rem 0 .3rem;background:var(--none)}
@@ -35,6 +45,8 @@ td.none{background:var(--none);color:var(--soft)}
 .card p{font-size:.9rem}.card ul{font-size:.86rem;padding-left:1.1rem;margin:.3rem 0}.card ul.tally{padding:0}
 section>h3{margin:1.2rem 0 .4rem}section.card>h3{margin:0}details.row{margin:.45rem 0;padding:.15rem .9rem;scroll-margin-top:.5rem}details.row[open]{padding-bottom:.9rem}
 details.row:target{border-color:var(--link)}
+details.cause{margin:.45rem 0;padding:.15rem .9rem;border-left:.3rem solid var(--line)}
+@media print{.scroll{overflow:visible;max-height:none}#filter,nav{display:none!important}thead th,tbody th{position:static}}
 summary{cursor:pointer;padding:.35rem 0}summary b{margin-right:.5rem}
 .drawn{display:grid;gap:.6rem 1.2rem}@media(min-width:56rem){.drawn{grid-template-columns:22rem 1fr}}
 dl{display:grid;grid-template-columns:5.6rem 1fr;gap:.2rem .7rem;margin:.3rem 0 0;font-size:.88rem}dt{color:var(--soft)}dd{margin:0;min-width:0}

@@ -1,9 +1,14 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <string>
+#include <vector>
 
 #include "app/report/finding_words.h"
-#include "app/report/page.h"
-#include "app/report/picture.h"
+#include "app/report/page/page.h"
+#include "app/report/page/picture.h"
 #include "app/report/xml.h"
+#include "app/trial/causes.h"
 #include "properties/clause.h"
 
 namespace touchstone::app::page {
@@ -62,25 +67,41 @@ std::string drawings(const oracle::Case& a_case) {
 std::string failing_row(const Row& row) {
   const std::string drawing = row.minimised.result ? drawings(*row.minimised.result) : "";
   return fmt::format(
-      "<details class=\"row\" id=\"{}\"><summary>{}<b>{}</b> <span class=\"soft\">{}, {}</span></summary>"
-      "<p class=\"soft\">Must hold: {}.</p><div class=\"{}\">{}<dl>{}</dl></div></details>",
+      "<details class=\"row\" id=\"{0}\" data-property=\"{2}\"><summary>{1}<b>{2}</b> <span class=\"soft\">{3}, "
+      "{4}</span></summary><p class=\"soft\">Must hold: {5}.</p><div class=\"{6}\">{7}<dl>{8}</dl></div></details>",
       anchor(row), badge(*row.grade()), escaped(row.property->id), escaped(oracle::name_of(shown_finding(row).defect)),
       share_of(row), escaped(row.property->says), drawing.empty() ? "plain" : "drawn", drawing, facts(row));
 }
 
-std::string failures_of(const ResultMatrix& results, const TestedSubject& subject, const char* where) {
-  std::string rows;
-  int count = 0;
-  for (const Row* row : results.of(subject)) {
-    if (!row->failing()) continue;
-    rows += failing_row(*row);
-    ++count;
-  }
-  return fmt::format("<section><h3>{}{}: {}</h3>{}</section>", escaped(subject.card.name), where,
-                     count == 0 ? "nothing fails" : plural(count, "failing row"), rows);
+std::string failing_rows(const std::vector<const Row*>& rows) {
+  std::string html;
+  for (const Row* row : rows) html += failing_row(*row);
+  return html;
 }
 
-bool declares_domain(const TestedSubject& subject) { return !(subject.card.domain == oracle::Domain{}); }
+/// One break that shows in many rows is one entry.
+std::string cause_of(const Cause& cause) {
+  if (cause.rows.size() == 1) return failing_rows(cause.rows);
+  return fmt::format("<details class=\"cause\"><summary>One cause in {} rows: {}</summary>{}</details>",
+                     cause.rows.size(), shown(shown_finding(*cause.rows.front()).why), failing_rows(cause.rows));
+}
+
+/// Empty if nothing fails.
+std::string failures_of(const ResultMatrix& results, const TestedSubject& subject, const std::string& id,
+                        const char* where) {
+  const std::vector<Cause> all = causes(results, subject);
+  std::string html;
+  std::size_t rows = 0;
+  for (const Cause& cause : all) {
+    html += cause_of(cause);
+    rows += cause.rows.size();
+  }
+  if (rows == 0) return "";
+  std::string count = plural(static_cast<long>(rows), "failing row");
+  if (all.size() < rows) count += fmt::format(" of {}", plural(static_cast<long>(all.size()), "cause"));
+  return fmt::format("<section id=\"{0}\" data-subject=\"{1}\"><h3>{1}{2}: {3}</h3>{4}</section>", id,
+                     escaped(subject.card.name), where, count, html);
+}
 
 }  // namespace
 
@@ -89,13 +110,17 @@ std::string failures(const Ledger& ledger) {
       "<p>Each opens to its smallest failing scene. <span class=\"soft\">The commands run from any folder of the "
       "machine "
       "that wrote this page. Elsewhere: <code>./touchstone replay</code> with the linked file, and "
-      "<code>--subject</code> "
-      "for an engine of your own.</span></p>";
+      "<code>--subject</code> for an engine of your own.</span></p>";
+  std::vector<std::string> right;
   for (const TestedSubject& subject : ledger.subjects) {
-    html += failures_of(ledger.results, subject, "");
-    if (declares_domain(subject)) html += failures_of(ledger.beyond, subject, ", outside its declared domain");
+    const std::string id = failures_anchor(subject);
+    const std::string inside = failures_of(ledger.results, subject, id, "");
+    if (inside.empty()) right.push_back(escaped(subject.card.name));
+    html += inside;
+    html += failures_of(ledger.beyond, subject, id + ".beyond", ", outside its declared domain");
   }
-  return html;
+  if (right.empty()) return html;
+  return html + fmt::format("<p>Without a failing row: {}.</p>", fmt::join(right, ", "));
 }
 
 }  // namespace touchstone::app::page

@@ -8,11 +8,14 @@
 
 namespace touchstone::app::page {
 
-/// One failing scene of each engine.
+/// Subjects × queries: how many properties hold, how many answers fail.
+std::string matrix(const Ledger& ledger);
+
+/// One failing scene of each engine, the plainest first.
 std::string gallery(const Ledger& ledger);
 
-/// Properties × subjects, with the legend of the grades.
-std::string table(const Ledger& ledger);
+/// For each query its properties × the subjects that answer it, with the legend of the grades.
+std::string tables(const Ledger& ledger);
 
 /// One card per subject.
 std::string subjects(const Ledger& ledger);
@@ -33,6 +36,21 @@ std::string badge(oracle::Grade grade);
 
 /// The anchor of a failing row on the page.
 std::string anchor(const Row& row);
+
+/// The anchor of a subject's card.
+std::string subject_anchor(const TestedSubject& subject);
+
+/// The anchor of a subject's failing rows.
+std::string failures_anchor(const TestedSubject& subject);
+
+/// The anchor of a query's table.
+std::string table_anchor(const std::string& query);
+
+/// Why the scenes of rows that are not answered were not: "abstains", "beyond its domain", "not asked" or "outside".
+std::string silence_of(const Counts& counts);
+
+/// Escapes a name that may be broken into lines after each underscore.
+std::string breakable(const std::string& name);
 
 /// An entry of a <dl>; empty if the text is empty.
 std::string definition(const std::string& term, const std::string& html);

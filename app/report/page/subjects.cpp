@@ -5,7 +5,7 @@
 #include <map>
 #include <vector>
 
-#include "app/report/page.h"
+#include "app/report/page/page.h"
 #include "app/report/xml.h"
 #include "oracle/process/protocol.h"
 
@@ -96,8 +96,12 @@ std::string subject_card(const Ledger& ledger, const TestedSubject& subject) {
   const oracle::Card& card = subject.card;
   const Summary summary = summary_of(ledger, subject);
   std::string html = fmt::format(
-      "<section class=\"card\"><h3>{} <small>{}</small></h3><p>{} of its rows hold, {} fail, {} say nothing</p>",
-      escaped(card.name), escaped(card.version), summary.hold, summary.fail, summary.silent);
+      "<section class=\"card\" id=\"{0}\" data-subject=\"{1}\"><h3>{1} <small>{2}</small></h3><p>{3} of its rows hold, "
+      "{4}, {5} say nothing</p>",
+      subject_anchor(subject), escaped(card.name), escaped(card.version), summary.hold,
+      summary.fail == 0 ? "none fails"
+                        : fmt::format("<a href=\"#{}\">{} fail</a>", failures_anchor(subject), summary.fail),
+      summary.silent);
   html += grades(summary);
   if (summary.most_wrong != nullptr) {
     html += fmt::format("<p>Largest error: {:.3g} {} ({})</p>", summary.most_wrong->largest_error.size,

@@ -1,4 +1,4 @@
-// The report for people: one page without scripts, which loads nothing.
+// The report for people: one page that loads nothing, and shows everything without its script.
 #pragma once
 
 #include <string>
