@@ -26,12 +26,12 @@ auto plainness(const Row& row) {
                     size.vertices_per_body_max + size.significant_bits_max);
 }
 
-bool plainer(const Row* a, const Row* b) { return plainness(*a) < plainness(*b); }
+bool simpler(const Row* a, const Row* b) { return plainness(*a) < plainness(*b); }
 
 const Row* plainest_failure(const Ledger& ledger, const TestedSubject& subject) {
   std::vector<const Row*> rows = ledger.results.of(subject);
   std::erase_if(rows, [](const Row* row) { return !row->minimised.result; });
-  const auto best = std::ranges::min_element(rows, plainer);
+  const auto best = std::ranges::min_element(rows, simpler);
   return best == rows.end() ? nullptr : *best;
 }
 
@@ -57,7 +57,7 @@ std::string gallery(const Ledger& ledger) {
     if (const Row* row = plainest_failure(ledger, subject)) rows.push_back(row);
   }
   if (rows.empty()) return "<p>Nothing fails.</p>";
-  std::ranges::stable_sort(rows, plainer);
+  std::ranges::stable_sort(rows, simpler);
   std::string first, others;
   for (std::size_t r = 0; r < rows.size(); ++r) (r < shown_at_once ? first : others) += glance(*rows[r]);
   if (!others.empty()) {

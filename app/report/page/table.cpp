@@ -44,7 +44,7 @@ constexpr const char* legend = R"html(<dl class="legend">
 using Properties = ResultMatrix::Properties;
 
 /// For each subject whether it answers any of the properties.
-std::vector<bool> who_answers(const Ledger& ledger, const Properties& properties) {
+std::vector<bool> answering_subjects(const Ledger& ledger, const Properties& properties) {
   std::vector<bool> answers(ledger.subjects.size(), false);
   for (const properties::Property* property : properties) {
     for (const Row& row : ledger.results.of(*property)) {
@@ -86,7 +86,7 @@ std::string silent_subjects(const Ledger& ledger, const std::vector<bool>& answe
 
 std::string table(const Ledger& ledger, const Properties& properties) {
   const std::string& query = properties.front()->query;
-  const std::vector<bool> answers = who_answers(ledger, properties);
+  const std::vector<bool> answers = answering_subjects(ledger, properties);
   const long answering = std::ranges::count(answers, true);
   std::string html = fmt::format("<section id=\"{}\"><h3>{} <small>{}, {} of {}</small></h3>", table_anchor(query),
                                  query, plural(ledger.scenes.at(query), "scene"), answering,
