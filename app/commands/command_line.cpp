@@ -500,6 +500,10 @@ void add_mutate(CLI::App& program, Options& options) {
   add_for_launcher(program, options, "mutate", "Plant faults in the source: which are found?", help::mutate, "source");
 }
 
+void add_engines(CLI::App& program, Options& options) {
+  add_for_launcher(program, options, "engines", "Install engines of npm, to be judged", help::engines, "adapters");
+}
+
 std::string not_empty(const std::string& word) { return word.empty() ? "is empty" : ""; }
 
 /// An empty word is usually a script's variable that is not set. Options with numbers say what they expect instead.
@@ -615,9 +619,10 @@ int run_command(int argc, const char* const* argv) {
   CLI::App program("Touchstone: the reference that collision detection and impact code is tested against.",
                    "touchstone");
   Options options;
-  for (const auto add : {add_report,  add_check, add_replay,   add_minimise, add_adapter, add_ask,        add_serve,
-                         add_judge,   add_plan,  add_simulate, add_import,   add_list,    add_soak,       add_fuzz,
-                         add_compare, add_bench, add_test,     add_package,  add_mutate,  add_completion, add_help}) {
+  for (const auto add :
+       {add_report, add_check,    add_replay, add_minimise, add_adapter,    add_ask,  add_serve,   add_judge,
+        add_plan,   add_simulate, add_import, add_list,     add_soak,       add_fuzz, add_compare, add_bench,
+        add_test,   add_package,  add_mutate, add_engines,  add_completion, add_help}) {
     add(program, options);
   }
   refuse_empty_words(program);

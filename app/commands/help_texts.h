@@ -292,6 +292,19 @@ Exit codes:
   2  the program touchstone was asked instead of the launcher
   3  the set-up or the build failed)";
 
+inline constexpr const char* engines = R"(
+Examples:
+  ./touchstone engines && ./touchstone report
+
+Installs the engines of adapters/engines with npm, in the versions of its lock file, and prints their names. From then
+on they are subjects as those that are built: a report judges them too. It installs Node.js if there is none. The
+launcher ./touchstone at the root of the source tree does this.
+
+Exit codes:
+  0  the engines are installed
+  2  the program touchstone was asked instead of the launcher
+  3  the set-up or npm failed)";
+
 inline constexpr const char* mutate = R"(
 Examples:
   ./touchstone mutate --sample 200 --seed 1

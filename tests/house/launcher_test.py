@@ -20,7 +20,7 @@ STAND_INS = {
     # Builds a program that prints its own path.
     "ninja": 'mkdir -p "$2/bin"; printf "#!/bin/sh\\necho \\$0 \\$*\\n" >"$2/bin/touchstone"; chmod +x "$2/bin/touchstone"',
 }
-TOOLS = ["awk", "bash", "cat", "dirname", "dpkg-deb", "env", "flock", "id", "mkdir", "mktemp", "nproc", "readlink",
+TOOLS = ["awk", "basename", "bash", "cat", "cp", "dirname", "dpkg-deb", "env", "flock", "id", "mkdir", "mktemp", "nproc", "readlink",
          "realpath", "rm", "sed", "sh", "touch", "chmod"]
 
 
@@ -74,6 +74,27 @@ class Launcher(unittest.TestCase):
         stamp = pathlib.Path(f"{self.build}-mutate/.set-up-for-mutation")
         self.assertIn("python3-clang", stamp.read_text())
         self.assertFalse(self.build.exists())
+
+    def test_engines_become_subjects(self):
+        """Parts of adapters do not; the source is left alone, and nothing is built."""
+        for name in ["js/touchstone_adapter.mjs", "engines/some.mjs", "engines/some_bodies.mjs", "engines/package.json"]:
+            file = self.source / "adapters" / name
+            file.parent.mkdir(parents=True, exist_ok=True)
+            file.write_text(name)
+        for name, script in {"npm": 'echo "$*" >"${0%/*}/../asked"', "node": 'cat "$1"'}.items():
+            (self.tools / name).write_text(f"#!/bin/sh\n{script}\n")
+            (self.tools / name).chmod(0o755)
+        code, output, errors = self.run_launcher("engines")
+        self.assertEqual((code, output), (0, "some\n"), errors)
+        engines = self.build / "adapters/engines"
+        self.assertEqual((self.folder / "asked").read_text(), f"ci --prefix {engines} --no-audit --no-fund\n")
+        subjects = self.build / "subjects"
+        self.assertEqual([p.name for p in subjects.iterdir()], ["touchstone-subject-some"])
+        said = subprocess.run([subjects / "touchstone-subject-some"], capture_output=True, text=True, env={"PATH": str(self.tools)})
+        self.assertEqual(said.stdout, "engines/some.mjs")
+        self.assertFalse((self.build / "build.ninja").exists())
+        code, output, errors = self.run_launcher("engines", "bullet")
+        self.assertEqual((code, output), (2, ""), errors)
 
     def test_a_minimal_build_needs_no_engine_and_no_browser_library(self):
         """It has a build folder of its own, and fetches no meshes: apt-get, which fails here, is not asked."""
