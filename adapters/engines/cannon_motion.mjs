@@ -1,0 +1,49 @@
+// The simulation of cannon-es: a world with the bodies of a scene, in equal steps of at most `step` between samples.
+import { Abstain } from "../js/touchstone_adapter.mjs";
+import { CANNON, bodyOf, list, poseOf, vector } from "./cannon_bodies.mjs";
+
+export const step = 1 / 60; // as shipped
+
+/** The engine multiplies the coefficients of two materials; a contact material of each pair has the lesser ones. */
+function addPairs(world, scene, bodies, relaxation) {
+  bodies.forEach(({ rigid: a }, i) => bodies.slice(0, i).forEach(({ rigid: b }, j) => {
+    const [A, B] = [i, j].map((k) => ({ restitution: 0, friction: 0, ...scene.bodies[k].material }));
+    world.addContactMaterial(new CANNON.ContactMaterial(a.material, b.material, {
+      restitution: Math.min(A.restitution, B.restitution), friction: Math.min(A.friction, B.friction),
+      contactEquationRelaxation: relaxation,
+    }));
+  }));
+}
+
+/** The force on a body from `time` on. */
+const forceAt = (forces, body, time) => forces.findLast((f) => f.body === body && f.time <= time)?.force_W ?? [0, 0, 0];
+
+const state = (body) => ({
+  X_WB: poseOf(body), velocity: { v_WBcm: list(body.rigid.velocity), w_WB: list(body.rigid.angularVelocity) },
+});
+
+/** `relaxation`: after how many steps a contact that is too deep is pushed apart. */
+export const simulationWith = (relaxation) => (scene) => {
+  const { sample_times, start_times = [], forces = [] } = scene.motion;
+  if (start_times.some((t) => t > 0)) throw new Abstain("all bodies start at once");
+  const world = new CANNON.World({ gravity: vector(scene.gravity ?? [0, 0, 0]) });
+  const bodies = scene.bodies.map(bodyOf);
+  bodies.forEach(({ rigid }) => world.addBody(rigid));
+  addPairs(world, scene, bodies, relaxation);
+  const go = (from, to) => {
+    const steps = Math.ceil((to - from) / step);
+    for (let k = 0; k < steps; ++k) {
+      bodies.forEach(({ rigid }, i) => rigid.applyForce(vector(forceAt(forces, i, from)))); // a step ends with no force
+      world.step((to - from) / steps);
+    }
+  };
+  let now = 0;
+  const states = sample_times.map((sample) => {
+    for (const time of [...forces.map((f) => f.time).filter((t) => now < t && t < sample), sample]) {
+      if (time > now) go(now, time);
+      now = time;
+    }
+    return bodies.map(state);
+  });
+  return { states };
+};
