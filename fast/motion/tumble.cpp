@@ -137,7 +137,7 @@ Tumble::Now Tumble::within(double time) {
   const double since = time - now.from, w_error = w_error_after(now, since);
   const double error = std::min(now.error, now.error_before + w_error * since + 16 * u);
   const Terms x = sum(now, since / now.length);
-  return {{x[0], x[1], x[2], x[3]}, {x[4], x[5], x[6]}, error, w_error, 0, 0};
+  return {{x[0], x[1], x[2], x[3]}, {x[4], x[5], x[6]}, error, w_error};
 }
 
 /// By repeated squaring: each squaring doubles the error and adds 16u, and each product adds 16u.

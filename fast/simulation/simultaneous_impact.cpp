@@ -60,7 +60,6 @@ struct Bodies {
     row.arm_A = point.touch.p_WC - centres[contact::index(row.a)];
     row.arm_B = point.touch.p_WC - centres[contact::index(row.b)];
     row.friction = run.world.coefficients(point.a, point.b).friction;
-    contact::prepare(row, mobilities);
     return row;
   }
 };

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "fast/mark.h"
 #include "fast/rounding.h"
 #include "model/input_error.h"
 #include "reference/penetration.h"
@@ -114,6 +115,29 @@ TEST_CASE("two hulls that are followed: what is kept of a pose changes no bound 
       check(scene, pair.at(scene.bodies[0].X_WB, scene.bodies[1].X_WB));
     }
   }
+}
+
+// The polytope that is kept from the last pose must be worth it: certificates hide one that is not.
+TEST_CASE("two hulls that are followed need fewer than half of the steps of new pairs, and no exact search") {
+  const auto steps = [] { return mark_counts[static_cast<std::size_t>(Mark::depth_step)]; };
+  const auto exact = mark_counts[static_cast<std::size_t>(Mark::depth_exact)];
+  Dice dice(34);
+  const Polytope A = tests::round_hull(dice, 40), B = tests::round_hull(dice, 24);
+  PenetrationPair pair(A, B);
+  std::uint64_t followed = 0, anew = 0;
+  for (int frame = 0; frame < 100; ++frame) {
+    const double t = 0.002 * frame;
+    const Pose at_A{Vec3::Zero(), {std::cos(t), std::sin(t), 0, 0}}, at_B{{1 + 0.1 * t, 0.4 * t, 0.3}, {1, 0, t, 0}};
+    std::uint64_t before = steps();
+    pair.at(at_A, at_B);
+    followed += steps() - before;
+    before = steps();
+    PenetrationPair(A, B).at(at_A, at_B);
+    anew += steps() - before;
+  }
+  CAPTURE(followed, anew);
+  CHECK(2 * followed < anew);
+  CHECK(mark_counts[static_cast<std::size_t>(Mark::depth_exact)] == exact);
 }
 
 TEST_CASE("compounds, single bodies and depths beyond doubles are refused") {

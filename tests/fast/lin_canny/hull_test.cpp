@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <utility>
 
 #include "fast/lin_canny/rotation.h"
 #include "model/input_error.h"
@@ -92,6 +93,19 @@ TEST_CASE("coplanar neighbours are one face, and corners that are none go") {
   CHECK(same.vertex_count() == 8);
   CHECK(same.edge_count() == 12);
   for (int v = 0; v < 8; ++v) CHECK(same.source(v) == v);
+}
+
+TEST_CASE("coplanar neighbours are one face, whichever two vertices are exchanged") {
+  for (int a = 0; a < 8; ++a) {
+    for (int b = 0; b < a; ++b) {
+      Polytope cube = cube_of_triangles();
+      std::swap(cube.vertices[static_cast<std::size_t>(a)], cube.vertices[static_cast<std::size_t>(b)]);
+      for (std::vector<int>& face : cube.faces) {
+        for (int& v : face) v = v == a ? b : v == b ? a : v;
+      }
+      CHECK(Hull(cube).face_count() == 6);
+    }
+  }
 }
 
 TEST_CASE("one ulp out of plane is another face") {

@@ -137,6 +137,9 @@ TEST_CASE("marks: on generic scenes what is slow runs seldom") {
   CHECK(of(turning, Mark::climb_step) <= 24 * of(turning, Mark::climb));
   CHECK(of(turning, Mark::climb_exact) <= 2 * of(turning, Mark::climb));
 
+  const MarkCounts turned = counts("pixel", "pixels.turned", 20);
+  CHECK(of(turned, Mark::pixel_exact) <= 2 * of(turned, Mark::pixel_seen));
+
   const MarkCounts impulse = counts("impulse", "contact.boxes", 200);
   CHECK(of(impulse, Mark::impulse_phase) <= 8 * of(impulse, Mark::impulse_curve));
   CHECK(of(impulse, Mark::impulse_scaled) == 0);
