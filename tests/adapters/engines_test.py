@@ -16,7 +16,8 @@ import unittest
 ROOT, PROGRAM = pathlib.Path(sys.argv[1]).resolve(), sys.argv[2]
 SKIPPED = 77
 MODULES = pathlib.Path(os.environ.get("TOUCHSTONE_NODE_MODULES", ROOT / "adapters/engines/node_modules"))
-PACKAGES = {"rapier": "@dimforge/rapier3d-compat", "mujoco": "mujoco-js", "cannon.tuned": "cannon-es"}
+PACKAGES = {"rapier": "@dimforge/rapier3d-compat", "mujoco": "mujoco-js", "cannon.tuned": "cannon-es",
+            "jolt": "jolt-physics"}
 NUMBER = r"(-?[\d.]+(?:e-?\d+)?)"
 
 
@@ -63,7 +64,7 @@ class Engines(unittest.TestCase):
         self.assertEqual(done.returncode, 0, done.stderr)
         return done.stdout
 
-    def test_snippets_of_mujoco_ask_what_its_adapter_asks(self):
+    def test_snippets_ask_what_their_adapter_asks(self):
         """A box of 8 m³ is 1 m from the corner (1, 0, 0) of a tetrahedron."""
         pose = {"q": {"w": 1, "x": 0, "y": 0, "z": 0}}
         box = {"shape": {"type": "box", "half_extents": [1, 1, 1]}, "X_WB": {"p": [3, 0, 0], **pose}}
@@ -71,8 +72,12 @@ class Engines(unittest.TestCase):
                 "X_WB": {"p": [0, 0, 0], **pose}}
         scene = {"touchstone": "scene/1", "bodies": [box, hull]}
         for query, words, expected in [("distance", "distance:", 1), ("penetration", "distance:", 1), ("mass", "mass:", 8)]:
-            printed = self.printed_by(self.snippet("mujoco", query, scene))
-            self.assertAlmostEqual(numbers_after(words, printed)[0], expected, delta=1e-6)
+            for name in ("mujoco", "jolt"):
+                printed = self.printed_by(self.snippet(name, query, scene))
+                self.assertAlmostEqual(numbers_after(words, printed)[0], expected, delta=1e-6, msg=name)
+        boxes = numbers_after(r"[\[,]", self.printed_by(self.snippet("jolt", "bounds", scene)).replace(" ", ""))
+        for number, expected in zip(boxes, [2, -1, -1, 4, 1, 1, 0, 0, 0, 1, 1, 1], strict=True):
+            self.assertAlmostEqual(number, expected, delta=1e-6)
 
     def test_cannon_as_shipped_differs_by_its_own_fault(self):
         """The same adapter, tuned, passes. As shipped the engine gives speed to a ball that should stay on the floor."""
