@@ -124,7 +124,7 @@ TEST_CASE("two hulls that are followed need fewer than half of the steps of new 
   Dice dice(34);
   const Polytope A = tests::round_hull(dice, 40), B = tests::round_hull(dice, 24);
   PenetrationPair pair(A, B);
-  std::uint64_t followed = 0, anew = 0;
+  std::uint64_t followed = 0, fresh = 0;
   for (int frame = 0; frame < 100; ++frame) {
     const double t = 0.002 * frame;
     const Pose at_A{Vec3::Zero(), {std::cos(t), std::sin(t), 0, 0}}, at_B{{1 + 0.1 * t, 0.4 * t, 0.3}, {1, 0, t, 0}};
@@ -133,10 +133,10 @@ TEST_CASE("two hulls that are followed need fewer than half of the steps of new 
     followed += steps() - before;
     before = steps();
     PenetrationPair(A, B).at(at_A, at_B);
-    anew += steps() - before;
+    fresh += steps() - before;
   }
-  CAPTURE(followed, anew);
-  CHECK(2 * followed < anew);
+  CAPTURE(followed, fresh);
+  CHECK(2 * followed < fresh);
   CHECK(mark_counts[static_cast<std::size_t>(Mark::depth_exact)] == exact);
 }
 
