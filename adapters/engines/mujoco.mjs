@@ -10,6 +10,7 @@ const card = {
   name: "mujoco", version: mujoco.mj_versionString(), precision: "binary64",
   about: "mj_geomDistance, margin 0; body_mass, body_ipos, body_inertia, body_iquat; hulls are meshes, which are floats",
   homepage: "https://mujoco.org",
+  domain: { lengths: [0.01, 1e10], reach: 1e10 }, // the reasons: docs/how_to/add_a_subject.md
   precision_of: { polytope: "binary32" }, // the vertices of meshes are floats
   distance_tolerance: { absolute: 1e-6 }, // opt.ccd_tolerance as shipped
 };
@@ -45,9 +46,10 @@ function distance(scene) {
 }
 
 function penetration(scene) {
-  const { d, a, b } = closest(scene);
-  return d >= 0 ? { verdict: "separated", depth: 0 }
-    : { verdict: "overlapping", depth: -d, nhat_BA_W: scaled(1 / norm(sub(b, a)), sub(b, a)) };
+  const { d, a, b } = closest(scene), out = sub(b, a), size = norm(out);
+  if (d >= 0) return { verdict: "separated", depth: 0 };
+  // Where the two points are one the engine says no direction.
+  return { verdict: "overlapping", depth: -d, ...(size > 0 && { nhat_BA_W: scaled(1 / size, out) }) };
 }
 
 const mass = (scene) => scene.bodies.map((body) => {

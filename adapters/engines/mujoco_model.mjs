@@ -17,7 +17,7 @@ export function modelOf(scene) {
   const geoms = scene.bodies.map(geom);
   const bodies = scene.bodies.map(({ X_WB: { p, q } }, i) => {
     const { w, x, y, z } = unitQuaternion(q);
-    return `<body pos="${numbers(p)}" quat="${numbers([w, x, y, z])}"><freejoint/>${geoms[i].geom}</body>`;
+    return `<body pos="${numbers(p)}" quat="${numbers([w, x, y, z])}">${geoms[i].geom}</body>`;
   });
   return `<mujoco><compiler balanceinertia="false" boundmass="0" boundinertia="0"/>
 <asset>${geoms.map((g) => g.mesh).join("\n")}</asset>
