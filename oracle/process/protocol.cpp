@@ -306,6 +306,8 @@ std::string introduction(Seq seq, const Card& card) {
 
 std::string answer(Seq seq, const Json& result) { return line_of({{"seq", seq}, {"result", result}}); }
 
+std::string snippet(Seq seq, const std::string& program) { return line_of({{"seq", seq}, {"snippet", program}}); }
+
 std::string answer(Seq seq, const Abstains& abstains) { return line_of({{"seq", seq}, {"abstains", abstains.why}}); }
 
 std::string answer(Seq seq, const Breaks& breaks) {

@@ -34,6 +34,7 @@ Json json_of(const std::map<std::string, Precision>& precision_of);
 Json json_of(const Card& card);
 std::string introduction(Seq seq, const Card& card);
 std::string answer(Seq seq, const Json& result);
+std::string snippet(Seq seq, const std::string& program);
 std::string answer(Seq seq, const Abstains& abstains);
 std::string answer(Seq seq, const Breaks& breaks);
 

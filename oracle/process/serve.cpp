@@ -61,8 +61,17 @@ std::string answer_to(protocol::Request request, const AnswerFunction& answer) {
                     in_default_environment(answer, *query, scene));
 }
 
+std::string snippet_for(protocol::Request request, const SnippetFunction& snippet) {
+  const Scene scene = received(std::move(request.scene), request.query);
+  const Answer<std::string> program = snippet(request.query, scene);
+  if (const auto* text = std::get_if<std::string>(&program)) return protocol::snippet(request.seq, *text);
+  if (const auto* abstains = std::get_if<Abstains>(&program)) return protocol::answer(request.seq, *abstains);
+  return protocol::answer(request.seq, std::get<Breaks>(program));
+}
+
 /// Returns no reply to `stop`. An error in the line becomes an answer, and the next line is read.
-std::optional<std::string> reply_to(const std::string& line, const Card& card, const AnswerFunction& answer) {
+std::optional<std::string> reply_to(const std::string& line, const Card& card, const AnswerFunction& answer,
+                                    const SnippetFunction& snippet) {
   const auto breaks = [&](const char* how) {
     return protocol::answer(protocol::seq_of(line), Breaks{Breaks::Kind::threw, how});
   };
@@ -71,7 +80,7 @@ std::optional<std::string> reply_to(const std::string& line, const Card& card, c
     protocol::Request request = protocol::read_request(line);
     if (request.op == protocol::Request::Op::stop) return std::nullopt;
     if (request.op == protocol::Request::Op::start) return protocol::introduction(request.seq, card);
-    if (request.op == protocol::Request::Op::reproduce) return protocol::answer(request.seq, Abstains{"no snippets"});
+    if (request.op == protocol::Request::Op::reproduce) return snippet_for(std::move(request), snippet);
     return answer_to(std::move(request), answer);
   } catch (const std::exception& error) {
     return breaks(error.what());
@@ -94,7 +103,7 @@ bool read_line(std::istream& in, std::string& line) {
 
 }  // namespace
 
-void serve(const Card& card, const AnswerFunction& answer) {
+void serve(const Card& card, const AnswerFunction& answer, const SnippetFunction& snippet) {
   const Descriptor out = private_stdout();
   const rlimit no_core_dumps{0, 0};
   setrlimit(RLIMIT_CORE, &no_core_dumps);
@@ -105,16 +114,19 @@ void serve(const Card& card, const AnswerFunction& answer) {
       write_all(out, protocol::answer(0, Breaks{Breaks::Kind::threw, how}));
       continue;
     }
-    const std::optional<std::string> reply = reply_to(line, card, answer);
+    const std::optional<std::string> reply = reply_to(line, card, answer, snippet);
     if (!reply) break;
     write_all(out, *reply);
   }
 }
 
 int serve(Subject& subject) try {
-  serve(subject.card(), [&](const Query& query, const Scene& scene) {
-    return std::visit([&](auto ask) { return in_json((subject.*ask)(scene)); }, query.ask);
-  });
+  serve(
+      subject.card(),
+      [&](const Query& query, const Scene& scene) {
+        return std::visit([&](auto ask) { return in_json((subject.*ask)(scene)); }, query.ask);
+      },
+      [&](const std::string& query, const Scene& scene) { return subject.reproduce(query, scene); });
   return 0;
 } catch (const std::exception& error) {
   std::fprintf(stderr, "%s\n", error.what());

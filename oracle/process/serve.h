@@ -20,7 +20,10 @@ int serve(Subject& subject);
 /// The result of an answer as JSON.
 using AnswerFunction = std::function<Answer<Json>(const Query&, const Scene&)>;
 
-/// The same with any function that answers. Throws std::system_error if stdout cannot be written.
-void serve(const Card& card, const AnswerFunction& answer);
+/// A program in the engine's own API that asks the query (Subject::reproduce).
+using SnippetFunction = std::function<Answer<std::string>(const std::string&, const Scene&)>;
+
+/// The same with any functions. Throws std::system_error if stdout cannot be written.
+void serve(const Card& card, const AnswerFunction& answer, const SnippetFunction& snippet);
 
 }  // namespace touchstone::oracle

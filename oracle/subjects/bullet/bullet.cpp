@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "oracle/subjects/bullet/input.h"
+#include "oracle/subjects/bullet/snippet.h"
 
 namespace touchstone::oracle::subjects {
 namespace {
@@ -134,6 +135,12 @@ class Bullet : public Subject {
     return deep(-found.m_distance, vec3(found.m_normalOnBInWorld));
   }
 
+  Answer<std::string> reproduce(const std::string& query, const Scene& scene) override {
+    if (query != "distance" && query != "penetration") return Abstains{"no snippets of " + query};
+    if (has_compound(scene)) return no_compounds;
+    return pair_snippet(scene, is_double ? "bullet-float64" : "bullet");
+  }
+
  private:
   const Card card_{
       .name = is_double ? "bullet.double" : "bullet.float",
@@ -146,7 +153,8 @@ class Bullet : public Subject {
       .homepage = "https://github.com/bulletphysics/bullet3",
       .deviations = {{"", "normals flip and the error grows as two shapes near each other", issues + "889"},
                      {"", "a positive distance for boxes of margin 0 that penetrate", issues + "1703"}},
-      .boxes = BoxKind::of_turned_box};
+      .boxes = BoxKind::of_turned_box,
+      .reproduces = {"distance", "penetration"}};
 };
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "oracle/subjects/fcl/input.h"
+#include "oracle/subjects/fcl/snippet.h"
 
 namespace touchstone::oracle::subjects {
 namespace {
@@ -106,6 +107,15 @@ class Fcl : public Subject {
     return deep(result.getContact(0).penetration_depth, -result.getContact(0).normal);
   }
 
+  Answer<std::string> reproduce(const std::string& query, const Scene& scene) override {
+    if (has_compound(scene)) return no_compounds;
+    const char* solver = solver_ == ::fcl::GST_LIBCCD ? "GST_LIBCCD" : "GST_INDEP";
+    if (query == "distance") return distance_snippet(scene, solver);
+    if (query == "penetration") return penetration_snippet(scene, solver);
+    if (query == "mass") return mass_snippet(scene);
+    return Abstains{"no snippets of " + query};
+  }
+
  private:
   Card card_;
   ::fcl::GJKSolverType solver_;
@@ -124,7 +134,8 @@ Card card(const std::string& name, const std::string& solver, std::vector<Deviat
           .about = "fcl::distance, fcl::collide (deepest contact), computeBV, DynamicAABBTreeCollisionManager; " +
                    solver + ", FCL's own settings",
           .homepage = "https://github.com/flexible-collision-library/fcl",
-          .deviations = std::move(deviations)};
+          .deviations = std::move(deviations),
+          .reproduces = {"mass", "distance", "penetration"}};
 }
 
 }  // namespace

@@ -7,16 +7,10 @@
 
 #include "model/box_vertices.h"
 #include "oracle/subjects/common/engine.h"
+#include "oracle/subjects/libccd/snippet.h"
 
 namespace touchstone::oracle::subjects {
 namespace {
-
-/// libccd accesses a body only through a support function that its user writes. Here a body is its vertices in W, and a
-/// radius around them.
-struct CcdBody {
-  std::vector<Vec3> vertices_W;
-  double radius = 0;
-};
 
 std::vector<Vec3> vertices(const Shape& shape) {
   if (const Box* box = std::get_if<Box>(&shape)) return vertices_of(*box);
@@ -63,8 +57,8 @@ ccd_t settings() {
 
 class Libccd : public Subject {
  public:
-  Libccd(Card card, decltype(&ccdGJKIntersect) intersect, Query penetrate)
-      : card_(std::move(card)), intersect_(intersect), penetrate_(penetrate) {
+  Libccd(Card card, std::string algorithm, decltype(&ccdGJKIntersect) intersect, Query penetrate)
+      : card_(std::move(card)), algorithm_(std::move(algorithm)), intersect_(intersect), penetrate_(penetrate) {
     ccd_.support1 = ccd_.support2 = support;
     ccd_.center1 = ccd_.center2 = center;
   }
@@ -94,8 +88,14 @@ class Libccd : public Subject {
     return deep(depth, -Vec3(direction.v[0], direction.v[1], direction.v[2]));
   }
 
+  Answer<std::string> reproduce(const std::string&, const Scene& scene) override {
+    if (has_compound(scene)) return no_compounds;
+    return libccd_snippet(ccd_body(scene.bodies.at(0)), ccd_body(scene.bodies.at(1)), algorithm_);
+  }
+
  private:
   Card card_;
+  std::string algorithm_;
   ccd_t ccd_ = settings();
   decltype(&ccdGJKIntersect) intersect_;
   Query penetrate_;
@@ -110,7 +110,8 @@ Card card(const std::string& name, const std::string& about, std::vector<Deviati
           .about = about,
           .homepage = "https://github.com/danfis/libccd",
           .deviations = std::move(deviations),
-          .distance_tolerance = {.absolute = tolerance}};
+          .distance_tolerance = {.absolute = tolerance},
+          .reproduces = {"distance", "penetration"}};
 }
 
 }  // namespace
@@ -122,7 +123,7 @@ std::unique_ptr<Subject> make_libccd_gjk() {
              "https://github.com/danfis/libccd/issues/25"},
             {"", "ccdGJKPenetration can loop for ever", "https://github.com/danfis/libccd/issues/7"}},
            settings().epa_tolerance),
-      ccdGJKIntersect, ccdGJKPenetration);
+      "GJK", ccdGJKIntersect, ccdGJKPenetration);
 }
 
 std::unique_ptr<Subject> make_libccd_mpr() {
@@ -131,7 +132,7 @@ std::unique_ptr<Subject> make_libccd_mpr() {
            {{"", "ccdMPRPenetration's direction, and so its depth, is not that of the least",
              "https://github.com/danfis/libccd/issues/71"}},
            settings().mpr_tolerance),
-      ccdMPRIntersect, ccdMPRPenetration);
+      "MPR", ccdMPRIntersect, ccdMPRPenetration);
 }
 
 }  // namespace touchstone::oracle::subjects
