@@ -20,7 +20,7 @@ STAND_INS = {
     # Builds a program that prints its own path.
     "ninja": 'mkdir -p "$2/bin"; printf "#!/bin/sh\\necho \\$0 \\$*\\n" >"$2/bin/touchstone"; chmod +x "$2/bin/touchstone"',
 }
-TOOLS = ["awk", "basename", "bash", "cat", "cp", "dirname", "dpkg-deb", "env", "flock", "id", "mkdir", "mktemp", "nproc", "readlink",
+TOOLS = ["awk", "basename", "bash", "cat", "cp", "dirname", "dpkg-deb", "env", "flock", "id", "mkdir", "mktemp", "mv", "nproc", "readlink",
          "realpath", "rm", "sed", "sh", "touch", "chmod"]
 
 
@@ -87,12 +87,17 @@ class Launcher(unittest.TestCase):
         code, output, errors = self.run_launcher("engines")
         self.assertEqual((code, output), (0, "some\n"), errors)
         engines = self.build / "adapters/engines"
-        self.assertEqual((self.folder / "asked").read_text(), f"ci --prefix {engines} --no-audit --no-fund\n")
+        self.assertEqual((self.folder / "asked").read_text(), f"ci --prefix {self.build}/adapters.new/engines --no-audit --no-fund\n")
         subjects = self.build / "subjects"
         self.assertEqual([p.name for p in subjects.iterdir()], ["touchstone-subject-some"])
         said = subprocess.run([subjects / "touchstone-subject-some"], capture_output=True, text=True, env={"PATH": str(self.tools)})
         self.assertEqual(said.stdout, "engines/some.mjs")
         self.assertFalse((self.build / "build.ninja").exists())
+        (self.tools / "npm").write_text("#!/bin/sh\necho no network >&2\nexit 1\n")
+        code, output, errors = self.run_launcher("engines")
+        self.assertEqual((code, output), (3, ""), errors)
+        self.assertIn("no network", errors)
+        self.assertTrue((engines / "some.mjs").exists(), "what was installed before is gone")
         code, output, errors = self.run_launcher("engines", "bullet")
         self.assertEqual((code, output), (2, ""), errors)
 
