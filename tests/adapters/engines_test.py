@@ -17,7 +17,7 @@ ROOT, PROGRAM = pathlib.Path(sys.argv[1]).resolve(), sys.argv[2]
 SKIPPED = 77
 MODULES = pathlib.Path(os.environ.get("TOUCHSTONE_NODE_MODULES", ROOT / "adapters/engines/node_modules"))
 PACKAGES = {"rapier": "@dimforge/rapier3d-compat", "mujoco": "mujoco-js", "cannon.tuned": "cannon-es",
-            "jolt": "jolt-physics"}
+            "jolt": "jolt-physics", "physx": "physx-js-webidl"}
 NUMBER = r"(-?[\d.]+(?:e-?\d+)?)"
 
 
@@ -72,12 +72,13 @@ class Engines(unittest.TestCase):
                 "X_WB": {"p": [0, 0, 0], **pose}}
         scene = {"touchstone": "scene/1", "bodies": [box, hull]}
         for query, words, expected in [("distance", "distance:", 1), ("penetration", "distance:", 1), ("mass", "mass:", 8)]:
-            for name in ("mujoco", "jolt"):
+            for name in ("mujoco", "jolt", "physx"):
                 printed = self.printed_by(self.snippet(name, query, scene))
                 self.assertAlmostEqual(numbers_after(words, printed)[0], expected, delta=1e-6, msg=name)
-        boxes = numbers_after(r"[\[,]", self.printed_by(self.snippet("jolt", "bounds", scene)).replace(" ", ""))
-        for number, expected in zip(boxes, [2, -1, -1, 4, 1, 1, 0, 0, 0, 1, 1, 1], strict=True):
-            self.assertAlmostEqual(number, expected, delta=1e-6)
+        for name in ("jolt", "physx"):
+            boxes = numbers_after(r"[\[,]", self.printed_by(self.snippet(name, "bounds", scene)).replace(" ", ""))
+            for number, expected in zip(boxes, [2, -1, -1, 4, 1, 1, 0, 0, 0, 1, 1, 1], strict=True):
+                self.assertAlmostEqual(number, expected, delta=1e-6, msg=name)
 
     def test_cannon_as_shipped_differs_by_its_own_fault(self):
         """The same adapter, tuned, passes. As shipped the engine gives speed to a ball that should stay on the floor."""

@@ -1,0 +1,57 @@
+// An adapter of PhysX for Touchstone: `./touchstone engines`, or `npm ci` in this folder, then
+//     touchstone adapter check "exec:node adapters/engines/physx.mjs"
+import { norm, scaled, serve } from "../js/touchstone_adapter.mjs";
+import { PX, list, using, version, withGeometry, withPose } from "./physx_bodies.mjs";
+import * as snippets from "./physx_snippets.mjs";
+
+const card = {
+  name: "physx", version, precision: "binary32",
+  about: "PxGjkQuery.proximityInfo of ConvexGeomSupport without margin; PxMassProperties of a geometry; "
+    + "PxGeometryQuery.computeGeomBounds; hulls cooked with planeTolerance 0",
+  homepage: "https://github.com/NVIDIA-Omniverse/PhysX",
+  domain: { lengths: [0.02, 100], reach: 1000 }, // the reasons: docs/how_to/add_a_subject.md
+};
+
+const withSupport = (body, use) => withGeometry(body.shape, (geometry) =>
+  using(new PX.ConvexGeomSupport(geometry, 0), (support) => withPose(body.X_WB, (pose) => use(support, pose))));
+
+// The closest or deepest points of A and B; the separation is negative if they overlap. Nothing, if PhysX says that they
+// are farther apart than any distance: so it ends where its iterations fail.
+const proximity = ({ bodies: [A, B] }) => withSupport(A, (a, pose_A) => withSupport(B, (b, pose_B) =>
+  using(new PX.PxGjkQueryProximityInfoResult(), (found) => {
+    if (!PX.PxGjkQuery.prototype.proximityInfo(a, b, pose_A, pose_B, 1e18, 1, found)) return null;
+    return { separation: found.separation, p_WCa: list(found.pointA), p_WCb: list(found.pointB),
+      axis: list(found.separatingAxis) };
+  })));
+
+function distance(scene) {
+  const near = proximity(scene);
+  if (!near) return { verdict: "separated" };
+  const { separation, p_WCa, p_WCb } = near;
+  if (separation < 0) return { verdict: "overlapping", distance: 0 };
+  return { verdict: "separated", distance: separation, p_WCa, p_WCb };
+}
+
+function penetration(scene) {
+  const { separation, axis } = proximity(scene) ?? { separation: Infinity };
+  if (separation >= 0) return { verdict: "separated", depth: 0 };
+  return { verdict: "overlapping", depth: -separation, nhat_BA_W: scaled(1 / norm(axis), axis) };
+}
+
+const bounds = (scene) => scene.bodies.map((body) => withGeometry(body.shape, (geometry) =>
+  withPose(body.X_WB, (pose) => using(new PX.PxBounds3(), (box) => {
+    PX.PxGeometryQuery.prototype.computeGeomBounds(box, geometry, pose, 0);
+    return { lo: list(box.minimum), hi: list(box.maximum) };
+  }))));
+
+const mass = (scene) => scene.bodies.map((body) => {
+  if (body.mass?.type === "fixed") return null;
+  if (body.mass?.type === "given") return { ...body.mass, type: undefined };
+  const density = body.mass?.density ?? 1;
+  return withGeometry(body.shape, (geometry) => using(new PX.PxMassProperties(geometry), (unit) => ({
+    mass: density * unit.mass, p_BBcm: list(unit.centerOfMass),
+    I_BBcm_B: ["column0", "column1", "column2"].map((k) => scaled(density, list(unit.inertiaTensor[k]))),
+  })));
+});
+
+serve(card, { mass, bounds, distance, penetration }, snippets);
