@@ -68,6 +68,6 @@ class Exact:
         return said.result
 
 
-for name in "mass bounds broad_phase distance penetration impulse pixel time_of_impact".split():
+for name in "mass bounds broad_phase distance penetration impulse pixel time_of_impact constraint".split():
     setattr(Exact, name, functools.partialmethod(Exact.ask, name))
 exact = Exact()

@@ -12,10 +12,12 @@
 #include "app/system/terminal.h"
 #include "model/input_error.h"
 #include "model/json.h"
+#include "model/sequence.h"
 #include "oracle/judge/words.h"
 #include "oracle/query.h"
 #include "reference/bounds.h"
 #include "reference/broad_phase.h"
+#include "reference/constraint.h"
 #include "reference/distance.h"
 #include "reference/impulse.h"
 #include "reference/mass.h"
@@ -107,7 +109,11 @@ Json bounds(const Scene& scene) {
   return {{"boxes", std::move(boxes)}};
 }
 
+/// Of a sequence, the pairs of each frame.
 Json broad_phase(const Scene& scene) {
+  if (is_sequence(scene)) {
+    return {{"frames", touchstone::json_of(reference::pair_history(reference::sequence_bounds(scene)))}};
+  }
   return {{"overlapping_boxes", touchstone::json_of(reference::broad_phase(scene))}};
 }
 
@@ -202,6 +208,36 @@ Json time_of_impact(const Scene& scene) {
   return json;
 }
 
+Json json_of(const std::array<Interval, 3>& v) { return {json_of(v[0]), json_of(v[1]), json_of(v[2])}; }
+
+Json json_of(const reference::BallTruth& state) {
+  return {{"p_WB", json_of(state.p_WB)}, {"v_WB", json_of(state.v_WB)}, {"w_WB", json_of(state.w_WB)}};
+}
+
+const char* name_of(reference::ConstraintTruth::Mode mode) {
+  using Mode = reference::ConstraintTruth::Mode;
+  return mode == Mode::ballistic ? "ballistic" : mode == Mode::sliding ? "sliding" : "rolling";
+}
+
+Json constraint(const Scene& scene) {
+  const reference::ConstraintTruth truth = reference::constraint(scene);
+  Json changes = Json::array(), states = Json::array();
+  for (const reference::ConstraintTruth::Change& change : truth.changes) {
+    using Kind = Event::Kind;
+    const char* kind = change.kind == Kind::contact ? "contact" : change.kind == Kind::release ? "release" : "impact";
+    changes.push_back({{"time", json_of(change.time)},
+                       {"kind", kind},
+                       {"other", change.other},
+                       {"then", name_of(change.segment.mode)},
+                       {"after", json_of(change.after)}});
+  }
+  for (const reference::BallTruth& state : truth.states) states.push_back(json_of(state));
+  return {{"ball", truth.ball},
+          {"first", name_of(truth.first.mode)},
+          {"changes", std::move(changes)},
+          {"states", std::move(states)}};
+}
+
 const std::map<std::string, Show>& shows() {
   static const std::map<std::string, Show> all = {{"mass", mass},
                                                   {"bounds", bounds},
@@ -210,7 +246,8 @@ const std::map<std::string, Show>& shows() {
                                                   {"penetration", penetration},
                                                   {"impulse", impulse},
                                                   {"pixel", pixel},
-                                                  {"time_of_impact", time_of_impact}};
+                                                  {"time_of_impact", time_of_impact},
+                                                  {"constraint", constraint}};
   return all;
 }
 

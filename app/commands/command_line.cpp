@@ -35,6 +35,7 @@
 #include "app/system/version.h"
 #include "app/trend/compare_command.h"
 #include "app/trial/effort.h"
+#include "app/vectors/vectors_command.h"
 #include "model/input_error.h"
 #include "model/near_names.h"
 #include "oracle/process/pipe.h"
@@ -84,6 +85,7 @@ struct Options {
   Soaked soak;
   FuzzCommand fuzz;
   CompareOptions compare;
+  VectorsCommand vectors;
   BenchOptions bench;
   std::string help;        ///< a command; empty: all
   std::string completion;  ///< a shell
@@ -430,6 +432,25 @@ void add_fuzz(CLI::App& program, Options& options) {
   command->callback([&options] { options.chosen = [&] { return fuzz(options.fuzz); }; });
 }
 
+void add_vectors(CLI::App& program, Options& options) {
+  auto* command =
+      program.add_subcommand("vectors", "Write test vectors: scenes with their exact answers, for any test");
+  VectorsCommand& words = options.vectors;
+  add_argument(*command, "FOLDER", words.folder, "The folder with a file for each query")->capture_default_str();
+  command->add_option("--queries", words.queries, "The files to write. Default: all that have test vectors")
+      ->delimiter(',')
+      ->type_name("QUERY")
+      ->check(one_of(properties::tested_queries()));
+  command->add_option("--add", words.cases, "Also the scenes of these case files")->type_name("CASE");
+  add_whole_number(*command, "--draw", words.draws, 0, 1000, "Also so many scenes of each family, the shortest first")
+      ->default_str("0");
+  add_seed(*command, words.seed);
+  add_file(*command, "--page", words.page, "Also write a page that shows all of them");
+  command->add_flag("--check", words.check, "Write nothing; say which files differ from what would be written");
+  command->footer(help::vectors);
+  command->callback([&options] { options.chosen = [&] { return vectors(options.vectors); }; });
+}
+
 void add_compare(CLI::App& program, Options& options) {
   auto* command = program.add_subcommand(
       "compare", "What changed between two reports: two versions of an engine, or two of its settings");
@@ -620,9 +641,9 @@ int run_command(int argc, const char* const* argv) {
                    "touchstone");
   Options options;
   for (const auto add :
-       {add_report, add_check,    add_replay, add_minimise, add_adapter,    add_ask,  add_serve,   add_judge,
-        add_plan,   add_simulate, add_import, add_list,     add_soak,       add_fuzz, add_compare, add_bench,
-        add_test,   add_package,  add_mutate, add_engines,  add_completion, add_help}) {
+       {add_report, add_check,    add_replay,  add_minimise, add_adapter, add_ask,        add_serve,   add_judge,
+        add_plan,   add_simulate, add_import,  add_list,     add_soak,    add_fuzz,       add_vectors, add_compare,
+        add_bench,  add_test,     add_package, add_mutate,   add_engines, add_completion, add_help}) {
     add(program, options);
   }
   refuse_empty_words(program);

@@ -247,6 +247,23 @@ Exit codes:
   3    a fault of Touchstone itself; or a full disk, or a closed stdout
   130  interrupted (SIGHUP: 129, SIGTERM: 143); the findings until then are written)";
 
+inline constexpr const char* vectors = R"(
+Examples:
+  touchstone vectors vectors --check                             are the published answers those of today?
+  touchstone vectors vectors --add report/cases/distance.value.bullet.float.json
+  touchstone vectors mine --draw 3 --queries distance,penetration
+  touchstone vectors vectors --page vectors.html                 a picture and the answer of each
+
+FOLDER has one file for each query, distance.json and so on. Each scene in it stays, and all else is computed again:
+classes, margin, scale, allowances and the exact answer. With --add and --draw more scenes are appended. Equal scenes
+are written once. What a file contains, and how to read one without this program: vectors/README.md.
+
+Exit codes:
+  0  written; --check: no file differs
+  1  --check: a file differs
+  2  bad input or usage; nothing is written
+  3  a fault of Touchstone itself; or a full disk, or a closed stdout)";
+
 inline constexpr const char* bench = R"(
 Examples:
   ./touchstone bench broad_phase                                  everything: several minutes

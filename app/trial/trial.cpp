@@ -35,7 +35,10 @@ namespace {
 using properties::Property;
 using Subjects = std::vector<std::unique_ptr<oracle::Subject>>;
 
-constexpr std::size_t chunk_size = 24;
+/// Each unit starts the subjects afresh, and one that runs in Node.js takes 0.3 to 0.5 s of CPU time to start. So a
+/// long run has at most this many units for each query: a choice, enough for as many threads.
+constexpr std::size_t most_units = 40;
+constexpr std::size_t least_chunk = 24;
 constexpr std::chrono::seconds seconds_without_line{60};  ///< a shorter run says nothing on stderr
 
 struct Unit {
@@ -85,8 +88,10 @@ std::vector<QueryTrial> trials(const TrialPlan& plan, const MeshSet& meshes) {
 std::vector<Unit> units(const std::vector<QueryTrial>& trials) {
   std::vector<Unit> all;
   for (std::size_t s = 0; s < trials.size(); ++s) {
-    for (std::size_t begin = 0; begin < trials[s].questions.size(); begin += chunk_size) {
-      all.push_back({s, begin, std::min(begin + chunk_size, trials[s].questions.size())});
+    const std::size_t questions = trials[s].questions.size();
+    const std::size_t chunk = std::max(least_chunk, (questions + most_units - 1) / most_units);
+    for (std::size_t begin = 0; begin < questions; begin += chunk) {
+      all.push_back({s, begin, std::min(begin + chunk, questions)});
     }
   }
   return all;

@@ -36,7 +36,7 @@ constexpr const char* limitations = R"html(<ul>
 <li>Engines are asked raw queries, with margin 0 where they offer it; in use they add margins that hide some of this.</li>
 <li>An engine gets the unit quaternion in its own precision. That rounding is part of what is allowed, not of the engine’s error.</li>
 <li>The cut-down scene shows one defect of a row; others may hide behind it.</li>
-<li>After three hangs among some 24 scenes an engine is not asked about the rest of the query’s scenes; “not asked” counts those.</li>
+<li>After three hangs among 24 scenes, or a fortieth of a query’s, an engine is not asked about the rest of the query’s scenes; “not asked” counts those.</li>
 <li>Penetration depth is judged for convex bodies only.</li></ul>)html";
 
 std::string head() {

@@ -32,6 +32,32 @@ class Ask(Test):
         self.assertRegex(self.succeeds("ask", "distance", "scene.json"), r"squared_distance_of_cores +exact 9, nearest 9\n")
         self.assertEqual(words["checked"], "by the independent checker: holds")
 
+    def test_constraint_of_a_ball_that_begins_to_roll(self):
+        # A ball of radius 1 slides at 7 m/s without spin, mu g = 5: it rolls when v = 5/7 of 7 = 5 m/s, after 2/5 s.
+        ball_on_table = scene(body(ball(1), (0, 0, 1), velocity={"v_WBcm": [7, 0, 0], "w_WB": [0, 0, 0]},
+                                   material={"restitution": 0, "friction": 0.5}),
+                              body(box(50, 50, 1), (0, 0, -1), material={"restitution": 0, "friction": 0.5},
+                                   mass={"type": "fixed"}))
+        self.file("scene.json", {**ball_on_table, "gravity": [0, 0, -10], "motion": {"sample_times": [1]}})
+        said = json.loads(self.succeeds("ask", "constraint", "scene.json", "--json"))
+        self.assertEqual((said["ball"], said["first"]), (0, "sliding"))
+        rolls = said["changes"][-1]
+        self.assertEqual((rolls["kind"], rolls["then"]), ("contact", "rolling"))
+        self.assertLessEqual(rolls["time"][0], 0.4)
+        self.assertGreaterEqual(rolls["time"][1], 0.4)
+        (state,) = said["states"]
+        self.assertLessEqual(state["v_WB"][0][0], 5)
+        self.assertGreaterEqual(state["v_WB"][0][1], 5)
+
+    def test_broad_phase_of_a_sequence(self):
+        pose = {"p": [5, 0, 0], "q": {"w": 1, "x": 0, "y": 0, "z": 0}}
+        near = {**pose, "p": [1, 0, 0]}
+        self.file("scene.json", {**scene(body(ball(1)), body(ball(1))), "frames": [
+            [{"body": 0, "X_WB": {**pose, "p": [0, 0, 0]}}, {"body": 1, "X_WB": pose}], [{"body": 1, "X_WB": near}],
+            [{"body": 1, "X_WB": None}]]})
+        said = json.loads(self.succeeds("ask", "broad_phase", "scene.json", "--json"))
+        self.assertEqual([frame["pairs"] for frame in said["frames"]], [[], [[0, 1]], []])
+
     def test_distance_that_is_no_double(self):
         said = self.ask("distance", body(box(1, 1, 1)), body(box(1, 1, 1), (2.1, 0, 0)))
         gap = 2.1 - 2  # exact, by Sterbenz
