@@ -13,21 +13,6 @@ namespace {
 
 constexpr const char* case_format = "case/1";
 
-Json number(double x) {
-  if (std::isnan(x)) return "nan";
-  if (std::isinf(x)) return x > 0 ? "inf" : "-inf";
-  return x;
-}
-
-double read_number(const Json& json, const Node& node) {
-  if (!json.is_string()) return node.number();
-  const std::string word = json.get<std::string>();
-  if (word == "inf") return infinity;
-  if (word == "-inf") return -infinity;
-  if (word == "nan") return std::numeric_limits<double>::quiet_NaN();
-  node.refuse("expected a number, \"inf\", \"-inf\" or \"nan\", found " + json.dump());
-}
-
 /// Finds the value with this name; `last` is the greatest value of the enumeration.
 template <class Name>
 Name read_name(const Node& node, Name last) {
@@ -97,17 +82,32 @@ Case read_case_json(const Json& json, const std::string& place) {
 
 }  // namespace
 
+Json json_of_number(double x) {
+  if (std::isnan(x)) return "nan";
+  if (std::isinf(x)) return x > 0 ? "inf" : "-inf";
+  return x;
+}
+
+double read_number(const Json& json, const Node& node) {
+  if (!json.is_string()) return node.number();
+  const std::string word = json.get<std::string>();
+  if (word == "inf") return infinity;
+  if (word == "-inf") return -infinity;
+  if (word == "nan") return std::numeric_limits<double>::quiet_NaN();
+  node.refuse("expected a number, \"inf\", \"-inf\" or \"nan\", found " + json.dump());
+}
+
 Json json_of(const Finding& finding) {
   Json json = {{"outcome", name_of(finding.outcome)}, {"defect", name_of(finding.defect)}};
   write_if_there(json, "observed", finding.observed);
   write_if_there(json, "expected", finding.expected);
-  json["error"] = number(finding.error);
-  json["allowed"] = number(finding.allowed);
+  json["error"] = json_of_number(finding.error);
+  json["allowed"] = json_of_number(finding.allowed);
   write_if_there(json, "unit", finding.unit);
-  if (finding.rounding != 0) json["rounding"] = number(finding.rounding);
-  if (finding.relative) json["relative"] = number(*finding.relative);
-  if (finding.of_body) json["of_body"] = number(*finding.of_body);
-  if (finding.margin) json["margin"] = {number(finding.margin->lo), number(finding.margin->hi)};
+  if (finding.rounding != 0) json["rounding"] = json_of_number(finding.rounding);
+  if (finding.relative) json["relative"] = json_of_number(*finding.relative);
+  if (finding.of_body) json["of_body"] = json_of_number(*finding.of_body);
+  if (finding.margin) json["margin"] = {json_of_number(finding.margin->lo), json_of_number(finding.margin->hi)};
   write_if_there(json, "certificate", finding.certificate);
   write_if_there(json, "why", finding.why);
   return json;

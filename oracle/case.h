@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "model/json.h"
+#include "model/json_node.h"
 #include "model/scene.h"
 #include "oracle/finding.h"
 
@@ -38,7 +39,12 @@ struct Case {
   bool operator==(const Case&) const = default;
 };
 
-/// Doubles survive bit for bit. JSON has no infinity and no NaN, so these are written as "inf", "-inf" and "nan".
+/// A double, bit for bit. JSON has no infinity and no NaN, so these are written as "inf", "-inf" and "nan". `node` is
+/// of the same value, for errors: InputError if it is none of these.
+Json json_of_number(double x);
+double read_number(const Json& json, const Node& node);
+
+/// Without loss: `read_finding` and `case_from` read them.
 Json json_of(const Finding& finding);
 Json json_of(const Case& a_case);
 

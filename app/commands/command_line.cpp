@@ -34,6 +34,7 @@
 #include "app/system/terminal.h"
 #include "app/system/version.h"
 #include "app/trend/compare_command.h"
+#include "app/trend/summary.h"
 #include "app/trial/effort.h"
 #include "app/vectors/vectors_command.h"
 #include "model/input_error.h"
@@ -63,6 +64,11 @@ struct Imported {
   std::string out;
 };
 
+struct Summarised {
+  std::string report;
+  std::vector<std::string> subjects;
+};
+
 struct Soaked {
   int pairs = 100'000;
   std::uint64_t seed = 1;
@@ -73,6 +79,7 @@ struct Soaked {
 struct Options {
   RunOptions report;
   RunOptions check;
+  MergeCommand merge;
   CaseCommand replay;
   CaseCommand minimise;
   AdapterCommand adapter;
@@ -86,6 +93,7 @@ struct Options {
   FuzzCommand fuzz;
   CompareOptions compare;
   VectorsCommand vectors;
+  Summarised summary;
   BenchOptions bench;
   std::string help;        ///< a command; empty: all
   std::string completion;  ///< a shell
@@ -196,8 +204,30 @@ void add_report(CLI::App& program, Options& options) {
   auto* command =
       program.add_subcommand("report", "Test engines; write a page, JSON, JUnit XML and a case for each failure");
   add_run_options(*command, options.report);
+  command
+      ->add_option("--shard", options.report.files.shard,
+                   "Ask only this part of the scenes, as 3/8, and write it to FOLDER/shard-3-of-8.jsonl; `touchstone "
+                   "merge` makes the report of all parts")
+      ->type_name("NUMBER/OF")
+      ->excludes("--json")
+      ->excludes("--junit")
+      ->excludes("--sarif");
   command->footer(help::report);
   command->callback([&options] { options.chosen = [&] { return report(options.report); }; });
+}
+
+void add_merge(CLI::App& program, Options& options) {
+  auto* command = program.add_subcommand("merge", "Make one report of the shards that report --shard has written");
+  MergeCommand& words = options.merge;
+  words.files.out = "report";
+  add_argument(*command, "SHARDS", words.folder, "The folder with the shards")->required();
+  add_jobs(*command, words.jobs, "How many threads make failing scenes smaller. Default: one for each processor");
+  add_folder(*command, "--out", words.files.out, "Write the report to this folder")->capture_default_str();
+  add_file(*command, "--json", words.files.json, "Write report.json to this file too");
+  add_file(*command, "--junit", words.files.junit, "Write JUnit XML to this file too");
+  add_file(*command, "--sarif", words.files.sarif, "Write SARIF 2.1.0, for code scanning, to this file too");
+  command->footer(help::merge);
+  command->callback([&options] { options.chosen = [&] { return merge(options.merge); }; });
 }
 
 void add_check(CLI::App& program, Options& options) {
@@ -468,6 +498,21 @@ void add_compare(CLI::App& program, Options& options) {
   command->callback([&options] { options.chosen = [&] { return compare_reports(options.compare); }; });
 }
 
+void add_summary(CLI::App& program, Options& options) {
+  auto* command = program.add_subcommand("summary", "Print a report as a table in Markdown");
+  add_argument(*command, "REPORT", options.summary.report, "A report.json, or - for stdin")->required();
+  command->add_option("--subjects", options.summary.subjects, "The rows. Default: all subjects that answer anything")
+      ->delimiter(',')
+      ->type_name("SUBJECT");
+  command->footer(help::summary);
+  command->callback([&options] {
+    options.chosen = [&] {
+      summarise(options.summary.report, options.summary.subjects);
+      return 0;
+    };
+  });
+}
+
 void add_bench(CLI::App& program, Options& options) {
   auto* command = program.add_subcommand(
       "bench", "Compare our speed with that of other libraries (use the launcher: ./touchstone bench)");
@@ -640,10 +685,10 @@ int run_command(int argc, const char* const* argv) {
   CLI::App program("Touchstone: the reference that collision detection and impact code is tested against.",
                    "touchstone");
   Options options;
-  for (const auto add :
-       {add_report, add_check,    add_replay,  add_minimise, add_adapter, add_ask,        add_serve,   add_judge,
-        add_plan,   add_simulate, add_import,  add_list,     add_soak,    add_fuzz,       add_vectors, add_compare,
-        add_bench,  add_test,     add_package, add_mutate,   add_engines, add_completion, add_help}) {
+  for (const auto add : {add_report, add_merge,   add_check,      add_replay,   add_minimise, add_adapter, add_ask,
+                         add_serve,  add_judge,   add_plan,       add_simulate, add_import,   add_list,    add_soak,
+                         add_fuzz,   add_vectors, add_compare,    add_summary,  add_bench,    add_test,    add_package,
+                         add_mutate, add_engines, add_completion, add_help}) {
     add(program, options);
   }
   refuse_empty_words(program);

@@ -37,6 +37,22 @@ Exit codes:
   3    a fault of Touchstone itself; or a full disk, or a closed stdout
   130  interrupted (SIGHUP: 129, SIGTERM: 143); the report is written and says that it is partial)";
 
+inline constexpr const char* merge = R"(
+Examples:
+  touchstone report --effort standard --shard 1/8 --out shards      on one machine
+  touchstone report --effort standard --shard 2/8 --out shards      on another, and so on
+  touchstone merge shards                                           the report that one run would have written
+
+The shards of a run have the same options but for --shard and --jobs. What they found is merged in the order of the
+scenes, and only then failing scenes are made smaller, so the engines must be here too. The report is the same, byte for
+byte, as without shards, if the engines repeat themselves.
+
+Exit codes:
+  0    the report is written
+  2    bad input or usage: a shard is missing, cut off, or of a run with other options
+  3    a fault of Touchstone itself; or a full disk, or a closed stdout
+  130  interrupted (SIGHUP: 129, SIGTERM: 143); the report is written and says that it is partial)";
+
 inline constexpr const char* check = R"(
 Examples:
   touchstone check --subjects bullet.double --queries distance,penetration --seed 7
@@ -262,6 +278,19 @@ Exit codes:
   0  written; --check: no file differs
   1  --check: a file differs
   2  bad input or usage; nothing is written
+  3  a fault of Touchstone itself; or a full disk, or a closed stdout)";
+
+inline constexpr const char* summary = R"(
+Examples:
+  touchstone summary report/report.json
+  touchstone summary report/report.json >>"$GITHUB_STEP_SUMMARY"
+
+The table has a row for each subject and a column for each query: how many of the properties that the subject answers
+hold, which share of its answers is wrong, and the worst grade of one.
+
+Exit codes:
+  0  done
+  2  bad input or usage
   3  a fault of Touchstone itself; or a full disk, or a closed stdout)";
 
 inline constexpr const char* bench = R"(

@@ -25,6 +25,7 @@
 #include "app/trial/subject_list.h"
 #include "app/trial/trial.h"
 #include "app/trial/unanswered.h"
+#include "app/units/shard_file.h"
 #include "model/input_error.h"
 #include "model/json.h"
 #include "model/near_names.h"
@@ -89,10 +90,11 @@ void prove_adapters(const RunOptions& options, const TrialPlan& plan) {
 
 MeshSet meshes_of(const RunOptions& options) { return read_meshes(options.meshes, options.effort == "quick"); }
 
-/// Checks the places before a run of minutes, not after it.
+/// Checks the places before a run of minutes, not after it. A shard has no cases.
 void prepare_places(const RunOptions& options) {
   if (!options.files.out.empty()) {
-    const fs::path cases = fs::path(options.files.out) / "cases";
+    const fs::path cases =
+        options.files.shard.empty() ? fs::path(options.files.out) / "cases" : fs::path(options.files.out);
     std::error_code error;
     fs::create_directories(cases, error);
     if (error) throw InputError(options.files.out, error.message());
@@ -311,22 +313,48 @@ void write_new_baseline(const std::string& file, const Baselines& baselines, con
   print("{}: {} known\n", file, baseline.failures.size());
 }
 
-}  // namespace
-
-int report(const RunOptions& options) {
-  const TrialPlan plan = plan_of(options);
-  watch_for_interruption();
-  prove_adapters(options, plan);
-  prepare_places(options);
-  const MeshSet meshes = meshes_of(options);
-  if (!meshes.absent.empty()) complain("no real meshes: {}", meshes.absent);
-  Ledger ledger = run(plan, meshes);
+int written(Ledger ledger, const TrialPlan& plan, const RunOptions& options) {
   name_replay_commands(ledger, plan, options.files.out);
   write_report(options.files.out, ledger);
   write_extras(options, ledger);
   print_summary(ledger);
   print("{}\n", (fs::path(options.files.out) / "index.html").string());
   return ledger.interrupted ? interrupted_exit_code() : 0;
+}
+
+int report_shard(const RunOptions& options, const TrialPlan& plan, const MeshSet& meshes, Shard shard) {
+  const ShardResult result = run_shard(plan, meshes, shard);
+  if (interrupted()) return interrupted_exit_code();
+  const std::string file = shard_file(options.files.out, shard);
+  write_shard(file, shard, options, plan.subjects, result);
+  print("{}: {} units\n", file, result.units.size());
+  return 0;
+}
+
+}  // namespace
+
+int report(const RunOptions& options) {
+  const TrialPlan plan = plan_of(options);
+  const std::optional<Shard> shard =
+      options.files.shard.empty() ? std::nullopt : std::optional(shard_of(options.files.shard));
+  watch_for_interruption();
+  prove_adapters(options, plan);
+  prepare_places(options);
+  const MeshSet meshes = meshes_of(options);
+  if (!meshes.absent.empty()) complain("no real meshes: {}", meshes.absent);
+  if (shard) return report_shard(options, plan, meshes, *shard);
+  return written(run(plan, meshes), plan, options);
+}
+
+int merge(const MergeCommand& command) {
+  const ReadShards all = read_shards(command.folder);
+  RunOptions options = all.options;
+  options.jobs = command.jobs;
+  options.files = command.files;
+  const TrialPlan plan = plan_of(options);
+  watch_for_interruption();
+  prepare_places(options);
+  return written(merged(plan, meshes_of(options), all.shards), plan, options);
 }
 
 int check(const RunOptions& options) {

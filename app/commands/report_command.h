@@ -9,8 +9,9 @@ namespace touchstone::app {
 
 /// The files that a run writes; those without a name are not written.
 struct RunFiles {
-  std::string out;   ///< folder of the report
-  std::string json;  ///< the same content in other forms, also without a report
+  std::string out;    ///< folder of the report
+  std::string shard;  ///< "3/8": only this part of the run, written to `out` instead of a report; empty: all
+  std::string json;   ///< the same content in other forms, also without a report
   std::string junit;
   std::string sarif;
 };
@@ -39,8 +40,19 @@ struct RunOptions {
   PassConditions pass;
 };
 
-/// Writes index.html, report.json, junit.xml and cases/ into `out`. Returns 0 whatever it found, 130 if interrupted.
+/// Writes index.html, report.json, junit.xml and cases/ into `out`, or one shard of the run. Returns 0 whatever it
+/// found, 130 if interrupted; then no shard is written.
 int report(const RunOptions& options);
+
+struct MergeCommand {
+  std::string folder;  ///< of the shards
+  int jobs = 0;        ///< as in RunOptions, for minimising
+  RunFiles files;
+};
+
+/// Writes the report of all shards in a folder, byte for byte that of one run. Returns what `report` returns. Throws
+/// InputError if a shard is missing, cut off or of another run.
+int merge(const MergeCommand& command);
 
 /// Prints one line per failing row and, for a single subject, the largest error of each query and its case. Returns 0
 /// if every property holds, 1 if one fails or breaks or a required answer is missing, 130 if interrupted. With a

@@ -6,9 +6,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
-#include <optional>
 #include <set>
-#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -16,85 +14,27 @@
 #include "app/system/interruption.h"
 #include "app/system/progress.h"
 #include "app/system/terminal.h"
-#include "app/trial/counted_hangs.h"
-#include "app/trial/domain_watch.h"
 #include "app/trial/parallel.h"
 #include "app/trial/query_lines.h"
-#include "app/trial/questions.h"
-#include "app/trial/remembered_answers.h"
 #include "app/trial/smallest.h"
 #include "app/trial/subject_list.h"
 #include "app/trial/unanswered.h"
+#include "app/units/unit.h"
+#include "app/units/unit_json.h"
 #include "model/input_error.h"
+#include "model/json_node.h"
 #include "properties/property.h"
 #include "properties/scenes/domain.h"
 
 namespace touchstone::app {
 namespace {
 
-using properties::Property;
-using Subjects = std::vector<std::unique_ptr<oracle::Subject>>;
-
-/// Each unit starts the subjects afresh, and one that runs in Node.js takes 0.3 to 0.5 s of CPU time to start. So a
-/// long run has at most this many units for each query: a choice, enough for as many threads.
-constexpr std::size_t most_units = 40;
-constexpr std::size_t least_chunk = 24;
 constexpr std::chrono::seconds seconds_without_line{60};  ///< a shorter run says nothing on stderr
-
-struct Unit {
-  std::size_t query = 0;
-  std::size_t begin = 0;
-  std::size_t end = 0;
-};
-
-struct QueryTrial {
-  std::string name;
-  bool asks_exact = true;  ///< also subjects that compute exactly
-  std::vector<const Property*> properties;
-  Questions questions;
-};
-
-/// What one unit found about the properties of its query.
-struct UnitResult {
-  ResultMatrix results;
-  ResultMatrix beyond;  ///< as in the ledger
-  std::map<std::string, long> classes;
-  std::map<std::string, long> mesh_scenes;
-  long scenes = 0;
-  std::vector<int> hangs;  ///< by subject
-};
-
-using TestedSubjects = std::vector<TestedSubject>;
 
 Subjects connect_all(const TrialPlan& plan) {
   Subjects subjects;
   for (const std::string& name : plan.subjects) subjects.push_back(connect(name, plan.limits));
   return subjects;
-}
-
-std::vector<QueryTrial> trials(const TrialPlan& plan, const MeshSet& meshes) {
-  std::vector<QueryTrial> all;
-  for (const Property& property : properties::all()) {
-    if (std::ranges::find(plan.properties, property.id) == plan.properties.end()) continue;
-    if (all.empty() || all.back().name != property.query) {
-      const bool asks_exact = plan.exact_simulations || !is_simulated(property.query);
-      all.push_back({property.query, asks_exact, {}, Questions(property.query, plan.effort, plan.seed, meshes)});
-    }
-    all.back().properties.push_back(&property);
-  }
-  return all;
-}
-
-std::vector<Unit> units(const std::vector<QueryTrial>& trials) {
-  std::vector<Unit> all;
-  for (std::size_t s = 0; s < trials.size(); ++s) {
-    const std::size_t questions = trials[s].questions.size();
-    const std::size_t chunk = std::max(least_chunk, (questions + most_units - 1) / most_units);
-    for (std::size_t begin = 0; begin < questions; begin += chunk) {
-      all.push_back({s, begin, std::min(begin + chunk, questions)});
-    }
-  }
-  return all;
 }
 
 std::map<std::string, std::size_t> units_of_queries(const std::vector<QueryTrial>& trials,
@@ -106,89 +46,6 @@ std::map<std::string, std::size_t> units_of_queries(const std::vector<QueryTrial
 
 void print_unless_bars(const std::string& line) {
   if (!draws_bars()) complain("{}", line);
-}
-
-/// If a property throws, that is a fault of Touchstone: the error names the place, so that it can be reproduced.
-oracle::Finding checked(const Question& question, const Scene& scene, const Property& property,
-                        oracle::Subject& subject) try {
-  return property.check(scene, subject);
-} catch (const std::exception& error) {
-  throw std::logic_error(property.id + " of " + subject.card().name + " on " + question.family + ' ' +
-                         std::to_string(question.index) + ": " + error.what());
-}
-
-/// `row` and `beyond`: for the answers inside and outside the domain that the subject's card declares. `hangs` counts
-/// the questions on which the subject hung. A property that is told only of a hang which another property met counts as
-/// not asked: one hang is one break.
-void ask(const Question& question, const Property& property, oracle::Subject& subject, const int& hangs, Row& row,
-         Row& beyond, Example& example) {
-  if (hangs >= most_hangs) {
-    ++row.counts.not_asked;
-    return;
-  }
-  const int hangs_before = hangs;
-  DomainWatch watch(subject);
-  example.finding = checked(question, example.scene, property, watch);
-  example.beyond = watch.beyond();
-  if (interrupted()) return;  // a query that was cancelled is no failure
-  if (example.finding.defect == oracle::Defect::hung && hangs == hangs_before) {
-    ++row.counts.not_asked;
-  } else if (example.beyond.empty()) {
-    row.count(example);
-  } else {
-    ++row.counts.beyond;
-    beyond.count(example);
-  }
-}
-
-UnitResult nothing_of(const QueryTrial& query, const TestedSubjects& tested) {
-  return {ResultMatrix(query.properties, tested), ResultMatrix(query.properties, tested), {}, {}, 0,
-          std::vector<int>(tested.size())};
-}
-
-bool any_failing(const UnitResult& result) { return std::ranges::any_of(result.results.all(), &Row::failing); }
-
-/// Asks one subject under each property. After a hang, a property that would ask the same question again does not.
-void ask_all(const Question& question, const QueryTrial& query, const TestedSubject& tested, oracle::Subject& itself,
-             UnitResult& result, Example& example) {
-  const bool is_asked = query.asks_exact || tested.card.precision != oracle::Precision::exact;
-  int& hangs = result.hangs[tested.index];
-  const int hangs_before = hangs;
-  CountedHangs counted(itself, hangs);
-  RememberedAnswers remembered(counted);
-  for (const Property* property : query.properties) {
-    if (!question.asked_under(*property)) continue;
-    Row& row = result.results.at(*property, tested);
-    if (!is_asked || (asks_twice(*property) && hangs > hangs_before)) {
-      ++row.counts.not_asked;
-    } else {
-      ask(question, *property, remembered.asked_by(*property), hangs, row, result.beyond.at(*property, tested),
-          example);
-    }
-  }
-}
-
-/// `hangs`: by subject, how many count against it at the start of the unit.
-UnitResult run_unit(const QueryTrial& query, const Unit& unit, const TestedSubjects& tested, const Subjects& subjects,
-                    std::vector<int> hangs, bool first_failure) {
-  UnitResult result = nothing_of(query, tested);
-  result.hangs = std::move(hangs);
-  for (const auto& subject : subjects) start_afresh(*subject);
-  for (std::size_t q = unit.begin; q < unit.end && !interrupted(); ++q) {
-    if (first_failure && any_failing(result)) break;
-    const Question question = query.questions[q];
-    Example example{question.family, question.index, question.scene(), {}, {}};
-    const Scene& scene = example.scene;
-    ++result.scenes;
-    if (question.family.starts_with("mesh.")) ++result.mesh_scenes[question.family];
-    if (question.counts_for_classes) {
-      for (const std::string& name : properties::classes_of(scene, query.name)) ++result.classes[name];
-    }
-    for (const TestedSubject& subject : tested) {
-      ask_all(question, query, subject, *subjects[subject.index], result, example);
-    }
-  }
-  return result;
 }
 
 void refuse_equal_names(const std::vector<oracle::Card>& cards) {
@@ -309,19 +166,49 @@ void name_empty_classes(Ledger& ledger, const std::vector<QueryTrial>& trials) {
   }
 }
 
+/// What remains to be done when all units are merged.
+void finish(Ledger& ledger, const TrialPlan& plan, const std::vector<QueryTrial>& trials,
+            const std::vector<Subjects>& workers) {
+  if (!plan.first_failure) name_empty_classes(ledger, trials);
+  count_as_abstentions(ledger.results);
+  count_as_abstentions(ledger.beyond);
+  cut_down(ledger, workers, plan.first_failure ? Effort{} : plan.effort);
+  ledger.interrupted = interrupted();
+}
+
+std::vector<Subjects> workers_of(const TrialPlan& plan) {
+  std::vector<Subjects> workers;  // one per job
+  for (int job = 0; job < plan.jobs; ++job) workers.push_back(connect_all(plan));
+  return workers;
+}
+
+/// Progress on stderr: a bar, or a line when a query is done.
+class UnitProgress {
+ public:
+  UnitProgress(const std::vector<QueryTrial>& trials, const std::vector<Unit>& units)
+      : bar_("asking", static_cast<int>(units.size())),
+        lines_(units_of_queries(trials, units), seconds_without_line, print_unless_bars) {}
+
+  void step(const std::string& query, long scenes) {
+    bar_.step(query);
+    lines_.step(query, scenes);
+  }
+
+ private:
+  Progress bar_;
+  QueryLines lines_;
+};
+
 }  // namespace
 
 Ledger run(const TrialPlan& plan, const MeshSet& meshes) {
   const std::vector<QueryTrial> all_trials = trials(plan, meshes);
   const std::vector<Unit> all_units = units(all_trials);
-  std::vector<Subjects> workers;  // one per job
-  for (int job = 0; job < plan.jobs; ++job) workers.push_back(connect_all(plan));
+  const std::vector<Subjects> workers = workers_of(plan);
   Ledger ledger = opened(plan, meshes, workers[0], all_trials);
-
   {
     Entry entry(ledger, all_trials, all_units, plan.first_failure);
-    Progress progress("asking", static_cast<int>(all_units.size()));
-    QueryLines lines(units_of_queries(all_trials, all_units), seconds_without_line, print_unless_bars);
+    UnitProgress progress(all_trials, all_units);
     in_parallel(all_units.size(), plan.jobs, [&](std::size_t u, std::size_t job) {
       const QueryTrial& query = all_trials[all_units[u].query];
       UnitResult result = interrupted() || entry.ended() ? nothing_of(query, ledger.subjects)
@@ -329,15 +216,65 @@ Ledger run(const TrialPlan& plan, const MeshSet& meshes) {
                                                                     entry.hangs(u), plan.first_failure);
       const long scenes = result.scenes;
       entry.add(u, std::move(result));
-      progress.step(query.name);
-      lines.step(query.name, scenes);
+      progress.step(query.name, scenes);
     });
   }
-  if (!plan.first_failure) name_empty_classes(ledger, all_trials);
-  count_as_abstentions(ledger.results);
-  count_as_abstentions(ledger.beyond);
-  cut_down(ledger, workers, plan.first_failure ? Effort{} : plan.effort);
-  ledger.interrupted = interrupted();
+  finish(ledger, plan, all_trials, workers);
+  return ledger;
+}
+
+ShardResult run_shard(const TrialPlan& plan, const MeshSet& meshes, Shard shard) {
+  const std::vector<QueryTrial> all_trials = trials(plan, meshes);
+  const std::vector<Unit> all_units = units(all_trials);
+  const std::vector<Subjects> workers = workers_of(plan);
+  const TestedSubjects tested = tested_subjects(plan, workers[0]);
+  std::vector<std::size_t> mine;
+  std::vector<Unit> mine_of_all;
+  for (std::size_t u = static_cast<std::size_t>(shard.number - 1); u < all_units.size();
+       u += static_cast<std::size_t>(shard.of)) {
+    mine.push_back(u);
+    mine_of_all.push_back(all_units[u]);
+  }
+  ShardResult result;
+  for (const TestedSubject& subject : tested) result.versions.push_back(subject.card.name + ' ' + subject.card.version);
+  result.units.resize(mine.size());
+  UnitProgress progress(all_trials, mine_of_all);
+  in_parallel(mine.size(), plan.jobs, [&](std::size_t m, std::size_t job) {
+    const QueryTrial& query = all_trials[mine_of_all[m].query];
+    if (interrupted()) return;
+    const UnitResult unit =
+        run_unit(query, mine_of_all[m], tested, workers[job], std::vector<int>(tested.size()), false);
+    result.units[m] = {{"unit", mine[m]}};
+    result.units[m].update(json_of(unit));
+    progress.step(query.name, unit.scenes);
+  });
+  return result;
+}
+
+Ledger merged(const TrialPlan& plan, const MeshSet& meshes, const std::vector<ShardResult>& shards) {
+  const std::vector<QueryTrial> all_trials = trials(plan, meshes);
+  const std::vector<Unit> all_units = units(all_trials);
+  const std::vector<Subjects> workers = workers_of(plan);
+  Ledger ledger = opened(plan, meshes, workers[0], all_trials);
+  std::vector<const Json*> found(all_units.size());
+  const std::string of_a_unit = "shard";
+  for (const ShardResult& shard : shards) {
+    for (const Json& unit : shard.units) {
+      const Node node(unit, of_a_unit);
+      const Node number = node.at("unit");
+      const auto u = static_cast<std::size_t>(number.index());
+      if (u >= found.size() || found[u] != nullptr) number.refuse("this unit does not exist, or is there twice");
+      found[u] = &unit;
+    }
+  }
+  Entry entry(ledger, all_trials, all_units, false);
+  for (std::size_t u = 0; u < all_units.size(); ++u) {
+    const std::string place = "unit " + std::to_string(u);
+    if (found[u] == nullptr) throw InputError(place, "is in no shard");
+    const QueryTrial& query = all_trials[all_units[u].query];
+    entry.add(u, read_unit(*found[u], query, all_units[u], ledger.subjects, place));
+  }
+  finish(ledger, plan, all_trials, workers);
   return ledger;
 }
 

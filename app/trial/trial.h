@@ -8,6 +8,7 @@
 #include "app/trial/effort.h"
 #include "app/trial/ledger.h"
 #include "app/trial/meshes.h"
+#include "model/json.h"
 #include "oracle/process/pipe.h"
 
 namespace touchstone::app {
@@ -29,5 +30,24 @@ struct TrialPlan {
 /// ledger does not depend on `jobs`. Then the scene of each failing row is minimised (app/trial/smallest.h). An
 /// interrupted run stops early, with a valid ledger.
 Ledger run(const TrialPlan& plan, const MeshSet& meshes);
+
+/// One of several runs, perhaps on other machines, that share the units of a plan. 1 ≤ number ≤ of.
+struct Shard {
+  int number = 1;
+  int of = 1;
+};
+
+/// What a shard found, as JSON that can be merged (app/units/unit_json.h).
+struct ShardResult {
+  std::vector<std::string> versions;  ///< name and version of each subject
+  std::vector<Json> units;            ///< empty if the run was interrupted before them
+};
+
+/// Asks the units that are the shard's. Nothing is minimised.
+ShardResult run_shard(const TrialPlan& plan, const MeshSet& meshes, Shard shard);
+
+/// The ledger of `run`, bit for bit if the subjects repeat themselves, from the units of all shards of the same plan:
+/// merges them in order, then minimises as `run` does. Throws InputError if a unit is missing or is none of this plan.
+Ledger merged(const TrialPlan& plan, const MeshSet& meshes, const std::vector<ShardResult>& shards);
 
 }  // namespace touchstone::app

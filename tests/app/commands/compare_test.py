@@ -10,11 +10,12 @@ RIGHT, A_BIT, MUCH = "1", "1.000000001", "1.5"
 
 class Compare(Test):
     def report(self, folder, *words):
-        self.succeeds("report", "--properties", "distance.value,distance.symmetric", "--cases", 4, "--jobs", 1, "--out",
-                      folder, *words)
+        self.succeeds("report", "--properties", "distance.value,distance.symmetric", "--cases", 4, "--jobs", 1, "--meshes",
+                      "meshes", "--out", folder, *words)
 
     def setUp(self):
         super().setUp()
+        write_meshes(self.folder / "meshes")
         for folder, factor in (("right", RIGHT), ("near", A_BIT), ("far", MUCH)):
             self.report(folder, "--subjects", altered(factor))
 
@@ -71,6 +72,16 @@ class Compare(Test):
         self.refused("compare", "cut.json", "far/report.json", says="cut.json")
         self.file("interrupted.json", self.json("far/report.json") | {"interrupted": True})
         self.refused("compare", "interrupted.json", "far/report.json", says="interrupted")
+
+    def test_a_summary_in_markdown(self):
+        said = self.succeeds("summary", "far/report.json").splitlines()
+        self.assertEqual(said[:2], ["| properties that hold; wrong answers, worst grade | distance |", "|---|---|"])
+        self.assertRegex(said[2], r"^\| `mine` \S+ \| 1 of 2; \d+(\.\d+)? % [DF] \|$")
+        self.assertEqual(said[4], "`touchstone report --effort quick --seed 1`: 4 drawn scenes a query")
+        self.assertRegex(self.succeeds("summary", "right/report.json"), r"(?m)^\| `mine` \S+ \| 2 of 2 \|$")
+        self.assertEqual(self.succeeds("summary", "far/report.json", "--subjects", "mine").splitlines(), said)
+        self.refused("summary", "far/report.json", "--subjects", "yours", says="has no subject yours")
+        self.refused("summary", "absent.json", says="absent.json")
 
 
 if __name__ == "__main__":

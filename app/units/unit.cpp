@@ -1,0 +1,134 @@
+#include "app/units/unit.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "app/system/interruption.h"
+#include "app/trial/counted_hangs.h"
+#include "app/trial/domain_watch.h"
+#include "app/trial/remembered_answers.h"
+#include "app/trial/subject_list.h"
+#include "properties/scenes/domain.h"
+
+namespace touchstone::app {
+namespace {
+
+using properties::Property;
+
+/// Each unit starts the subjects afresh, and one that runs in Node.js takes 0.3 to 0.5 s of CPU time to start. So a
+/// long run has at most this many units for each query: a choice, enough for as many threads.
+constexpr std::size_t most_units = 40;
+constexpr std::size_t least_chunk = 24;
+
+/// If a property throws, that is a fault of Touchstone: the error names the place, so that it can be reproduced.
+oracle::Finding checked(const Question& question, const Scene& scene, const Property& property,
+                        oracle::Subject& subject) try {
+  return property.check(scene, subject);
+} catch (const std::exception& error) {
+  throw std::logic_error(property.id + " of " + subject.card().name + " on " + question.family + ' ' +
+                         std::to_string(question.index) + ": " + error.what());
+}
+
+/// `row` and `beyond`: for the answers inside and outside the domain that the subject's card declares. `hangs` counts
+/// the questions on which the subject hung. A property that is told only of a hang which another property met counts as
+/// not asked: one hang is one break.
+void ask(const Question& question, const Property& property, oracle::Subject& subject, const int& hangs, Row& row,
+         Row& beyond, Example& example) {
+  if (hangs >= most_hangs) {
+    ++row.counts.not_asked;
+    return;
+  }
+  const int hangs_before = hangs;
+  DomainWatch watch(subject);
+  example.finding = checked(question, example.scene, property, watch);
+  example.beyond = watch.beyond();
+  if (interrupted()) return;  // a query that was cancelled is no failure
+  if (example.finding.defect == oracle::Defect::hung && hangs == hangs_before) {
+    ++row.counts.not_asked;
+  } else if (example.beyond.empty()) {
+    row.count(example);
+  } else {
+    ++row.counts.beyond;
+    beyond.count(example);
+  }
+}
+
+/// Asks one subject under each property. After a hang, a property that would ask the same question again does not.
+void ask_all(const Question& question, const QueryTrial& query, const TestedSubject& tested, oracle::Subject& itself,
+             UnitResult& result, Example& example) {
+  const bool is_asked = query.asks_exact || tested.card.precision != oracle::Precision::exact;
+  int& hangs = result.hangs[tested.index];
+  const int hangs_before = hangs;
+  CountedHangs counted(itself, hangs);
+  RememberedAnswers remembered(counted);
+  for (const Property* property : query.properties) {
+    if (!question.asked_under(*property)) continue;
+    Row& row = result.results.at(*property, tested);
+    if (!is_asked || (asks_twice(*property) && hangs > hangs_before)) {
+      ++row.counts.not_asked;
+    } else {
+      ask(question, *property, remembered.asked_by(*property), hangs, row, result.beyond.at(*property, tested),
+          example);
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<QueryTrial> trials(const TrialPlan& plan, const MeshSet& meshes) {
+  std::vector<QueryTrial> all;
+  for (const Property& property : properties::all()) {
+    if (std::ranges::find(plan.properties, property.id) == plan.properties.end()) continue;
+    if (all.empty() || all.back().name != property.query) {
+      const bool asks_exact = plan.exact_simulations || !is_simulated(property.query);
+      all.push_back({property.query, asks_exact, {}, Questions(property.query, plan.effort, plan.seed, meshes)});
+    }
+    all.back().properties.push_back(&property);
+  }
+  return all;
+}
+
+std::vector<Unit> units(const std::vector<QueryTrial>& trials) {
+  std::vector<Unit> all;
+  for (std::size_t s = 0; s < trials.size(); ++s) {
+    const std::size_t questions = trials[s].questions.size();
+    const std::size_t chunk = std::max(least_chunk, (questions + most_units - 1) / most_units);
+    for (std::size_t begin = 0; begin < questions; begin += chunk) {
+      all.push_back({s, begin, std::min(begin + chunk, questions)});
+    }
+  }
+  return all;
+}
+
+UnitResult nothing_of(const QueryTrial& query, const TestedSubjects& tested) {
+  return {ResultMatrix(query.properties, tested), ResultMatrix(query.properties, tested), {}, {}, 0,
+          std::vector<int>(tested.size())};
+}
+
+bool any_failing(const UnitResult& result) { return std::ranges::any_of(result.results.all(), &Row::failing); }
+
+UnitResult run_unit(const QueryTrial& query, const Unit& unit, const TestedSubjects& tested, const Subjects& subjects,
+                    std::vector<int> hangs, bool first_failure) {
+  UnitResult result = nothing_of(query, tested);
+  result.hangs = std::move(hangs);
+  for (const auto& subject : subjects) start_afresh(*subject);
+  for (std::size_t q = unit.begin; q < unit.end && !interrupted(); ++q) {
+    if (first_failure && any_failing(result)) break;
+    const Question question = query.questions[q];
+    Example example{question.family, question.index, question.scene(), {}, {}};
+    const Scene& scene = example.scene;
+    ++result.scenes;
+    if (question.family.starts_with("mesh.")) ++result.mesh_scenes[question.family];
+    if (question.counts_for_classes) {
+      for (const std::string& name : properties::classes_of(scene, query.name)) ++result.classes[name];
+    }
+    for (const TestedSubject& subject : tested) {
+      ask_all(question, query, subject, *subjects[subject.index], result, example);
+    }
+  }
+  return result;
+}
+
+}  // namespace touchstone::app
