@@ -1,5 +1,6 @@
 """Vectors, rotations and solids in exact arithmetic."""
 
+import math
 from fractions import Fraction
 
 
@@ -82,3 +83,9 @@ def parts_in_world(body, pose=None):
     pose = pose or body["X_WB"]
     return [(placed(placed(points, part_pose), pose), faces, radius)
             for points, faces, radius, part_pose in solids(body["shape"])]
+
+
+def root(x):
+    """A square root, rounded to 2^-200 of its size."""
+    shift = 1 << 400
+    return Fraction(math.isqrt(x.numerator * x.denominator * shift), x.denominator << 200)

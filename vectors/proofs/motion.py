@@ -30,12 +30,6 @@ def extent(body, direction, sign):
                       for points, _, radius in parts_in_world(body) for point in points)
 
 
-def root(x):
-    """A square root, rounded to 2^-200 of its size."""
-    shift = 1 << 400
-    return Fraction(math.isqrt(x.numerator * x.denominator * shift), x.denominator << 200)
-
-
 def check_time_of_impact(scene, answer):
     """The plane through the contact separates the bodies at the contact, and all the time before."""
     bodies, motion = scene["bodies"][:2], scene["motion"]
