@@ -48,6 +48,7 @@ def check_penetration(scene, answer):
     A, B = (parts_in_world(body)[0] for body in scene["bodies"][:2])
     radius = A[2] + B[2]
     low, high = ends(answer["depth_enclosure"])
+    demand(0 <= low <= high, "a negative depth")
     cores, core = check_certificate(answer["certificates"][0], A, B)
     if cores != "overlapping":
         truth = "overlapping" if core < radius**2 else "touching" if core == radius**2 else "separated"
@@ -69,4 +70,4 @@ def check_penetration(scene, answer):
     else:
         least = least_depth_squared(A, B)
     demand(Fraction(answer["squared_depth_of_cores"]["exact"]) == least, "squared depth")
-    demand(max(low - radius, 0) ** 2 <= least <= (high - radius) ** 2, "depth")
+    demand(high >= radius and max(low - radius, 0) ** 2 <= least <= (high - radius) ** 2, "depth")

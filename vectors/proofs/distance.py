@@ -43,6 +43,7 @@ def check_distance(scene, answer):
     pairs = {(c["part_A"], c["part_B"]): c for c in answer["certificates"]}
     demand(set(pairs) == set(itertools.product(*(range(len(parts)) for parts in bodies))), "a pair of parts is missing")
     low, high = ends(answer["distance_enclosure"])
+    demand(0 <= low <= high, "a negative distance")
     verdicts, reached = set(), False
     for (a, b), certificate in pairs.items():
         A, B = bodies[0][a], bodies[1][b]

@@ -61,7 +61,8 @@ def prove(folder, *queries):
 
 
 def with_other_ends(interval):
-    return [2 * interval[0] + 1, 2 * interval[1] + 1]
+    """Neither overflows nor underflows to the same."""
+    return [end / 2 - 1 if abs(end) > 1 else end + 3 for end in interval]
 
 
 def altered(query, answer):
@@ -79,7 +80,7 @@ def altered(query, answer):
     elif query == "distance":
         answer["verdict"] = "touching" if answer["verdict"] != "touching" else "separated"
     elif query == "penetration":
-        if answer["verdict"] != "overlapping":
+        if answer["verdict"] != "overlapping" or None in answer["depth_enclosure"]:
             return False
         answer["depth_enclosure"] = with_other_ends(answer["depth_enclosure"])
     elif query == "pixel":
