@@ -39,9 +39,9 @@ Exit codes:
 
 inline constexpr const char* merge = R"(
 Examples:
-  touchstone report --effort standard --shard 1/8 --out shards      on one machine
-  touchstone report --effort standard --shard 2/8 --out shards      on another, and so on
   touchstone merge shards                                           the report that one run would have written
+  touchstone report --effort standard --shard 1/8 --out shards      before that, on one machine
+  touchstone report --effort standard --shard 2/8 --out shards      on another, and so on
 
 The shards of a run have the same options but for --shard and --jobs. What they found is merged in the order of the
 scenes, and only then failing scenes are made smaller, so the engines must be here too. The report is the same, byte for
