@@ -1,6 +1,6 @@
 // The simulation of cannon-es: a world with the bodies of a scene, in equal steps of at most `step` between samples.
-import { Abstain } from "../js/touchstone_adapter.mjs";
 import { CANNON, bodyOf, list, poseOf, vector } from "./cannon_bodies.mjs";
+import { forceAt, requireOneStart, sampled } from "./sampled_motion.mjs";
 
 export const step = 1 / 60; // as shipped
 
@@ -15,17 +15,14 @@ function addPairs(world, scene, bodies, relaxation) {
   }));
 }
 
-/** The force on a body from `time` on. */
-const forceAt = (forces, body, time) => forces.findLast((f) => f.body === body && f.time <= time)?.force_W ?? [0, 0, 0];
-
 const state = (body) => ({
   X_WB: poseOf(body), velocity: { v_WBcm: list(body.rigid.velocity), w_WB: list(body.rigid.angularVelocity) },
 });
 
 /** `relaxation`: after how many steps a contact that is too deep is pushed apart. */
 export const simulationWith = (relaxation) => (scene) => {
-  const { sample_times, start_times = [], forces = [] } = scene.motion;
-  if (start_times.some((t) => t > 0)) throw new Abstain("all bodies start at once");
+  requireOneStart(scene.motion);
+  const { forces = [] } = scene.motion;
   const world = new CANNON.World({ gravity: vector(scene.gravity ?? [0, 0, 0]) });
   const bodies = scene.bodies.map(bodyOf);
   bodies.forEach(({ rigid }) => world.addBody(rigid));
@@ -37,13 +34,5 @@ export const simulationWith = (relaxation) => (scene) => {
       world.step((to - from) / steps);
     }
   };
-  let now = 0;
-  const states = sample_times.map((sample) => {
-    for (const time of [...forces.map((f) => f.time).filter((t) => now < t && t < sample), sample]) {
-      if (time > now) go(now, time);
-      now = time;
-    }
-    return bodies.map(state);
-  });
-  return { states };
+  return { states: sampled(scene.motion, go, () => bodies.map(state)) };
 };

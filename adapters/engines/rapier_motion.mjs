@@ -1,6 +1,7 @@
 // Rapier's simulation: a world with the bodies of a scene, in equal steps of at most `step` between sample times.
 import { Abstain, unitQuaternion } from "../js/touchstone_adapter.mjs";
 import { RAPIER, colliderOf, list, vector } from "./rapier_bodies.mjs";
+import { forceAt, requireOneStart, sampled } from "./sampled_motion.mjs";
 
 export const step = 1 / 60; // as shipped
 
@@ -29,17 +30,14 @@ function addTo(world, body) {
   return rigid;
 }
 
-/** The force on a body from `time` on. */
-const forceAt = (forces, body, time) => forces.findLast((f) => f.body === body && f.time <= time)?.force_W ?? [0, 0, 0];
-
 const state = (rigid) => ({
   X_WB: { p: list(rigid.translation()), q: rigid.rotation() },
   velocity: { v_WBcm: list(rigid.linvel()), w_WB: list(rigid.angvel()) },
 });
 
 export function simulation(scene) {
-  const { sample_times, start_times = [], forces = [] } = scene.motion;
-  if (start_times.some((t) => t > 0)) throw new Abstain("all bodies start at once");
+  requireOneStart(scene.motion);
+  const { forces = [] } = scene.motion;
   const world = new RAPIER.World(vector(scene.gravity ?? [0, 0, 0]));
   try {
     const bodies = scene.bodies.map((body) => addTo(world, body));
@@ -49,15 +47,7 @@ export function simulation(scene) {
       world.timestep = (to - from) / steps;
       for (let k = 0; k < steps; ++k) world.step();
     };
-    let now = 0;
-    const states = sample_times.map((sample) => {
-      for (const time of [...forces.map((f) => f.time).filter((t) => now < t && t < sample), sample]) {
-        if (time > now) go(now, time);
-        now = time;
-      }
-      return bodies.map(state);
-    });
-    return { states };
+    return { states: sampled(scene.motion, go, () => bodies.map(state)) };
   } finally {
     world.free();
   }
