@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -43,7 +44,7 @@ Json json_of(const Row& row) {
   for (const long* number : numbers_of(counts)) json["counts"].push_back(*number);
   if (row.answered() > 0) json["grades"] = row.grades;
   for (const auto& [defect, count] : row.defects) {
-    json["defects"][oracle::name_of(defect)] = {count, oracle::name_of(row.worst_grades.at(defect))};
+    json["defects"].push_back({oracle::name_of(defect), count, oracle::name_of(row.worst_grades.at(defect))});
   }
   if (!row.why_abstains.empty()) json["why_abstains"] = row.why_abstains;
   if (!row.largest_error.unit.empty()) {
@@ -66,26 +67,33 @@ Json json_of(const ResultMatrix& results) {
   return rows;
 }
 
-/// The scenes of a unit, by the family and the index of their draws.
+/// The scenes of a unit, by the family and the index of their draws. Each is drawn at most once: many rows show it.
 class UnitScenes {
  public:
-  UnitScenes(const QueryTrial& query, const Unit& unit) : query_(query), unit_(unit) {}
-
-  /// None if the unit has no such scene.
-  std::optional<Scene> find(const std::string& family, std::uint64_t index) const {
-    for (std::size_t q = unit_.begin; q < unit_.end; ++q) {
-      const Question question = query_.questions[q];
-      if (question.family == family && question.index == index) return question.scene();
+  UnitScenes(const QueryTrial& query, const Unit& unit) {
+    for (std::size_t q = unit.begin; q < unit.end; ++q) {
+      Question question = query.questions[q];
+      questions_.try_emplace({question.family, question.index}, std::move(question));
     }
-    return {};
+  }
+
+  /// Null if the unit has no such scene.
+  const Scene* find(const std::string& family, std::uint64_t index) {
+    const auto question = questions_.find({family, index});
+    if (question == questions_.end()) return nullptr;
+    const auto [drawn, is_new] = drawn_.try_emplace(question->first);
+    if (is_new) drawn->second = question->second.scene();
+    return &drawn->second;
   }
 
  private:
-  const QueryTrial& query_;
-  const Unit& unit_;
+  using Draw = std::pair<std::string, std::uint64_t>;
+
+  std::map<Draw, Question> questions_;
+  std::map<Draw, Scene> drawn_;
 };
 
-std::optional<Example> read_example(const Json& row, const Node& node, const char* key, const UnitScenes& scenes) {
+std::optional<Example> read_example(const Json& row, const Node& node, const char* key, UnitScenes& scenes) {
   const std::optional<Node> found = node.find(key);
   if (!found) return {};
   const Json& json = row.at(key);
@@ -95,9 +103,9 @@ std::optional<Example> read_example(const Json& row, const Node& node, const cha
   found->at("finding");
   example.finding = oracle::read_finding(json.at("finding"), std::string(key) + ".finding");
   if (const auto beyond = found->find("beyond")) example.beyond = beyond->text();
-  std::optional<Scene> scene = scenes.find(example.family, example.index);
-  if (!scene) found->refuse("the unit has no scene of this family and index");
-  example.scene = std::move(*scene);
+  const Scene* scene = scenes.find(example.family, example.index);
+  if (scene == nullptr) found->refuse("the unit has no scene of this family and index");
+  example.scene = *scene;
   return example;
 }
 
@@ -113,14 +121,7 @@ ErrorHistogram read_errors(const Json& json, const Node& node) {
   return errors;
 }
 
-Defect read_defect(const Node& node, const std::string& name) {
-  for (int i = 0; i <= static_cast<int>(Defect::garbage); ++i) {
-    if (oracle::name_of(static_cast<Defect>(i)) == name) return static_cast<Defect>(i);
-  }
-  node.refuse("unknown defect " + Json(name).dump());
-}
-
-void read_row(const Json& json, const Node& node, const UnitScenes& scenes, Row& row) {
+void read_row(const Json& json, const Node& node, UnitScenes& scenes, Row& row) {
   const Node counts = node.at("counts");
   const auto numbers = numbers_of(row.counts);
   counts.expect_size(static_cast<int>(numbers.size()));
@@ -130,12 +131,12 @@ void read_row(const Json& json, const Node& node, const UnitScenes& scenes, Row&
     for (std::size_t g = 0; g < row.grades.size(); ++g) row.grades[g] = (*grades)[static_cast<int>(g)].index();
   }
   if (const auto defects = node.find("defects")) {
-    for (const auto& [name, unused] : json.at("defects").items()) {
-      const Node entry = defects->at(name);
-      entry.expect_size(2);
-      const Defect defect = read_defect(entry, name);
-      row.defects[defect] = entry[0].index();
-      row.worst_grades[defect] = read_named(entry[1], Grade::A, Grade::F);
+    for (int d = 0; d < defects->size(); ++d) {
+      const Node entry = (*defects)[d];
+      entry.expect_size(3);
+      const Defect defect = read_named(entry[0], Defect::none, Defect::garbage);
+      row.defects[defect] = entry[1].index();
+      row.worst_grades[defect] = read_named(entry[2], Grade::A, Grade::F);
     }
   }
   if (const auto why = node.find("why_abstains")) row.why_abstains = why->text();
@@ -148,7 +149,7 @@ void read_row(const Json& json, const Node& node, const UnitScenes& scenes, Row&
                   read_example(json, node, "smallest", scenes)};
 }
 
-void read_results(const Json& json, const Node& node, const QueryTrial& query, const UnitScenes& scenes,
+void read_results(const Json& json, const Node& node, const QueryTrial& query, UnitScenes& scenes,
                   const TestedSubjects& tested, ResultMatrix& results) {
   for (int r = 0; r < node.size(); ++r) {
     const Node row = node[r];
@@ -187,7 +188,7 @@ UnitResult read_unit(const Json& json, const QueryTrial& query, const Unit& unit
   result.mesh_scenes = read_counts(json.at("mesh_scenes"), meshes);
   hangs.expect_size(static_cast<int>(tested.size()));
   for (std::size_t s = 0; s < tested.size(); ++s) result.hangs[s] = hangs[static_cast<int>(s)].index();
-  const UnitScenes scenes(query, unit);
+  UnitScenes scenes(query, unit);
   const Node results = node.at("results"), beyond = node.at("beyond");
   read_results(json.at("results"), results, query, scenes, tested, result.results);
   read_results(json.at("beyond"), beyond, query, scenes, tested, result.beyond);

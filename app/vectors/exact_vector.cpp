@@ -14,6 +14,7 @@ namespace touchstone::app {
 namespace {
 
 using oracle::Precision;
+
 Json simulation(const Scene& scene) {
   const Trajectory trajectory = reference::simulation(scene);
   if (trajectory.complete_until) {

@@ -56,12 +56,6 @@ Json short_json(const Scene& scene) {
   return json;
 }
 
-/// Lengths near the ends of the doubles: no bound on rounding holds (properties/scenes/extreme.h).
-bool is_extreme(const Json& source) {
-  const Json& drawn = source.contains("smaller_than") ? source["smaller_than"] : source;
-  return drawn.value("family", "").starts_with("extreme.");
-}
-
 Json vector_json(const std::string& query, const TestVector& vector) {
   const Scene& scene = vector.scene;
   const std::string id = id_of(query, touchstone::json_of(scene).dump());
@@ -71,7 +65,7 @@ Json vector_json(const std::string& query, const TestVector& vector) {
     const Interval margin = oracle::judge::margin(scene);
     json["margin"] = {margin.lo, margin.hi};
   }
-  if (Json allowed = allowance(query, scene); !allowed.is_null() && !is_extreme(vector.source)) {
+  if (Json allowed = allowance(query, scene); !allowed.is_null() && !is_extreme(vector)) {
     json["allowed"] = std::move(allowed);
   }
   json["scene"] = short_json(scene);
@@ -80,6 +74,12 @@ Json vector_json(const std::string& query, const TestVector& vector) {
 }
 
 }  // namespace
+
+bool is_extreme(const TestVector& vector) {
+  const Json& source = vector.source;
+  const Json& drawn = source.contains("smaller_than") ? source["smaller_than"] : source;
+  return drawn.value("family", "").starts_with("extreme.");
+}
 
 std::string vectors_file(const std::string& folder, const std::string& query) {
   return (std::filesystem::path(folder) / (query + ".json")).string();

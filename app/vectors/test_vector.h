@@ -15,6 +15,10 @@ struct TestVector {
   Json source;  ///< {"family", "seed", "index"} of a draw; {"property", "failed_by", ...} of a case; or {"note"}
 };
 
+/// Is the scene from a family at the ends of the doubles, where no bound on rounding holds
+/// (properties/scenes/extreme.h)?
+bool is_extreme(const TestVector& vector);
+
 /// The name of the file that has the vectors of a query, in a folder of test vectors.
 std::string vectors_file(const std::string& folder, const std::string& query);
 

@@ -72,8 +72,7 @@ std::string vectors_page(const std::vector<Json>& files) {
       "content=\"width=device-width,initial-scale=1\"><link rel=\"icon\" href=\"data:,\"><title>Touchstone test "
       "vectors</title><style>{}\npre{{font-size:.75rem;overflow:auto;max-height:20rem}}</style></head><body><main>"
       "<h1>Test vectors</h1><p class=\"lead\">Scenes and their exact answers. Body A is drawn solid, body B dashed, "
-      "the "
-      "exact closest points as dots. A body with more than {} vertices is not drawn.</p><nav "
+      "the exact closest points as dots. A body with more than {} vertices is not drawn.</p><nav "
       "aria-label=\"Contents\">{}</nav>{}</main><script>{}</script></body></html>\n",
       report_style, most_drawn, contents, sections, script);
 }

@@ -54,6 +54,7 @@ def inverse(m):
     rows = cross(m[1], m[2]), cross(m[2], m[0]), cross(m[0], m[1])
     return transposed([times(1 / dot(m[0], rows[0]), row) for row in rows])
 
+
 IDENTITY = {"p": [0, 0, 0], "q": {"w": 1, "x": 0, "y": 0, "z": 0}}
 BOX_FACES = ((0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5))
 

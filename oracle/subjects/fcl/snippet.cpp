@@ -43,9 +43,8 @@ std::string placed(const std::string& name, const Body& body) {
 }
 
 std::string program(const std::string& statements) {
-  return "// g++ fcl.cpp $(pkg-config --cflags --libs fcl ccd) -o fcl && ./fcl\n#include <fcl/fcl.h>\n\n#include "
-         "<cstdio>"
-         "\n\nint main() {\n" +
+  return "// g++ fcl.cpp $(pkg-config --cflags --libs fcl ccd) -o fcl && ./fcl\n#include <fcl/fcl.h>\n\n"
+         "#include <cstdio>\n\nint main() {\n" +
          statements + "}\n";
 }
 

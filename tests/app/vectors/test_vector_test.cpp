@@ -16,11 +16,6 @@ bool holds_for_extremes(const properties::Property& property) {
   return property.id.ends_with(".survives") || property.id.ends_with(".repeats");
 }
 
-bool is_extreme(const TestVector& vector) {
-  const Json& drawn = vector.source.contains("smaller_than") ? vector.source["smaller_than"] : vector.source;
-  return drawn.value("family", "").starts_with("extreme.");
-}
-
 /// Open: edges of 1 m and 512 m, parallel at the start and 2e-7 m apart, that turn past each other. The time that fast
 /// encloses is right, but one end is 0.39 s off, and it differs if the bodies are exchanged.
 bool is_known(const properties::Property& property, const TestVector& vector) {
