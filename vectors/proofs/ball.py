@@ -5,7 +5,7 @@ from fractions import Fraction
 from proofs.exact import *
 from proofs.verdict import InPart, demand
 
-TINY = Fraction(1, 2**34)  # of the scale: the enclosures' middles are compared, whose errors friction and time magnify
+TINY = Fraction(1, 2**44)  # of the scale, as `near` has it: middles of enclosures that are an ulp or two wide
 
 
 def middle(interval):
