@@ -20,7 +20,7 @@ struct TimeOfImpactTruth {
   /// apart. undecided: the two are apart before lo, within `gap` at lo, and hi is the end of the motion.
   Interval time;
   bool at_start = false;  ///< hit or undecided because of contact at the start: lo = start
-  double gap = 0;         ///< m; undecided: upper bound of the distance at lo
+  double gap = 0;         ///< m; undecided: upper bound of the distance at lo, infinite if none is known
   /// hit, undecided: unit normal, from B to A, of a plane between the two at lo; to rounding
   Vec3 nhat_BA_W = Vec3::Zero();
   Vec3 p_WCa = Vec3::Zero();  ///< closest points at lo, to rounding

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <stdexcept>
 
@@ -199,7 +200,7 @@ Json time_of_impact(const Scene& scene) {
     json["width"] = truth.time.hi - truth.time.lo;
     json["at_start"] = truth.at_start ? "yes" : "no";
   }
-  if (truth.status == Status::undecided) json["gap_at_most"] = truth.gap;
+  if (truth.status == Status::undecided && std::isfinite(truth.gap)) json["gap_at_most"] = truth.gap;
   if (truth.status != Status::miss) {
     json["p_WCa"] = touchstone::json_of(truth.p_WCa);
     json["p_WCb"] = touchstone::json_of(truth.p_WCb);

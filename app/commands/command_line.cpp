@@ -172,11 +172,12 @@ void add_run_options(CLI::App& command, RunOptions& options) {
   command
       .add_option("--effort", options.effort,
                   "quick, standard or soak: how many scenes are asked, and how long a failing one is made smaller. "
-                  "standard asks 4,000 scenes of each query. One subject by itself is asked 100,000, and 1,456,000 "
-                  "impacts for the properties that need one answer each. Of simulation, quick draws at most 60 "
-                  "scenes and 20 extreme ones, of constraint 40, and asks the exact reference only by itself; of "
-                  "either standard draws 1,000 and soak 10,000; of simulation of one subject by itself, standard and "
-                  "soak draw four times as many")
+                  "standard asks several subjects about 2,000 scenes of each query, and one by itself about 100,000 "
+                  "and about 1,456,000 impacts for the properties that need one answer each. Trajectories are longer: "
+                  "of simulation, quick asks for at most 60 drawn scenes and 20 extreme ones, standard for 200 (4,000 "
+                  "of one subject by itself) and soak for 10,000 (40,000); of constraint 40, 500 and 10,000. Beside "
+                  "other subjects one that computes exactly is asked about 400 scenes of each query (soak: 4,000), and "
+                  "for no trajectory of these two queries")
       ->check(one_of(effort_names()))
       ->type_name("EFFORT")
       ->capture_default_str();

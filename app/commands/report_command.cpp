@@ -76,7 +76,6 @@ TrialPlan plan_of(const RunOptions& options) {
   plan.jobs = options.jobs > 0 ? options.jobs : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   plan.limits = limits_of(options.time_limit, plan.effort.trajectories.time_factor);
   plan.first_failure = options.pass.first_failure;
-  plan.exact_simulations = plan.effort.name != "quick" || plan.subjects.size() == 1;
   return plan;
 }
 

@@ -61,6 +61,11 @@ int cases_of(const std::string& query, const Effort& effort) {
   return query == "constraint" ? std::min(effort.cases, effort.trajectories.constraints) : effort.cases;
 }
 
+Question numbered(Question question, std::size_t number) {
+  question.number = number;
+  return question;
+}
+
 int extremes_of(const std::string& query, const Effort& effort) {
   return query == "simulation" ? std::min(effort.extreme_cases, effort.trajectories.extreme_cases)
                                : effort.extreme_cases;
@@ -98,9 +103,11 @@ Questions::Questions(const std::string& query, const Effort& effort, std::uint64
       meshes_(about_meshes(query, effort, seed, set)) {}
 
 Question Questions::operator[](std::size_t k) const {
-  if (k < drawn_.size()) return drawn_[k];
-  if (k < drawn_.size() + extreme_.size()) return extreme_[k - drawn_.size()];
-  return meshes_[k - drawn_.size() - extreme_.size()];
+  if (k < drawn_.size()) return numbered(drawn_[k], k);
+  k -= drawn_.size();
+  if (k < extreme_.size()) return numbered(extreme_[k], k);
+  k -= extreme_.size();
+  return numbered(meshes_[k], k);
 }
 
 }  // namespace touchstone::app

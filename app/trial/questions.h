@@ -20,6 +20,7 @@ struct Question {
   std::function<Scene()> scene;  ///< the same scene on each call
   std::function<bool(const properties::Property&)> asked_under;
   bool counts_for_classes = false;  ///< drawn from a family of the query
+  std::size_t number = 0;           ///< among the query's drawn, extreme or mesh scenes, whichever it is one of
 };
 
 /// Does the property only compare a number or a verdict with the truth? Every pair of meshes is used for such

@@ -20,8 +20,7 @@ struct TrialPlan {
   std::uint64_t seed = 1;
   int jobs = 1;
   oracle::PipeLimits limits;
-  bool first_failure = false;     ///< stop at the first failing scene, and do not make it smaller
-  bool exact_simulations = true;  ///< also ask subjects that compute exactly for trajectories, which take them seconds
+  bool first_failure = false;  ///< stop at the first failing scene, and do not make it smaller
 };
 
 /// A unit of work is a chunk of one query's scenes. The subjects start each unit afresh, and all subjects are asked

@@ -1,6 +1,7 @@
 #include "app/units/unit.h"
 
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -55,10 +56,17 @@ void ask(const Question& question, const Property& property, oracle::Subject& su
   }
 }
 
+/// A subject that computes exactly is slow, and would only repeat the truth: beside others it is asked few questions,
+/// and for no trajectory, which takes it seconds.
+std::size_t exact_questions(const TrialPlan& plan, const std::string& query) {
+  if (plan.subjects.size() == 1) return std::numeric_limits<std::size_t>::max();
+  return is_simulated(query) ? 0 : static_cast<std::size_t>(plan.effort.exact_cases);
+}
+
 /// Asks one subject under each property. After a hang, a property that would ask the same question again does not.
 void ask_all(const Question& question, const QueryTrial& query, const TestedSubject& tested, oracle::Subject& itself,
              UnitResult& result, Example& example) {
-  const bool is_asked = query.asks_exact || tested.card.precision != oracle::Precision::exact;
+  const bool is_asked = question.number < query.exact_questions || tested.card.precision != oracle::Precision::exact;
   int& hangs = result.hangs[tested.index];
   const int hangs_before = hangs;
   CountedHangs counted(itself, hangs);
@@ -82,8 +90,10 @@ std::vector<QueryTrial> trials(const TrialPlan& plan, const MeshSet& meshes) {
   for (const Property& property : properties::all()) {
     if (std::ranges::find(plan.properties, property.id) == plan.properties.end()) continue;
     if (all.empty() || all.back().name != property.query) {
-      const bool asks_exact = plan.exact_simulations || !is_simulated(property.query);
-      all.push_back({property.query, asks_exact, {}, Questions(property.query, plan.effort, plan.seed, meshes)});
+      all.push_back({property.query,
+                     exact_questions(plan, property.query),
+                     {},
+                     Questions(property.query, plan.effort, plan.seed, meshes)});
     }
     all.back().properties.push_back(&property);
   }

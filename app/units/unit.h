@@ -28,7 +28,7 @@ struct Unit {
 /// The properties of one query, and its scenes.
 struct QueryTrial {
   std::string name;
-  bool asks_exact = true;  ///< also subjects that compute exactly
+  std::size_t exact_questions = 0;  ///< subjects that compute exactly are asked those with a lower number only
   std::vector<const properties::Property*> properties;
   Questions questions;
 };

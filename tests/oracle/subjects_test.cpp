@@ -242,6 +242,20 @@ TEST_CASE("the reference abstains where no double holds the exact value") {
   CHECK(std::holds_alternative<Bounds>(reference->bounds(speck)));
 }
 
+/// B's motion began earlier, so its pose at the start is known to rounding only, where the boxes touch: no bound of the
+/// distance is known. JSON has no word for infinity.
+TEST_CASE("the reference tells no gap that it does not know") {
+  Scene scene = pair(body(Box{{3, 3, 2}}, {0, -1, -1}, {1, 1, 1, 1}), body(Box{{2, 1, 2}}, {0, 0, 0}, {1, 1, 1, 1}));
+  scene.bodies[1].velocity.v_WBcm = {0, -6, 0};
+  scene.motion = Motion{};
+  scene.motion->sample_times = {2};
+  scene.motion->start_times = {1, 0};
+  const auto reference = connect("reference", TOUCHSTONE_SUBJECTS);
+  const TimeOfImpact answer = said(reference->time_of_impact(scene));
+  CHECK(answer.status == TimeOfImpact::Status::undecided);
+  CHECK(!answer.gap);
+}
+
 /// A ball of mass 1 and inertia 1/2 that hits a body at the origin from above.
 Scene impact(const Vec3& v, Body other, double e, double mu) {
   Body ball = body(Sphere{1}, {0, 0, 1});

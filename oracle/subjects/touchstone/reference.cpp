@@ -188,7 +188,7 @@ class Reference : public Subject {
     said.status = truth.status;
     if (truth.status == TimeOfImpact::Status::hit) said.time = middle(truth.time);
     if (truth.status != TimeOfImpact::Status::miss) said.enclosure = truth.time;
-    if (truth.status == TimeOfImpact::Status::undecided) said.gap = truth.gap;
+    if (truth.status == TimeOfImpact::Status::undecided && std::isfinite(truth.gap)) said.gap = truth.gap;
     return said;
   }
 

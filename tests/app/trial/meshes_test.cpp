@@ -46,7 +46,7 @@ TEST_CASE("A scene follows from the seed") {
 TEST_CASE("Depth is asked of a few pairs, spread over all") {
   MeshSet set;
   for (int i = 0; i < 10; ++i) set.meshes.push_back({"mesh", "robot", {}});
-  Effort effort{"some", 1, 1, 1, 1, 1, 1, 5};
+  Effort effort{.name = "some", .deep_mesh_pairs = 5};
   CHECK(mesh_questions("distance", effort, set).size() == 45);
   const std::vector<MeshQuestion> deep = mesh_questions("penetration", effort, set);
   CHECK(deep.size() == 5);

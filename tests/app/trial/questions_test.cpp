@@ -10,7 +10,14 @@
 namespace touchstone::app {
 namespace {
 
-const Effort few{"few", 200, 200, 50, 20, 10, 3, 2};
+const Effort few{.name = "few",
+                 .cases = 200,
+                 .cases_alone = 200,
+                 .more_impacts = 50,
+                 .extreme_cases = 20,
+                 .minimise_budget = 10,
+                 .mesh_share = 3,
+                 .deep_mesh_pairs = 2};
 
 std::vector<Question> questions(const std::string& query, std::uint64_t seed, const MeshSet& set) {
   const Questions asked(query, few, seed, set);
@@ -61,6 +68,13 @@ TEST_CASE("Of the queries whose answer is a trajectory fewer scenes are asked") 
   CHECK(Questions("simulation", effort, 1, {}).size() == 95);
   CHECK(Questions("constraint", effort, 1, {}).size() == 40);  // no extreme ones are drawn
   CHECK(Questions("time_of_impact", effort, 1, {}).size() == 220);
+}
+
+TEST_CASE("Drawn and extreme scenes are numbered each from 0") {
+  const std::vector<Question> asked = questions("mass", 1, {});
+  CHECK(asked[199].number == 199);
+  CHECK(asked[200].number == 0);
+  CHECK(asked.back().number == 19);
 }
 
 MeshSet three_meshes() {
