@@ -78,10 +78,15 @@ TimeOfImpactTruth at_start(const Parts& parts, const Question& question, Status 
   throw InputError("bodies", what.str() + " where their motion begins; expected bodies that are apart");
 }
 
-/// One of the bodies started earlier, so the poses are known only to rounding, and so is an overlap.
+/// One of the bodies started earlier, so the poses are known only to rounding, and so is an overlap. If a pose is not
+/// known at all, nothing is refused.
 void refuse_overlap_to_rounding(const Question& question) {
   Scene scene = question.scene;
-  for (std::size_t i = 0; i < 2; ++i) scene.bodies[i] = moved(question.scene, i, question.from);
+  try {
+    for (std::size_t i = 0; i < 2; ++i) scene.bodies[i] = moved(question.scene, i, question.from);
+  } catch (const MotionUnknown&) {
+    return;
+  }
   if (distance(scene).verdict == Verdict::overlapping) refuse_overlap(scene);
 }
 

@@ -28,6 +28,16 @@ NextImpact next_of(const TimeOfImpactTruth& truth) {
   return {truth.status == Status::hit, truth.time.lo, false};
 }
 
+/// While its trajectory is known, an entry of a rotation is enclosed to a few ulps of 1. Then enclosures grow, until
+/// they contain every rotation, and the middle of the quaternion's is 0. The limit between the two is a choice.
+constexpr double widest_known = 0x1p-40;
+
+bool is_known(const std::array<std::array<Interval, 3>, 3>& R) {
+  return std::ranges::all_of(R, [](const auto& row) {
+    return std::ranges::all_of(row, [](const Interval& entry) { return entry.hi - entry.lo <= widest_known; });
+  });
+}
+
 /// A time at which the two are more than the envelope apart, not long after this is first so.
 std::optional<double> time_outside(const Scene& pair, double envelope, double from, double until) {
   for (int k = 20; k >= 0; --k) {
@@ -41,7 +51,7 @@ std::optional<double> time_outside(const Scene& pair, double envelope, double fr
 
 Body moved(const Scene& scene, std::size_t index, double time) {
   const BallisticTruth truth = ballistic_state(scene, index, time);
-  if (!std::isfinite(truth.R_WB[0][0].hi - truth.R_WB[0][0].lo)) throw MotionUnknown();
+  if (!is_known(truth.R_WB)) throw MotionUnknown();
   const auto middle = [](const Interval& i) { return i.lo + (i.hi - i.lo) / 2; };
   const auto vec = [&](const std::array<Interval, 3>& v) { return Vec3(middle(v[0]), middle(v[1]), middle(v[2])); };
   const auto& q = truth.q_WB;

@@ -302,6 +302,16 @@ TEST_CASE("Each body flies from its own start") {
   }
 }
 
+TEST_CASE("A body that has turned so often that its rotation is not known, by the time at which the other starts") {
+  Body plank = body(Box{{1, 2, 3}}, Vec3(8, 0, 0));
+  plank.velocity = {Vec3(-1, 0, 0), Vec3(1e100, 1e99, 1e98)};
+  Scene scene = moving_scene(pair(plank, body(Box{{1, 2, 3}}, Vec3::Zero())), 32);
+  scene.motion->start_times = {0, 16};
+  const TimeOfImpactTruth truth = time_of_impact(scene);
+  CHECK(truth.status == Status::undecided);
+  CHECK(truth.time.lo == 16);
+}
+
 TEST_CASE("The time of a distance comes before that of an impact") {
   Scene scene = moving_scene(pair(ball(1, Vec3(-8, 0, 0), Vec3(2, 0, 0)), ball(1, Vec3(8, 0, 0), Vec3::Zero())), 8);
   const TimeOfImpactTruth near = time_of_distance(scene, 2);
