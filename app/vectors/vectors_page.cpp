@@ -35,7 +35,8 @@ std::string card(const Json& test) {
   const std::string id = test["id"];
   return fmt::format(
       "<section class=\"card\" id=\"{0}\"><h3><a href=\"#{0}\">{0}</a></h3><p class=\"soft\">{1}</p>{2}"
-      "<p class=\"soft\">{3}</p><details><summary>exact answer</summary><pre>{4}</pre></details></section>\n",
+      "<p class=\"soft\">{3}</p><details><summary>exact answer</summary><pre "
+      "tabindex=\"0\">{4}</pre></details></section>\n",
       id, escaped(fmt::format("{}", fmt::join(classes, ", "))), picture(read<Scene>(test["scene"], id)),
       escaped(words_of_source(test["source"])), escaped(answer));
 }

@@ -68,8 +68,8 @@ std::string matrix(const Ledger& ledger) {
   std::string html =
       "<p>Properties that hold, of those that the subject answers; then the share of its answers that fail. The letter "
       "is the <a href=\"#table\">worst grade</a> of any answer; the darker, the more properties hold. – : the subject "
-      "does not offer the query.</p><div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"Subjects and "
-      "queries\"><table class=\"matrix\"><thead><tr><th scope=\"col\">subject</th><th scope=\"col\">all</th>";
+      "does not offer the query.</p><div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"Properties that "
+      "hold\"><table class=\"matrix\"><thead><tr><th scope=\"col\">subject</th><th scope=\"col\">all</th>";
   for (const ResultMatrix::Properties& properties : ledger.results.by_query()) {
     const std::string& query = properties.front()->query;
     html += fmt::format("<th scope=\"col\"><a href=\"#{}\">{}</a></th>", table_anchor(query), breakable(query));

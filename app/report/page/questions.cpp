@@ -35,7 +35,9 @@ std::string about_classes(const Ledger& ledger) {
                          ? "<p>There were scenes of every class.</p>"
                          : fmt::format("<p><b>Classes without any scene:</b> {}.</p>",
                                        escaped(fmt::format("{}", fmt::join(ledger.empty_classes, "; "))));
-  html += "<details><summary>Scenes of each class</summary><div class=\"scroll\"><table><tbody>";
+  html +=
+      "<details><summary>Scenes of each class</summary><div class=\"scroll\" tabindex=\"0\" role=\"region\" "
+      "aria-label=\"Scenes of each class\"><table><tbody>";
   for (const auto& [query, classes] : ledger.classes) {
     html += fmt::format("<tr class=\"query\"><th scope=\"rowgroup\">{}</th><td></td></tr>", escaped(query));
     for (const auto& [name, count] : classes) {

@@ -50,6 +50,7 @@ details.cause{margin:.45rem 0;padding:.15rem .9rem;border-left:.3rem solid var(-
 summary{cursor:pointer;padding:.35rem 0}summary b{margin-right:.5rem}
 .drawn{display:grid;gap:.6rem 1.2rem}@media(min-width:56rem){.drawn{grid-template-columns:22rem 1fr}}
 dl{display:grid;grid-template-columns:5.6rem 1fr;gap:.2rem .7rem;margin:.3rem 0 0;font-size:.88rem}dt{color:var(--soft)}dd{margin:0;min-width:0}
+pre{white-space:pre-wrap;font-size:.84em}
 code{font:.84em/1.4 ui-monospace,monospace;background:var(--none);padding:.08rem .3rem;border-radius:.25rem}
 svg{display:block;width:100%;height:auto;max-width:26rem;margin:0 auto}
 svg text{font-size:11px;fill:var(--soft);text-anchor:middle}svg text[class]{font-weight:700;font-size:12px;stroke:none}

@@ -17,12 +17,14 @@ class Page(Test):
         cls.page = (cls.runs / "R/index.html").as_uri()
 
     def test_phone_and_desk_in_light_and_dark(self):
-        for width in (390, 1300):
+        for width in (390, 400, 1400):
             for dark in (False, True):
                 with self.subTest(width=width, dark=dark):
                     self.browser.open(self.page, width, dark=dark)
                     self.assertEqual(self.browser.complaints(), [])
+                    self.browser.value("document.querySelectorAll('details').forEach(e => { e.open = true })")
                     self.assertLessEqual(self.browser.value("document.documentElement.scrollWidth"), width)
+                    self.browser.value("document.querySelectorAll('details').forEach(e => { e.open = false })")
                     if SHOTS:
                         for top in (0, 900, 2400):
                             self.browser.screenshot(f"{SHOTS}/{width}{'dark' if dark else ''}{top}.png", top)

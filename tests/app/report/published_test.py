@@ -5,6 +5,7 @@ import lzma
 import re
 import unittest
 
+from browser import folder_and_browser
 from program import *
 
 PUBLISHED = SOURCE / "docs/reports/engines"
@@ -33,6 +34,18 @@ class Published(Test):
         self.assertLess(len(page), 8_000_000)
         for subject in self.json("report.json")["subjects"]:
             self.assertIn(f">{subject['name']}<", page)
+
+    def test_the_page_opens_on_phone_and_desk(self):
+        folder, browser = folder_and_browser(type(self))
+        page = folder / "index.html"
+        page.write_bytes(lzma.decompress((PUBLISHED / "index.html.xz").read_bytes()))
+        for width in (400, 1400):
+            for dark in (False, True):
+                browser.open(page.as_uri(), width, dark=dark)
+                self.assertEqual(browser.complaints(), [])
+                self.assertLessEqual(browser.value("document.documentElement.scrollWidth"), width)
+                seconds = browser.value("performance.getEntriesByType('navigation')[0].loadEventEnd / 1000")
+                print(f"{page.stat().st_size / 1e6:.2f} MB from disk at {width} px: loaded after {seconds:.2f} s")
 
 
 if __name__ == "__main__":
