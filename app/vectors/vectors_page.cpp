@@ -8,6 +8,7 @@
 #include "app/report/page/page.h"
 #include "app/report/page/picture.h"
 #include "app/report/page/style.h"
+#include "app/report/page/turn_script.h"
 #include "app/report/xml.h"
 
 namespace touchstone::app {
@@ -74,8 +75,8 @@ std::string vectors_page(const std::vector<Json>& files) {
       "vectors</title><style>{}\npre{{font-size:.75rem;overflow:auto;max-height:20rem}}</style></head><body><main>"
       "<h1>Test vectors</h1><p class=\"lead\">Scenes and their exact answers. Body A is drawn solid, body B dashed, "
       "the exact closest points as dots. A body with more than {} vertices is not drawn.</p><nav "
-      "aria-label=\"Contents\">{}</nav>{}</main><script>{}</script></body></html>\n",
-      report_style, most_drawn, contents, sections, script);
+      "aria-label=\"Contents\">{}</nav>{}</main><script>{}{}</script></body></html>\n",
+      report_style, most_drawn, contents, sections, script, turn_script);
 }
 
 }  // namespace touchstone::app

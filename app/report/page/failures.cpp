@@ -56,7 +56,7 @@ std::string facts(const Row& row) {
 
 /// The scene and, of a law about two answers, the second one. The two stand one below the other.
 std::string drawings(const oracle::Case& a_case) {
-  const std::string first = picture(a_case.scene);
+  const std::string first = picture(a_case);
   if (!a_case.changed) return first;
   const std::string second = picture(a_case.changed->scene);
   if (first.empty() || second.empty()) return first + second;

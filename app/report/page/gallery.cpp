@@ -45,8 +45,8 @@ std::string glance(const Row& row) {
       "{2}</p>{3}<dl>{4}</dl><p><a "
       "href=\"#{5}\">{6}</a></p>"
       "</section>",
-      badge(*row.grade()), escaped(row.subject->card.name), escaped(row.property->says),
-      picture(row.minimised.result->scene), facts, anchor(row), escaped(row.property->id));
+      badge(*row.grade()), escaped(row.subject->card.name), escaped(row.property->says), picture(*row.minimised.result),
+      facts, anchor(row), escaped(row.property->id));
 }
 
 }  // namespace
@@ -65,8 +65,8 @@ std::string gallery(const Ledger& ledger) {
                          rows.size() - shown_at_once, others);
   }
   return "<p>Reduced to the smallest scene that still fails, the plainest first. Body A is drawn solid, body B dashed, "
-         "the "
-         "exact closest points as dots; a ring marks a body too small to see.</p><div class=\"cards\">" +
+         "the exact closest points as dots; a ring marks a body too small to see. What the subject claims is drawn in "
+         "dashes.</p><div class=\"cards\">" +
          first + "</div>" + others;
 }
 

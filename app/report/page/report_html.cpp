@@ -5,6 +5,7 @@
 #include "app/report/page/page.h"
 #include "app/report/page/script.h"
 #include "app/report/page/style.h"
+#include "app/report/page/turn_script.h"
 #include "app/report/xml.h"
 #include "app/system/version.h"
 
@@ -81,7 +82,7 @@ std::string report_html(const Ledger& ledger) {
          section("subjects", "Subjects", page::subjects(ledger)) +                       //
          section("asked", "What was asked", page::what_was_asked(ledger)) +              //
          section("limits", "Limits", limitations) + "</main><script>" + report_script +  //
-         "</script></body></html>\n";
+         turn_script + "</script></body></html>\n";
 }
 
 }  // namespace touchstone::app

@@ -54,13 +54,18 @@ pre{white-space:pre-wrap;font-size:.84em}
 code{font:.84em/1.4 ui-monospace,monospace;background:var(--none);padding:.08rem .3rem;border-radius:.25rem}
 svg{display:block;width:100%;height:auto;max-width:26rem;margin:0 auto}
 svg text{font-size:11px;fill:var(--soft);text-anchor:middle}svg text[class]{font-weight:700;font-size:12px;stroke:none}
-svg line,svg circle,svg polygon{stroke-width:1.2;vector-effect:non-scaling-stroke;fill:none}
+svg path,svg circle,svg polygon{stroke-width:1.2;vector-effect:non-scaling-stroke;fill:none}
 svg polygon{stroke:none}svg polygon,svg circle{fill-opacity:.13}
 .body-0{stroke:var(--one)}polygon.body-0,circle.body-0,text.body-0{fill:var(--one)!important}
 .body-1{stroke:var(--two);stroke-dasharray:5 2}polygon.body-1,circle.body-1,text.body-1{fill:var(--two)!important}
 .body-2{stroke:var(--soft)}polygon.body-2,circle.body-2{fill:var(--soft)!important}
 circle.ring{fill:none!important;stroke-dasharray:1.5 2}
-line.witness{stroke:var(--wit);stroke-width:2}circle.witness{fill:var(--wit);fill-opacity:1;stroke:none}
+path.exact{stroke:var(--wit);stroke-width:2}circle.exact{fill:var(--wit);fill-opacity:1;stroke:none}
+path.claim{stroke:var(--ink);stroke-width:2;stroke-dasharray:4 3}circle.claim{stroke:var(--ink);stroke-width:1.5;fill:var(--card);fill-opacity:1}
+path.before{stroke:var(--soft);stroke-width:2;stroke-dasharray:1 3}
+figure{margin:0}figcaption{font-size:.8rem;text-align:center;color:var(--soft)}
+figcaption .exact{color:var(--wit)}figcaption .claim{color:var(--ink)}
+svg[tabindex]{cursor:grab;touch-action:pan-y}svg:focus-visible{outline:2px solid var(--link)}
 )css";
 
 }  // namespace touchstone::app

@@ -112,6 +112,52 @@ class Page(Test):
         self.assertEqual(self.browser.value("[...document.querySelectorAll('svg *')].filter(e => [...e.attributes]"
                                             ".some(a => /nan|inf/i.test(a.value))).length"), 0)
 
+    def test_a_picture_turns(self):
+        self.browser.open(self.page, 1300)
+        self.browser.value("picture = document.querySelector('.card svg.turns'); picture.scrollIntoView()")
+        left, top, width = self.browser.value("(b => [b.left, b.top, b.width])(picture.getBoundingClientRect())")
+        drawn = lambda: self.browser.value("picture.querySelector('.front').innerHTML")
+        front = drawn()
+
+        def drag(kinds, send):
+            for kind, x, y in zip(kinds, (0.7, 0.8, 0.8), (40, 60, 60)):
+                send(kind, left + x * width, top + y)
+
+        drag(["mousePressed", "mouseMoved", "mouseReleased"], lambda kind, x, y: self.browser.call(
+            "Input.dispatchMouseEvent", type=kind, x=x, y=y, button="left", buttons=int(kind != "mouseReleased"), clickCount=1))
+        by_mouse = drawn()
+        self.assertNotEqual(by_mouse, front)
+        self.browser.call("Input.dispatchMouseEvent", type="mouseMoved", x=left + 0.6 * width, y=top + 40)
+        self.assertEqual(drawn(), by_mouse)  # the button is up
+
+        def key(name):
+            self.browser.call("Input.dispatchKeyEvent", type="keyDown", key=name)
+
+        self.browser.value("picture.focus()")
+        key("Home")
+        at_home = drawn()
+        for name in ("ArrowRight", "ArrowDown"):
+            key(name)
+        self.assertEqual(self.browser.value("picture.lastElementChild.textContent"), "turned by -10°, 10°")
+        key("Home")
+        self.assertEqual(drawn(), at_home)
+
+        self.browser.call("Emulation.setTouchEmulationEnabled", enabled=True)
+        drag(["touchStart", "touchMove", "touchEnd"], lambda kind, x, y: self.browser.call(
+            "Input.dispatchTouchEvent", type=kind, touchPoints=[] if kind == "touchEnd" else [{"x": x, "y": y}]))
+        self.browser.call("Emulation.setTouchEmulationEnabled", enabled=False)
+        self.assertNotEqual(drawn(), at_home)
+
+    def test_turned_by_a_right_angle_it_is_the_view_from_above(self):
+        self.browser.open(self.page, 1300)
+        corners = "[...{}.querySelectorAll('path')].flatMap(e => e.getAttribute('d').match(/-?[\\d.]+/g).map(Number))"
+        for picture in range(self.browser.value("document.querySelectorAll('svg.turns').length")):
+            self.browser.value(f"picture = document.querySelectorAll('svg.turns')[{picture}]; turn(picture, 0, 90)")
+            above, turned = (self.browser.value(corners.format(f"picture.querySelector('{view}')"))
+                             for view in ("g", ".front"))
+            self.assertEqual(len(above), len(turned))
+            self.assertTrue(all(near(a, b, 0.11) for a, b in zip(above, turned)), (picture, above, turned))
+
 
 if __name__ == "__main__":
     unittest.main()
