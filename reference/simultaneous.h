@@ -1,4 +1,4 @@
-// Impacts in several contact regions at one time, without friction: compression in exact numbers.
+// Impacts in several contact regions at one time, in exact numbers: the law of docs/design/simultaneous.md.
 #pragma once
 
 #include <array>
@@ -36,5 +36,28 @@ struct RegionImpulse {
 /// several regions P may not be. None if there are no such velocities: a body is clamped between others. Throws what
 /// `impulse` throws.
 std::optional<std::vector<RegionImpulse>> compression(const Scene& scene, const std::vector<ContactRegion>& regions);
+
+/// One round: all regions act at once, each that approaches, by compression and then restitution. e is the lesser of a
+/// pair's. With unlike e, energy falls by at least Σ (1 − e²) of each region's work of compression; then the share s of
+/// restitution is the greatest multiple of 2⁻⁶⁴ that this allows, and of all impulses of compression those act whose
+/// wrenches have the least energy. Friction is not used. None and throws: as `compression`.
+std::optional<std::vector<RegionImpulse>> one_round(const Scene& scene, const std::vector<ContactRegion>& regions);
+
+/// All rounds at one time.
+struct AllRounds {
+  std::vector<ExactVelocity> after;  ///< of all bodies
+  int rounds = 0;
+  bool completed = false;  ///< 64 rounds were not enough; the last one is their limit, one compression of all regions
+};
+
+/// Rounds until no region approaches. The regions are those of all pairs in contact, whether they approach or not.
+/// Friction is not used. None and throws: as `compression`.
+std::optional<AllRounds> all_rounds(const Scene& scene, const std::vector<ContactRegion>& regions);
+
+/// The point C of one region at which it acts alone while the bodies slide on each other: the normal velocities
+/// u_n' after the impact at C, by the law of one contact point, make u_n' + e u_n least at C over the region. A
+/// rational to the nearest doubles. None where the region does not slide without rotating about its normal, or where
+/// slip stops. Throws what `impulse` throws.
+std::optional<Vec3> sliding_centre(const Scene& scene, const ContactRegion& region);
 
 }  // namespace touchstone::reference

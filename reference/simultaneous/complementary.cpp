@@ -7,15 +7,13 @@
 namespace touchstone::reference {
 namespace {
 
-using Vector = std::vector<mpq_class>;
-using Matrix = std::vector<Vector>;
-
 /// x with K_SS x = −u_S for the rows and columns S. None if K_SS is singular. K_SS is semidefinite, so that a pivot on
 /// the diagonal is 0 only if it is.
-std::optional<Vector> solved(const Matrix& K, const Vector& u, const std::vector<std::size_t>& S) {
-  Matrix rows;
+std::optional<RationalVector> solved(const RationalMatrix& K, const RationalVector& u,
+                                     const std::vector<std::size_t>& S) {
+  RationalMatrix rows;
   for (const std::size_t i : S) {
-    Vector row;
+    RationalVector row;
     for (const std::size_t j : S) row.push_back(K[i][j]);
     row.emplace_back(-u[i]);
     rows.push_back(std::move(row));
@@ -28,18 +26,17 @@ std::optional<Vector> solved(const Matrix& K, const Vector& u, const std::vector
       for (std::size_t j = pivot; j < rows[i].size(); ++j) rows[i][j] -= factor * rows[pivot][j];
     }
   }
-  Vector x;
+  RationalVector x;
   for (std::size_t i = 0; i < rows.size(); ++i) x.emplace_back(rows[i].back() / rows[i][i]);
   return x;
 }
 
 /// The index of the greatest approach, u + K p < 0; none if nothing approaches.
-std::optional<std::size_t> fastest(const Matrix& K, const Vector& u, const Vector& p) {
+std::optional<std::size_t> fastest(const RationalMatrix& K, const RationalVector& u, const RationalVector& p) {
   std::optional<std::size_t> found;
   mpq_class least = 0;
   for (std::size_t i = 0; i < u.size(); ++i) {
-    mpq_class after = u[i];
-    for (std::size_t j = 0; j < p.size(); ++j) after += K[i][j] * p[j];
+    const mpq_class after = u[i] + inner(K[i], p);
     if (after < least) {
       least = after;
       found = i;
@@ -50,13 +47,13 @@ std::optional<std::size_t> fastest(const Matrix& K, const Vector& u, const Vecto
 
 }  // namespace
 
-std::optional<Vector> complementary(const Matrix& K, const Vector& u) {
-  Vector p(u.size());
+std::optional<RationalVector> complementary(const RationalMatrix& K, const RationalVector& u) {
+  RationalVector p(u.size());
   std::vector<std::size_t> pressing;
   while (const std::optional<std::size_t> next = fastest(K, u, p)) {
     pressing.push_back(*next);
     while (true) {
-      const std::optional<Vector> wanted = solved(K, u, pressing);
+      const std::optional<RationalVector> wanted = solved(K, u, pressing);
       if (!wanted) return std::nullopt;
       // The greatest part of the way at which no impulse is negative.
       mpq_class part = 1;

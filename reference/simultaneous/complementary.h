@@ -1,10 +1,9 @@
 // The linear complementarity problem of contact points without friction.
 #pragma once
 
-#include <gmpxx.h>
-
 #include <optional>
-#include <vector>
+
+#include "reference/exact/dense.h"
 
 namespace touchstone::reference {
 
@@ -14,7 +13,6 @@ namespace touchstone::reference {
 /// velocities are such: bodies between which another one is clamped.
 /// Exact: the active-set method of Lawson & Hanson (1974), which ends since each active set has less energy than the
 /// one before.
-std::optional<std::vector<mpq_class>> complementary(const std::vector<std::vector<mpq_class>>& K,
-                                                    const std::vector<mpq_class>& u);
+std::optional<RationalVector> complementary(const RationalMatrix& K, const RationalVector& u);
 
 }  // namespace touchstone::reference

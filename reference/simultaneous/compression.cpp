@@ -1,54 +1,16 @@
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 
 #include "reference/exact/linear.h"
 #include "reference/exact/rational.h"
-#include "reference/impulse/impact.h"
 #include "reference/simultaneous.h"
 #include "reference/simultaneous/complementary.h"
+#include "reference/simultaneous/contact_rows.h"
+#include "reference/simultaneous/rounds.h"
 
 namespace touchstone::reference {
 namespace {
-
-/// One contact point, with the responses of its two bodies to an impulse there.
-struct Row {
-  std::size_t region;
-  std::array<int, 2> bodies;
-  Vec3 point_W;
-  Impact impact;
-};
-
-Row row_of(const Scene& scene, const ContactRegion& pair, std::size_t region, const Vec3& point_W) {
-  Scene two;
-  two.bodies = {scene.bodies[static_cast<std::size_t>(pair.a)], scene.bodies[static_cast<std::size_t>(pair.b)]};
-  two.contact.emplace();
-  two.contact->p_WC = point_W;
-  two.contact->nhat_BA_W = pair.nhat_BA_W;
-  return {region, {pair.a, pair.b}, point_W, impact(two)};
-}
-
-/// The change of the normal velocity at `at` by an impulse N of `by`. A takes the impulse and B its opposite.
-mpq_class influence(const Row& at, const Row& by) {
-  mpq_class sum = 0;
-  for (std::size_t i = 0; i < 2; ++i) {
-    for (std::size_t j = 0; j < 2; ++j) {
-      if (at.bodies[i] != by.bodies[j]) continue;
-      const Response &there = at.impact.bodies[i], &here = by.impact.bodies[j];
-      const Triple moves = plus(here.linear(by.impact.N), cross(here.angular(by.impact.N), there.arm));
-      const mpq_class along = dot(at.impact.N, moves);
-      sum += i == j ? along : mpq_class(-along);
-    }
-  }
-  return sum;
-}
-
-std::vector<Row> rows_of(const Scene& scene, const std::vector<ContactRegion>& regions) {
-  std::vector<Row> rows;
-  for (std::size_t r = 0; r < regions.size(); ++r) {
-    for (const Vec3& point : regions[r].points_W) rows.push_back(row_of(scene, regions[r], r, point));
-  }
-  return rows;
-}
 
 ExactVec3 exact(const Triple& v) { return {rational_of(v[0]), rational_of(v[1]), rational_of(v[2])}; }
 
@@ -59,7 +21,7 @@ struct Wrench {
   Triple P;
   std::array<std::array<Triple, 2>, 2> changes;  ///< of v and w, of A and B
 
-  void add(const Row& row, const mpq_class& impulse) {
+  void add(const ContactRow& row, const mpq_class& impulse) {
     const Triple P_A = scaled(impulse, row.impact.N);
     p += impulse;
     moment = plus(moment, scaled(impulse, triple(row.point_W)));
@@ -83,24 +45,72 @@ struct Wrench {
   }
 };
 
+mpq_class restitution(const Scene& scene, const ContactRegion& region) {
+  const auto of = [&](int body) { return scene.bodies[static_cast<std::size_t>(body)].material.restitution; };
+  return std::min(of(region.a), of(region.b));
+}
+
+NormalContacts normal_contacts(const Scene& scene, const std::vector<ContactRegion>& regions,
+                               const std::vector<ContactRow>& rows) {
+  NormalContacts contacts{normal_responses(rows), normal_velocities(rows), {}};
+  for (const ContactRegion& region : regions) {
+    const auto moving = [&](int body) {
+      return is_fixed(scene.bodies[static_cast<std::size_t>(body)]) ? std::nullopt : std::optional(body);
+    };
+    contacts.regions.push_back({{}, {moving(region.a), moving(region.b)}, restitution(scene, region)});
+  }
+  for (std::size_t k = 0; k < rows.size(); ++k) contacts.regions[rows[k].region].points.push_back(k);
+  return contacts;
+}
+
+std::vector<RegionImpulse> summed(const std::vector<ContactRow>& rows, const RationalVector& impulses,
+                                  std::size_t regions) {
+  std::vector<Wrench> wrenches(regions);
+  for (std::size_t k = 0; k < rows.size(); ++k) wrenches[rows[k].region].add(rows[k], impulses[k]);
+  std::vector<RegionImpulse> of;
+  for (const Wrench& wrench : wrenches) of.push_back(wrench.impulse());
+  return of;
+}
+
 }  // namespace
 
 std::optional<std::vector<RegionImpulse>> compression(const Scene& scene, const std::vector<ContactRegion>& regions) {
-  const std::vector<Row> rows = rows_of(scene, regions);
-  std::vector<std::vector<mpq_class>> K;
-  std::vector<mpq_class> u;
-  for (const Row& at : rows) {
-    K.emplace_back();
-    for (const Row& by : rows) K.back().push_back(influence(at, by));
-    u.push_back(dot(at.impact.N, at.impact.u0));
-  }
-  const auto p = complementary(K, u);
+  const std::vector<ContactRow> rows = contact_rows(scene, regions);
+  const auto p = complementary(normal_responses(rows), normal_velocities(rows));
   if (!p) return std::nullopt;
-  std::vector<Wrench> wrenches(regions.size());
-  for (std::size_t k = 0; k < rows.size(); ++k) wrenches[rows[k].region].add(rows[k], (*p)[k]);
-  std::vector<RegionImpulse> impulses;
-  for (const Wrench& wrench : wrenches) impulses.push_back(wrench.impulse());
-  return impulses;
+  return summed(rows, *p, regions.size());
+}
+
+std::optional<std::vector<RegionImpulse>> one_round(const Scene& scene, const std::vector<ContactRegion>& regions) {
+  const std::vector<ContactRow> rows = contact_rows(scene, regions);
+  const auto round = impact_round(normal_contacts(scene, regions, rows));
+  if (!round) return std::nullopt;
+  RationalVector impulses = round->p;
+  for (std::size_t k = 0; k < impulses.size(); ++k) impulses[k] += round->q[k];
+  return summed(rows, impulses, regions.size());
+}
+
+std::optional<AllRounds> all_rounds(const Scene& scene, const std::vector<ContactRegion>& regions) {
+  const std::vector<ContactRow> rows = contact_rows(scene, regions);
+  const auto done = impact_rounds(normal_contacts(scene, regions, rows));
+  if (!done) return std::nullopt;
+  std::vector<std::array<Triple, 2>> velocities;
+  for (const Body& body : scene.bodies)
+    velocities.push_back({triple(body.velocity.v_WBcm), triple(body.velocity.w_WB)});
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    Wrench wrench;
+    wrench.add(rows[k], done->impulses[k]);
+    for (std::size_t side = 0; side < 2; ++side) {
+      auto& [v, w] = velocities[static_cast<std::size_t>(rows[k].bodies[side])];
+      v = plus(v, wrench.changes[side][0]);
+      w = plus(w, wrench.changes[side][1]);
+    }
+  }
+  AllRounds all;
+  for (const auto& [v, w] : velocities) all.after.push_back({exact(v), exact(w)});
+  all.rounds = static_cast<int>(done->rounds.size());
+  all.completed = done->completed;
+  return all;
 }
 
 }  // namespace touchstone::reference

@@ -53,39 +53,59 @@ Event event_of(const Scene& then, double time, const ContactRegion& region, cons
   return event;
 }
 
-ImpactOutcome alone(const Scene& then, double time, const ContactRegion& region) {
+/// One impact at C, by the law of one contact point.
+struct LoneImpact {
+  Vec3 p_WC;
+  ImpulseTruth impulse;
+};
+
+LoneImpact impact_at(const Scene& then, const ContactRegion& region, const Vec3& p_WC) {
   Scene pair = pair_of(then, region.a, region.b);
   pair.contact.emplace();
-  pair.contact->p_WC =
-      region.points_W.size() == 1 ? region.points_W.front() : compression(then, {region}).value().front().centre_W;
+  pair.contact->p_WC = p_WC;
   pair.contact->nhat_BA_W = region.nhat_BA_W;
   pair.contact->law = then.motion->law;
   pair.contact->restitution = restitution(then, region);
   pair.contact->friction = friction(then, region);
-  const ImpulseTruth impulse = reference::impulse(pair);
+  return {p_WC, reference::impulse(pair)};
+}
+
+/// A region that slides on to the end acts at its sliding centre; else at the centre of pressure without friction.
+LoneImpact lone_impact(const Scene& then, const ContactRegion& region) {
+  if (region.points_W.size() == 1) return impact_at(then, region, region.points_W.front());
+  if (friction(then, region) != 0) {
+    if (const std::optional<Vec3> centre = sliding_centre(then, region)) {
+      LoneImpact sliding = impact_at(then, region, *centre);
+      if (sliding.impulse.modes.straight && !sliding.impulse.modes.slip_stops_in_compression &&
+          !sliding.impulse.modes.slip_stops_in_restitution) {
+        return sliding;
+      }
+    }
+  }
+  return impact_at(then, region, compression(then, {region}).value().front().centre_W);
+}
+
+ImpactOutcome alone(const Scene& then, double time, const ContactRegion& region) {
+  const auto [p_WC, impulse] = lone_impact(then, region);
   if (impulse.modes.separating) return {{}, "whether they approach is undecided"};
   if (impulse.ambiguous) return {{}, "more than one impulse is right"};
-  const auto velocity = [&](std::size_t k) {
-    return Velocity{rounded(impulse.after[k].v_WBcm), rounded(impulse.after[k].w_WB)};
+  const auto velocity = [&after = impulse.after](std::size_t k) {
+    return Velocity{rounded(after[k].v_WBcm), rounded(after[k].w_WB)};
   };
-  return {{event_of(then, time, region, pair.contact->p_WC, rounded(impulse.P_A_W), {velocity(0), velocity(1)})}, ""};
+  return {{event_of(then, time, region, p_WC, rounded(impulse.P_A_W), {velocity(0), velocity(1)})}, ""};
 }
 
 ImpactOutcome together(const Scene& then, double time, const std::vector<ContactRegion>& regions) {
-  const double e = restitution(then, regions.front());
   for (const ContactRegion& region : regions) {
     if (friction(then, region) != 0) return {{}, "impacts act together with friction: the law leaves the outcome open"};
-    if (restitution(then, region) != e)
-      return {{}, "impacts with unlike restitution act together: the law leaves the outcome open"};
   }
-  const auto impulses = compression(then, regions);
+  const auto impulses = one_round(then, regions);
   if (!impulses) return {{}, "a body is clamped between others"};
-  const mpq_class factor = 1 + mpq_class(e);
   std::map<int, std::array<Triple, 2>> velocities;  // v and w so far, by body, not yet rounded
   ImpactOutcome outcome;
   for (std::size_t k = 0; k < regions.size(); ++k) {
     const RegionImpulse& impulse = (*impulses)[k];
-    const Triple P = scaled(factor, exact(impulse.P_A_W));
+    const Triple P = exact(impulse.P_A_W);
     if (P == Triple{}) continue;
     const std::array<int, 2> ends = {regions[k].a, regions[k].b};
     std::array<Velocity, 2> after;
@@ -94,8 +114,8 @@ ImpactOutcome together(const Scene& then, double time, const std::vector<Contact
       const auto now =
           velocities.try_emplace(ends[side], std::array<Triple, 2>{triple(before.v_WBcm), triple(before.w_WB)});
       auto& [v, w] = now.first->second;
-      v = plus(v, scaled(factor, exact(impulse.changes[side].v_WBcm)));
-      w = plus(w, scaled(factor, exact(impulse.changes[side].w_WB)));
+      v = plus(v, exact(impulse.changes[side].v_WBcm));
+      w = plus(w, exact(impulse.changes[side].w_WB));
       after[side] = {rounded(v), rounded(w)};
     }
     outcome.events.push_back(event_of(then, time, regions[k], impulse.centre_W, rounded(P), after));

@@ -20,8 +20,8 @@ struct ImpactOutcome {
   std::string undecided;  ///< why there is no outcome; else ""
 };
 
-/// One region acts through its centre of pressure, by the law of one contact point. Several act at once, by 1 + e times
-/// the impulses of compression, if they have no friction and one coefficient of restitution.
+/// One region acts by the law of one contact point, at its sliding centre if it slides on to the end, else at its
+/// centre of pressure. Several act at once, by one round, if they have no friction.
 ImpactOutcome impact_outcome(const Scene& then, double time, const std::vector<ContactRegion>& regions);
 
 }  // namespace touchstone::reference
