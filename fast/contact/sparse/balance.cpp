@@ -32,13 +32,18 @@ class Search {
     derivatives_.resize(rows.size());
   }
 
-  /// The best impulses, and the twists that they leave.
-  void run(std::vector<Twist>& twists) {
+  /// The best impulses, and the twists that they leave. Returns the motion that proves that the bodies fall.
+  std::optional<std::vector<Twist>> run(std::vector<Twist>& twists) {
     least_ = greatest_;
     best_.assign(rows_.size(), Vec3::Zero());
-    if (greatest_ > 0 && !bonded()) minimise();
+    std::optional<Vector> motion;
+    if (greatest_ > 0 && !bonded()) motion = minimise();
     for (std::size_t i = 0; i < rows_.size(); ++i) rows_[i].P = best_[i];
     system_.store(system_.response(left_of(best_)), twists);
+    if (!motion) return std::nullopt;
+    std::vector<Twist> falling(twists.size());
+    system_.store(*motion, falling);
+    return falling;
   }
 
  private:
@@ -147,13 +152,15 @@ class Search {
     return true;
   }
 
-  void minimise() {
+  std::optional<Vector> minimise() {
     last_ = system_.zero();
     for (double share = first_share; share >= last_share; share *= share_ratio) {
       Vector y = last_;
-      if (newton(share, y) || falls(y - last_)) return;
+      if (newton(share, y)) return std::nullopt;
+      if (falls(y - last_)) return y - last_;
       last_ = y;
     }
+    return std::nullopt;
   }
 
   std::vector<ContactRow>& rows_;
@@ -167,8 +174,9 @@ class Search {
 
 }  // namespace
 
-void balance(std::vector<ContactRow>& rows, const std::vector<Mobility>& bodies, std::vector<Twist>& twists) {
-  Search(rows, bodies, twists).run(twists);
+std::optional<std::vector<Twist>> balance(std::vector<ContactRow>& rows, const std::vector<Mobility>& bodies,
+                                          std::vector<Twist>& twists) {
+  return Search(rows, bodies, twists).run(twists);
 }
 
 }  // namespace touchstone::fast::contact

@@ -1,6 +1,7 @@
 // Contact forces that balance what acts on bodies at rest.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "fast/contact/row.h"
@@ -20,7 +21,9 @@ namespace touchstone::fast::contact {
 /// which ends the search for most stacks. Then semismooth Newton minimises φ(y) + s |y − y_k|²_M/2 with ever smaller s
 /// (Rockafellar 1976). The impulses are corrected by P ← Π(P − k G H⁻¹ (f + GᵀP)), since y is large and P is not. The
 /// search also ends where y_k runs away along a motion in which no contact approaches or slips more than it opens
-/// (u_n ≥ μ |u_t|) and the loads do work: then no P balance them (Farkas' lemma).
-void balance(std::vector<ContactRow>& rows, const std::vector<Mobility>& bodies, std::vector<Twist>& twists);
+/// (u_n ≥ μ |u_t|) and the loads do work: then no P balance them (Farkas' lemma). That motion is returned; it misses
+/// the condition by up to 2⁻²³ of its greatest speed.
+std::optional<std::vector<Twist>> balance(std::vector<ContactRow>& rows, const std::vector<Mobility>& bodies,
+                                          std::vector<Twist>& twists);
 
 }  // namespace touchstone::fast::contact
