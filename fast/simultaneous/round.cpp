@@ -21,7 +21,10 @@ using Eigen::VectorXd;
 
 constexpr int most_friction_sweeps = 400;
 constexpr double friction_convergence = 0x1p-44;  // of the greatest change of velocity, as in contact/solver.h
-constexpr double weight = 0x1p20;                 // of the condition that impulses keep their effect (`shared`)
+// Of the condition that impulses keep their effect (`shared`).
+constexpr double least_weight = 0x1p6, greatest_weight = 0x1p24, weight_ratio = 0x1p6;
+constexpr int steps_per_weight = 3;
+constexpr double effect_kept = 0x1p-48;  // of the effect
 
 bool moves(const Mobility& body) { return body.inverse_mass > 0; }
 
@@ -73,21 +76,33 @@ MatrixXd separate_responses(const std::vector<Region>& regions, const std::vecto
   return A;
 }
 
-/// The impulses with the effect of p that have the least sum of energies of the regions' wrenches.
+/// The impulses with the effect of p that have the least sum of energies of the regions' wrenches. By the method of
+/// multipliers (Hestenes 1969): the condition has a weight, and what it lets pass is added to its goal. A great weight
+/// hides the energies behind the rounding of the condition, so it grows only as long as the effect is missed, as it is
+/// where masses differ much.
 VectorXd shared(const std::vector<Region>& regions, const std::vector<ContactRow>& points,
                 const std::vector<Mobility>& bodies, const VectorXd& p) {
   const MatrixXd A = responses(points, bodies), D = separate_responses(regions, bodies, p.size());
+  const VectorXd effect = A * p;
   MatrixXd both(A.rows() + D.rows(), p.size());
-  both << weight * A, D;
-  VectorXd goal = VectorXd::Zero(both.rows());
-  goal.head(A.rows()) = weight * (A * p);
-  VectorXd split = nonnegative_least_squares(both, goal);
-  // The weight is finite: what it lets pass is removed over the points that press.
+  both.bottomRows(D.rows()) = D;
+  VectorXd goal = VectorXd::Zero(both.rows()), multipliers = VectorXd::Zero(A.rows()), split = p, missing = effect;
+  const auto is_kept = [&] { return missing.norm() <= effect_kept * effect.norm(); };
+  for (double weight = least_weight; weight <= greatest_weight && !is_kept(); weight *= weight_ratio) {
+    both.topRows(A.rows()) = weight * A;
+    for (int step = 0; step < steps_per_weight && !is_kept(); ++step) {
+      goal.head(A.rows()) = weight * effect + multipliers / weight;
+      split = nonnegative_least_squares(both, goal);
+      missing = effect - A * split;
+      multipliers += weight * weight * missing;
+    }
+  }
+  // What is still missing is removed over the points that press.
   MatrixXd pressing = A;
   for (Index k = 0; k < p.size(); ++k) {
     if (!(split[k] > 0)) pressing.col(k).setZero();
   }
-  split += contact::least_norm_solution(pressing, A * (p - split));
+  split += contact::least_norm_solution(pressing, missing);
   return split.cwiseMax(0.0);
 }
 

@@ -126,7 +126,8 @@ TEST_CASE("simultaneous scene 17: a beam on two pillars") {
 
 // v' = s q. Pillars of one point: p = (2/3, 1/3), q = (2/3, 0), and 4/9 + (4/9)/3 = 16/27 is below twice the energy
 // that may return, 2/3. Pillars of a width: of all p without a torque, (1/2, 1/2) at −1 and 1 has the least energy.
-// The weight of the condition that p has the effect of compression is 2²⁰, so the split is off by about 2⁻⁴⁰: 8 of that.
+// The weight of the condition that p has the effect of compression is 2²⁰, so the split is off by about 2⁻⁴⁰: 8 of
+// that.
 TEST_CASE("simultaneous scenes 18 and 19: pillars of different restitution") {
   CHECK(is_near(beam_after({{{-1}, 1}, {{2}, 0}}), {2.0 / 3, -2.0 / 9, 0}));
   for (const std::vector<double>& left : {std::vector<double>{-3, -1}, {-1, -3}, {-1, -2, -3, -1}}) {
