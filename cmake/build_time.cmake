@@ -70,7 +70,7 @@ endfunction()
 
 # touchstone_units(<target> <units> [APART <sources> …]): compiles the sources of a target in so many units. A source's
 # unit depends on its own name alone, so a new source changes one unit. Sources of one unit share an unnamed namespace:
-# those that each define the same local names stand APART. The preset mutate compiles one source at a time.
+# those that each define the same local names stand APART.
 function(touchstone_units target units)
   cmake_parse_arguments(ARG "" "" "APART" ${ARGN})
   if(DEFINED CMAKE_UNITY_BUILD)

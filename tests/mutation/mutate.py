@@ -272,7 +272,7 @@ def main(words):
     for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
         signal.signal(number, interrupt)
     file = shop.place / "results.jsonl"
-    trier = trial.Trial(shop, reach.Reach(tree, shop.object_of).queries, trial.Limits())
+    trier = trial.Trial(shop, reach.Reach(tree, shop.object_of, shop.original).queries, trial.Limits())
     found = try_all(wanted, options.sample, options.jobs, results.read_results(file),
                     functools.partial(judge_one, shop, trier), functools.partial(results.add_result, file))
     print("\n".join(results.tables(found, results.read_equivalent(EQUIVALENT), options.seed)))

@@ -1,5 +1,6 @@
 """Which queries a source can have an effect on, and which tests are about it."""
 
+import bisect
 import collections
 import functools
 import pathlib
@@ -21,31 +22,75 @@ TEST_FOLDERS = {"fast": ("fast",), "reference": ("reference",), "judge": ("oracl
 ABOUT_ALL = {"fast": "marks_test", "judge": "allowances_test"}
 
 
-def symbols(objects):
-    """(defined, needed) names of each object file; weak names are in every object that uses them."""
-    listed = subprocess.run(["nm", "-AP", *map(str, objects)], capture_output=True, text=True, check=True).stdout
-    defined, needed = collections.defaultdict(set), collections.defaultdict(set)
-    for line in listed.splitlines():
-        path, _, rest = line.partition(": ")
-        name, kind = rest.split()[:2]
-        (needed if kind == "U" else defined if kind in "TDBR" else {}).setdefault(path, set()).add(name)
-    return defined, needed
+def listing(option, path):
+    return subprocess.run(["readelf", option, "-W", str(path)], capture_output=True, text=True, check=True).stdout
+
+
+def defined(path):
+    """The external functions and tables that an object defines; weak ones are in every object that uses them."""
+    rows = (line.split() for line in listing("-s", path).splitlines())
+    return {row[7] for row in rows if len(row) > 7 and row[4] == "GLOBAL" and row[6].isdigit()}
+
+
+class Object:
+    """The symbols of an object file, with their places, and what each of them refers to."""
+
+    def __init__(self, path):
+        self.path, self.places = path, collections.defaultdict(list)
+        sections = {number: name for number, name in re.findall(r"^ +\[ *(\d+)\] (\S+)", listing("-S", path), re.MULTILINE)}
+        self.local = set()
+        for row in (line.split() for line in listing("-s", path).splitlines()):
+            if len(row) > 7 and row[6].isdigit() and row[3] in ("FUNC", "OBJECT"):
+                self.places[sections[row[6]]].append((int(row[1], 16), row[7]))
+                if row[4] == "LOCAL":
+                    self.local.add(row[7])
+        for places in self.places.values():
+            places.sort()
+
+    def name(self, symbol):
+        return (self.path, symbol) if symbol in self.local else symbol
+
+    def at(self, section, offset):
+        """The symbol that has this place, or None."""
+        places = self.places.get(section, ())
+        index = bisect.bisect_right(places, (offset, "\x7f")) - 1
+        return self.name(places[index][1]) if index >= 0 else None
+
+    def references(self):
+        """(symbol, symbol that it refers to), over and over. A second name of one place refers to what at() returns."""
+        for section, places in self.places.items():
+            yield from ((self.name(symbol), self.at(section, offset)) for offset, symbol in places)
+        section = ""
+        for line in listing("-r", self.path).splitlines():
+            if heading := re.match(r"Relocation section '\.rela(\S+)'", line):
+                section = heading[1]
+            elif row := re.match(r"([0-9a-f]{16})  \S+ +\S+ +\S+ (\S+) ([+-]) ([0-9a-f]+)$", line):
+                target, addend = row[2], int(row[3] + row[4], 16)
+                is_place = target.startswith(".")
+                # A relative reference is counted from its end, 4 bytes on; a table's, which is absolute, is not, but
+                # its addends are beginnings of functions, and these are at least 4 bytes long.
+                yield self.at(section, int(row[1], 16)), self.at(target, addend + 4) if is_place else self.name(target)
 
 
 class Reach:
-    """From the objects of the build folder: what the linker would take into a program that asks one query."""
+    """From the objects of the build folder: what is reached from the functions that answer or judge one query.
+    `object_of(source)`: the object of the build folder; `alone(source)`: one of this source and no other."""
 
-    def __init__(self, tree, object_of):
-        self.tree = tree
-        self.objects = {path: str(object_of(path)) for path in tree.code if path.endswith(".cpp")}
-        defined, needed = symbols(path for path in self.objects.values() if pathlib.Path(path).exists())
-        definer = {name: path for path, names in defined.items() for name in names}
-        self.uses = {path: {definer[name] for name in needed[path] if name in definer} for path in self.objects.values()}
+    def __init__(self, tree, object_of, alone):
+        self.tree, self.alone, self.uses = tree, alone, collections.defaultdict(set)
+        for path in sorted({str(object_of(path)) for path in tree.code if path.endswith(".cpp")}):
+            if pathlib.Path(path).exists():
+                for user, used in Object(path).references():
+                    self.uses[user].add(used)
+
+    @functools.lru_cache(maxsize=None)
+    def symbols(self, source):
+        return frozenset(defined(self.alone(source)))
 
     @functools.lru_cache(maxsize=None)
     def of_query(self, group, query):
         names = [f"{ROOTS[group]}{name}.cpp" for name in (query, *ALSO.get(query, ()))]
-        waiting = [self.objects[name] for name in names if name in self.objects]
+        waiting = [symbol for name in names if name in self.tree.code for symbol in self.symbols(name)]
         seen = set(waiting)
         while waiting:
             for other in self.uses[waiting.pop()] - seen:
@@ -57,8 +102,8 @@ class Reach:
         """The queries that reach a file, its own first. A judge's file that none reaches draws scenes or speaks with
         subjects, for all queries, or it makes failing scenes smaller, for none."""
         group = draws.group_of(path)
-        sources = {self.objects[source] for source in self.tree.sources_of(path)}
-        reached = [query for query in QUERIES if sources & self.of_query(group, query)]
+        defines = {symbol for source in self.tree.sources_of(path) for symbol in self.symbols(source)}
+        reached = [query for query in QUERIES if defines & self.of_query(group, query)]
         serves_all = group == "judge" and not reached and not path.startswith("oracle/minimise/")
         if path.startswith("oracle/subjects/") or serves_all:
             reached = [query for query in QUERIES if self.of_query(group, query)]

@@ -1,4 +1,5 @@
-"""Mutants of a small project are built, tried and counted. Its judge is a script; g++, ninja and the linker are real."""
+"""Mutants of a small project are built, tried and counted. Its judge is a script; g++, ninja and the linker are real.
+Its two sources are compiled together, as the presets do."""
 
 import json
 import os
@@ -29,22 +30,21 @@ int mass(int a) {
 FILES = {
     "fast/mass.cpp": MASS,
     "fast/limit.h": "#pragma once\nnamespace fast {\ninline int limit() { return 3; }\n}\n",
-    "fast/bounds.cpp": "namespace fast { int bounds() { return 1; } }\n",
+    "fast/bounds.cpp": "namespace fast {\nint mass(int);\nint bounds() { return mass(1); }\n}\n",
     "program.cpp": '#include <cstdio>\nnamespace fast { int mass(int); int bounds(); }\n'
-                   'int main() { for (int i = -1; i < 6; ++i) std::printf("%d ", fast::mass(i)); return fast::bounds() - 1; }\n',
+                   'int main() { for (int i = -1; i < 6; ++i) std::printf("%d ", fast::mass(i)); return fast::bounds() == 7; }\n',
     "tests/fast/mass_test.cpp": "",
     "build/compile_commands.json": "",
     "build/build.ninja": """
 rule cc
-  command = g++ -O1 -I$root -o $out -c $in
+  command = g++ -O2 -fPIC -I$root -o $out -c $in
 rule ar
   command = ar rcs $out $in
 rule link
   command = : && g++ -O1 $in -o $out $libs && :
-build fast/mass.cpp.o: cc $root/fast/mass.cpp
-build fast/bounds.cpp.o: cc $root/fast/bounds.cpp
+build unity_0_cxx.cxx.o: cc unity_0_cxx.cxx
 build program.cpp.o: cc $root/program.cpp
-build libfast.a: ar fast/mass.cpp.o fast/bounds.cpp.o
+build libfast.a: ar unity_0_cxx.cxx.o
 build subjects/touchstone-subject-fast: link program.cpp.o | libfast.a
   libs = libfast.a
 build touchstone-subject-fast: phony subjects/touchstone-subject-fast
@@ -88,15 +88,17 @@ class Project(unittest.TestCase):
             (cls.root / name).write_text(text)
         (build / "bin/touchstone").chmod(0o755)
         (build / "build.ninja").write_text(f"root = {cls.root}\n" + FILES["build/build.ninja"])
+        (build / "unity_0_cxx.cxx").write_text("".join(f'#include "{cls.root}/fast/{name}.cpp"\n'
+                                                       for name in ("mass", "bounds")))
         subprocess.run(["ninja", "-C", build, "touchstone-subject-fast", "touchstone_tests_fast"], check=True,
                        stdout=subprocess.DEVNULL)
         (build / "compile_commands.json").write_text(json.dumps([
-            {"directory": str(build), "file": str(cls.root / f"fast/{name}.cpp"),
-             "command": f"ccache g++ -O1 -MD -MT x -MF x.d -Werror -I{cls.root} -o fast/{name}.cpp.o -c {cls.root}/fast/{name}.cpp"}
-            for name in ("mass", "bounds")]))
+            {"directory": str(build), "file": str(build / "unity_0_cxx.cxx"),
+             "command": f"ccache g++ -O2 -fPIC -MD -MT x -MF x.d -Werror -I{cls.root} -o unity_0_cxx.cxx.o "
+                        f"-c {build}/unity_0_cxx.cxx"}]))
         cls.tree = draws.SourceTree(cls.root)
         cls.shop = workshop.Workshop(cls.root, build, cls.tree, build / "mutation")
-        cls.reach = reach.Reach(cls.tree, cls.shop.object_of)
+        cls.reach = reach.Reach(cls.tree, cls.shop.object_of, cls.shop.original)
         cls.trial = trial.Trial(cls.shop, cls.reach.queries, trial.Limits())
 
     @classmethod
@@ -153,6 +155,13 @@ class Project(unittest.TestCase):
         found = self.verdict(mutant("return 3;", "return 4;", "fast/limit.h"))
         self.assertEqual((found["outcome"], found["by"]), ("killed", "mass.value"))
 
+    def test_a_function_is_replaced_within_the_object_that_it_shares(self):
+        folder = self.shop.place / "work"
+        shutil.rmtree(folder, ignore_errors=True)
+        objects = self.shop.objects(mutant("? a :", "? 7 * a :"), folder)
+        program = self.shop.link("touchstone-subject-fast", objects, folder)
+        self.assertEqual(limited.run([str(program)], 10).code, 1)  # bounds() is mass(1), which is 7
+
     def test_neither_the_source_nor_the_build_is_changed(self):
         def state():
             return {path: path.read_bytes() for path in self.root.rglob("*")
@@ -162,8 +171,8 @@ class Project(unittest.TestCase):
         self.assertEqual(state(), before)
 
     def test_a_file_is_asked_about_the_queries_that_reach_it(self):
-        self.assertEqual(self.reach.queries("fast/mass.cpp"), ["mass"])
-        self.assertEqual(self.reach.queries("fast/limit.h"), ["mass"])
+        self.assertEqual(self.reach.queries("fast/mass.cpp"), ["mass", "bounds"])
+        self.assertEqual(self.reach.queries("fast/limit.h"), ["mass", "bounds"])
         self.assertEqual(self.reach.queries("fast/bounds.cpp"), ["bounds"])
 
 

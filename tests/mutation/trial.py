@@ -130,18 +130,24 @@ class Trial:
             strategies = [f"touchstone-subject-fast.{name}" for name in reach.strategies(mutant.path)]
             asked = [(name, query) for query in queries for name in
                      [f"touchstone-subject-{group}", *(strategies if query == "broad_phase" else [])]]
-        asked = [(name, query) for name, query in asked if self.base_check(name, query)["green"]]
         for name, query in asked:
-            yield self.quick(name, query, judge, program(name), group, folder)
+            yield from self.if_green(name, query, lambda: self.quick(name, query, judge, program(name), group, folder))
         if group == "judge":
             target = "touchstone_tests_properties"
             yield self.killed_by_tests("quick", link(target), target, [CANARY_TESTS])
+        limit = self.limits.standard / max(1, len(asked))
         for name, query in asked:
-            yield self.standard(name, query, judge, program(name), group, folder, self.limits.standard / len(asked))
+            yield from self.if_green(name, query,
+                                     lambda: self.standard(name, query, judge, program(name), group, folder, limit))
         for layer, names in reach.tests_of(self.workshop.root, mutant.path):
             target = f"touchstone_tests_{layer}"
             words = ["--filenames-as-tags", ",".join(f"[#{name}]" for name in names)]
             yield self.killed_by_tests("tests", link(target), target, words)
+
+    def if_green(self, name, query, stage):
+        """The original is asked only when its turn comes: most mutants are killed by their first query."""
+        if self.base_check(name, query)["green"]:
+            yield stage()
 
     def linker(self, objects, folder):
         linked = {}

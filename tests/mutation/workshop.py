@@ -1,7 +1,8 @@
 """Builds mutants: compiles one file as the build folder would, and links it before the library that has the original.
 
-The linker takes the first definition of a function, so the libraries stay as they are. Neither the source nor what the
-build folder made is changed; all files of a mutant are in a folder of its own."""
+The linker takes the first definition of a function, so the libraries stay as they are, also where one object of theirs
+holds many sources: with -fPIC the compiler must let every external function be replaced, within its own object too.
+Neither the source nor what the build folder made is changed; all files of a mutant are in a folder of its own."""
 
 import functools
 import json
@@ -15,7 +16,9 @@ import threading
 import limited
 
 COMPILER = re.compile(r"(.*/)?(c\+\+|g\+\+|clang\+\+)(-\d+)?$")
+INCLUDED = re.compile(r'^#include "(.+)"$', re.MULTILINE)
 COMPILE_LIMIT = 300  # CPU seconds
+REPLACE = "-Wl,--allow-multiple-definition"  # the first definition is taken
 TAKES_A_VALUE = ("-o", "-c", "-MT", "-MF")
 
 
@@ -24,7 +27,7 @@ class BuildFailed(Exception):
 
 
 class DoesNotLink(Exception):
-    """A mutant compiles, but needs what nothing defines, or defines what a library defines too."""
+    """A mutant compiles, but needs what nothing defines."""
 
 
 def compile_words(command):
@@ -63,11 +66,13 @@ class Workshop:
         self.commands = {}
         for entry in commands:
             path = pathlib.Path(entry["file"])
-            if path.is_relative_to(self.root):
-                self.commands.setdefault(path.relative_to(self.root).as_posix(), entry)
+            compiled_together = INCLUDED.findall(path.read_text()) if path.suffix == ".cxx" and path.exists() else []
+            for source in [path, *map(pathlib.Path, compiled_together)]:
+                if source.is_relative_to(self.root):
+                    self.commands.setdefault(source.relative_to(self.root).as_posix(), entry)
 
     def object_of(self, source):
-        """The object file that the build folder made of a source."""
+        """The object file that the build folder made of a source, perhaps of others with it."""
         entry = self.commands[source]
         words = shlex.split(entry["command"])
         return pathlib.Path(entry["directory"]) / words[words.index("-o") + 1]
@@ -134,7 +139,7 @@ class Workshop:
         """A program with these objects instead of those of its libraries."""
         before, after = self.link_command(target)
         out = folder / target
-        run = limited.run([*before, str(out), *map(str, objects), *after], COMPILE_LIMIT, self.build)
+        run = limited.run([*before, str(out), REPLACE, *map(str, objects), *after], COMPILE_LIMIT, self.build)
         if run.code != 0:
             raise DoesNotLink(f"{target} does not link: {run.output[-500:]}")
         return out
