@@ -1,8 +1,6 @@
 // The simulation of cannon-es: a world with the bodies of a scene, in equal steps of at most `step` between samples.
 import { CANNON, bodyOf, list, poseOf, vector } from "./cannon_bodies.mjs";
-import { forceAt, requireOneStart, sampled } from "./sampled_motion.mjs";
-
-export const step = 1 / 60; // as shipped
+import { forceAt, requireOffered, sampled, step } from "./sampled_motion.mjs";
 
 /** The engine multiplies the coefficients of two materials; a contact material of each pair has the lesser ones. */
 function addPairs(world, scene, bodies, relaxation) {
@@ -21,7 +19,7 @@ const state = (body) => ({
 
 /** `relaxation`: after how many steps a contact that is too deep is pushed apart. */
 export const simulationWith = (relaxation) => (scene) => {
-  requireOneStart(scene.motion);
+  requireOffered(scene);
   const { forces = [] } = scene.motion;
   const world = new CANNON.World({ gravity: vector(scene.gravity ?? [0, 0, 0]) });
   const bodies = scene.bodies.map(bodyOf);

@@ -1,18 +1,18 @@
 // An adapter of Jolt for Touchstone: `./touchstone engines`, or `npm ci` in this folder, then
 //     touchstone adapter check "exec:node adapters/engines/jolt.mjs"
 import { norm, scaled, serve, sub } from "../js/touchstone_adapter.mjs";
-import { JOLT, list, placed, release, shapeOf, vector, version } from "./jolt_bodies.mjs";
+import {
+  JOLT, distance_tolerance, domain, homepage, list, massOf, placed, release, vector, version,
+} from "./jolt_bodies.mjs";
 import * as snippets from "./jolt_snippets.mjs";
+import { met, straightCast } from "./straight_cast.mjs";
 
 const card = {
   name: "jolt", version, precision: "binary32",
   about: "TransformedShape.CollideShape up to the distance of the centres of mass; Shape.GetMassProperties and "
-    + "GetCenterOfMass; TransformedShape.GetWorldSpaceBounds; convex radius 0",
-  homepage: "https://github.com/jrouwe/JoltPhysics",
-  // The reasons: docs/how_to/add_a_subject.md.
-  domain: { lengths: [0.1, 10], reach: 1000 },
-  distance_tolerance: { absolute: 1e-3 + 1e-4, relative: 1e-4 },
-  boxes: "of_turned_box",
+    + "GetCenterOfMass; TransformedShape.GetWorldSpaceBounds; TransformedShape.CastShape of bodies that do not turn; "
+    + "convex radius 0",
+  homepage, domain, distance_tolerance, boxes: "of_turned_box",
 };
 
 const settings = new JOLT.CollideShapeSettings();
@@ -47,6 +47,21 @@ function penetration(scene) {
   return { verdict: "overlapping", depth: -d, nhat_BA_W: scaled(-1 / norm(to_B), to_B) };
 }
 
+const casting = new JOLT.ShapeCastSettings();
+casting.mBackFaceModeConvex = JOLT.EBackFaceMode_CollideWithBackFaces; // bodies that overlap at the start have met
+
+function time_of_impact(scene) {
+  const { end, way } = straightCast(scene), [A, B] = scene.bodies.map((body) => placed(body, 1));
+  const [one, along, origin] = [vector([1, 1, 1]), vector(way), vector([0, 0, 0])];
+  const cast = new JOLT.RShapeCast(A.mShape, one, A.GetCenterOfMassTransform(), along);
+  const collector = new JOLT.CastShapeClosestHitCollisionCollector(), filter = new JOLT.ShapeFilter();
+  B.CastShape(cast, casting, origin, collector, filter);
+  const time = collector.HadHit() ? end * collector.mHit.mFraction : null;
+  release(A, B);
+  [one, along, origin, cast, collector, filter].forEach(JOLT.destroy);
+  return met(time);
+}
+
 const bounds = (scene) => scene.bodies.map((body) => {
   const at = placed(body, 1), box = at.GetWorldSpaceBounds();
   const found = { lo: list(box.mMin), hi: list(box.mMax) };
@@ -56,12 +71,7 @@ const bounds = (scene) => scene.bodies.map((body) => {
 
 const mass = (scene) => scene.bodies.map((body) => {
   if (body.mass?.type === "fixed") return null;
-  if (body.mass?.type === "given") return { ...body.mass, type: undefined };
-  const shape = shapeOf(body.shape, body.mass?.density ?? 1), found = shape.GetMassProperties();
-  const columns = [0, 1, 2].map((i) => list(found.mInertia.GetColumn3(i)));
-  const said = { mass: found.mMass, p_BBcm: list(shape.GetCenterOfMass()), I_BBcm_B: columns };
-  shape.Release();
-  return said;
+  return body.mass?.type === "given" ? { ...body.mass, type: undefined } : massOf(body);
 });
 
-serve(card, { mass, bounds, distance, penetration }, snippets);
+serve(card, { mass, bounds, distance, penetration, time_of_impact }, snippets);

@@ -1,6 +1,7 @@
 // Programs in Jolt's own API for the adapter's queries: each asks what the adapter asks, and prints what Jolt says. They
 // run where jolt-physics is installed: `node --input-type=module < snippet`.
 import { unitQuaternion } from "../js/touchstone_adapter.mjs";
+import { straightCast } from "./straight_cast.mjs";
 
 const head = `import initJolt from "jolt-physics";
 const Jolt = await initJolt();
@@ -51,6 +52,17 @@ console.log("on A:", list(found.mHit.mContactPointOn1), "on B:", list(found.mHit
 
 export const distance = contact;
 export const penetration = contact;
+
+export function time_of_impact(scene) {
+  const { end, way } = straightCast(scene), [A, B] = scene.bodies;
+  return `${head}${world}${placed("A", A)}${placed("B", B)}
+const how = new Jolt.ShapeCastSettings(), found = new Jolt.CastShapeClosestHitCollisionCollector();
+how.mBackFaceModeConvex = Jolt.EBackFaceMode_CollideWithBackFaces;
+const cast = new Jolt.RShapeCast(A, vector(1, 1, 1), at_A.GetCenterOfMassTransform(), vector(${way.join(", ")}));
+at_B.CastShape(cast, how, vector(0, 0, 0), found, new Jolt.ShapeFilter());
+console.log("hit:", found.HadHit(), "time:", ${end} * found.mHit.mFraction);
+`;
+}
 
 export const bounds = (scene) => head + scene.bodies.map((body) => `{
 ${placed("A", body)}const box = at_A.GetWorldSpaceBounds();

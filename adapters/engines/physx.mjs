@@ -1,15 +1,17 @@
 // An adapter of PhysX for Touchstone: `./touchstone engines`, or `npm ci` in this folder, then
 //     touchstone adapter check "exec:node adapters/engines/physx.mjs"
 import { norm, scaled, serve } from "../js/touchstone_adapter.mjs";
-import { PX, list, using, version, withGeometry, withPose } from "./physx_bodies.mjs";
+import {
+  PX, domain, homepage, list, massOf, using, vector, version, withGeometry, withPose,
+} from "./physx_bodies.mjs";
 import * as snippets from "./physx_snippets.mjs";
+import { met, straightCast } from "./straight_cast.mjs";
 
 const card = {
   name: "physx", version, precision: "binary32",
-  about: "PxGjkQuery.proximityInfo of ConvexGeomSupport without margin; PxMassProperties of a geometry; "
-    + "PxGeometryQuery.computeGeomBounds; hulls cooked with planeTolerance 0",
-  homepage: "https://github.com/NVIDIA-Omniverse/PhysX",
-  domain: { lengths: [0.02, 100], reach: 1000 }, // the reasons: docs/how_to/add_a_subject.md
+  about: "PxGjkQuery.proximityInfo, sweep and overlap of ConvexGeomSupport without margin; PxMassProperties of a "
+    + "geometry; PxGeometryQuery.computeGeomBounds; hulls cooked with planeTolerance 0",
+  homepage, domain,
 };
 
 const withSupport = (body, use) => withGeometry(body.shape, (geometry) =>
@@ -46,12 +48,17 @@ const bounds = (scene) => scene.bodies.map((body) => withGeometry(body.shape, (g
 
 const mass = (scene) => scene.bodies.map((body) => {
   if (body.mass?.type === "fixed") return null;
-  if (body.mass?.type === "given") return { ...body.mass, type: undefined };
-  const density = body.mass?.density ?? 1;
-  return withGeometry(body.shape, (geometry) => using(new PX.PxMassProperties(geometry), (unit) => ({
-    mass: density * unit.mass, p_BBcm: list(unit.centerOfMass),
-    I_BBcm_B: ["column0", "column1", "column2"].map((k) => scaled(density, list(unit.inertiaTensor[k]))),
-  })));
+  return body.mass?.type === "given" ? { ...body.mass, type: undefined } : massOf(body);
 });
 
-serve(card, { mass, bounds, distance, penetration }, snippets);
+// A sweep moves B.
+function time_of_impact(scene) {
+  const { end, way } = straightCast(scene), length = norm(way), query = PX.PxGjkQuery.prototype;
+  return withSupport(scene.bodies[0], (a, pose_A) => withSupport(scene.bodies[1], (b, pose_B) => {
+    if (length === 0) return met(query.overlap(a, b, pose_A, pose_B) ? 0 : null); // a sweep needs a direction
+    return using(vector(scaled(-1 / length, way)), (along) => using(new PX.PxGjkQuerySweepResult(), (hit) => met(
+      query.sweep(a, b, pose_A, pose_B, along, length, hit) ? end * hit.t / length : null)));
+  }));
+}
+
+serve(card, { mass, bounds, distance, penetration, time_of_impact }, snippets);

@@ -1,7 +1,7 @@
 // PhysX's geometries for those of a scene. The package is built for the web alone, so it must see a window and no Node.js
 // while it loads. An object made with `new` is destroyed by hand.
 import { readFileSync } from "node:fs";
-import { Abstain, Refused, unitQuaternion } from "../js/touchstone_adapter.mjs";
+import { Abstain, Refused, scaled, unitQuaternion } from "../js/touchstone_adapter.mjs";
 
 const { process } = globalThis;
 const folder = new URL("node_modules/physx-js-webidl/", import.meta.url);
@@ -13,16 +13,20 @@ export const PX = await initPhysX({ wasmBinary });
 delete globalThis.window;
 globalThis.process = process;
 
-const top = PX.PxTopLevelFunctions.prototype; // where the binding puts static functions
+export const top = PX.PxTopLevelFunctions.prototype; // where the binding puts static functions
 const { description } = JSON.parse(readFileSync(new URL("package.json", folder)));
 export const version = description.match(/[\d.]+$/)[0];
 
-const scale = new PX.PxTolerancesScale();
+export const scale = new PX.PxTolerancesScale();
 const foundation = top.CreateFoundation(top.PHYSICS_VERSION, new PX.PxDefaultAllocator(), new PX.PxDefaultErrorCallback());
-top.CreatePhysics(top.PHYSICS_VERSION, foundation, scale);
+export const physics = top.CreatePhysics(top.PHYSICS_VERSION, foundation, scale);
 const cooking = new PX.PxCookingParams(scale);
 cooking.planeTolerance = 0; // as shipped faces within 0.07 % of a hull's size are one
 const flags = new PX.PxConvexFlags(PX.PxConvexFlagEnum.eCOMPUTE_CONVEX);
+
+// For the cards; the reasons: docs/how_to/add_a_subject.md.
+export const homepage = "https://github.com/NVIDIA-Omniverse/PhysX";
+export const domain = { lengths: [0.02, 100], reach: 1000 };
 
 /** Calls `use` with a value that is destroyed afterwards. */
 export function using(value, use) {
@@ -69,3 +73,11 @@ export const withPose = ({ p, q }, use) => using(vector(p), (at) => {
   const { w, x, y, z } = unitQuaternion(q);
   return using(new PX.PxQuat(x, y, z, w), (turn) => using(new PX.PxTransform(at, turn), use));
 });
+
+/** The mass properties that PhysX computes for a body with a density. */
+export const massOf = ({ shape, mass }) => withGeometry(shape, (geometry) =>
+  using(new PX.PxMassProperties(geometry), (unit) => {
+    const density = mass?.density ?? 1;
+    return { mass: density * unit.mass, p_BBcm: list(unit.centerOfMass),
+      I_BBcm_B: ["column0", "column1", "column2"].map((k) => scaled(density, list(unit.inertiaTensor[k]))) };
+  }));

@@ -1,6 +1,7 @@
 // Programs in PhysX's own API for the adapter's queries: each asks what the adapter asks, and prints what PhysX says. They
 // run where physx-js-webidl is installed: `node --input-type=module < snippet`.
-import { unitQuaternion } from "../js/touchstone_adapter.mjs";
+import { norm, scaled, unitQuaternion } from "../js/touchstone_adapter.mjs";
+import { straightCast } from "./straight_cast.mjs";
 
 // The package is built for the web alone.
 const head = `import { readFileSync } from "node:fs";
@@ -50,6 +51,22 @@ console.log("on A:", list(found.pointA), "on B:", list(found.pointB), "axis:", l
 
 export const distance = proximity;
 export const penetration = proximity;
+
+// A sweep moves B.
+export function time_of_impact(scene) {
+  const { end, way } = straightCast(scene), [A, B] = scene.bodies, length = norm(way);
+  const supports = "new PX.ConvexGeomSupport(A, 0), new PX.ConvexGeomSupport(B, 0)", poses = `${pose(A)}, ${pose(B)}`;
+  const ask = length === 0 ? `console.log("overlap:", PX.PxGjkQuery.prototype.overlap(${supports},
+  ${poses}));
+` : `const found = new PX.PxGjkQuerySweepResult();
+const hit = PX.PxGjkQuery.prototype.sweep(${supports}, ${poses},
+  vector(${JSON.stringify(scaled(-1 / length, way))}), ${length}, found);
+console.log("hit:", hit, "time:", ${end / length} * found.t);
+`;
+  return `${head}const A = ${geometry(A)};
+const B = ${geometry(B)};
+${ask}`;
+}
 
 export const bounds = (scene) => head + scene.bodies.map((body) => `{
   const box = new PX.PxBounds3();

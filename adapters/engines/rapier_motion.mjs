@@ -1,9 +1,7 @@
 // Rapier's simulation: a world with the bodies of a scene, in equal steps of at most `step` between sample times.
 import { Abstain, unitQuaternion } from "../js/touchstone_adapter.mjs";
 import { RAPIER, colliderOf, list, vector } from "./rapier_bodies.mjs";
-import { forceAt, requireOneStart, sampled } from "./sampled_motion.mjs";
-
-export const step = 1 / 60; // as shipped
+import { forceAt, requireOffered, sampled, step } from "./sampled_motion.mjs";
 
 const { Min } = RAPIER.CoefficientCombineRule;
 
@@ -36,7 +34,7 @@ const state = (rigid) => ({
 });
 
 export function simulation(scene) {
-  requireOneStart(scene.motion);
+  requireOffered(scene);
   const { forces = [] } = scene.motion;
   const world = new RAPIER.World(vector(scene.gravity ?? [0, 0, 0]));
   try {

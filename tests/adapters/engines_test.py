@@ -17,7 +17,8 @@ ROOT, PROGRAM = pathlib.Path(sys.argv[1]).resolve(), sys.argv[2]
 SKIPPED = 77
 MODULES = pathlib.Path(os.environ.get("TOUCHSTONE_NODE_MODULES", ROOT / "adapters/engines/node_modules"))
 PACKAGES = {"rapier": "@dimforge/rapier3d-compat", "mujoco": "mujoco-js", "cannon.tuned": "cannon-es",
-            "jolt": "jolt-physics", "physx": "physx-js-webidl"}
+            "jolt": "jolt-physics", "jolt.simulation": "jolt-physics", "jolt.tuned": "jolt-physics",
+            "physx": "physx-js-webidl", "physx.simulation": "physx-js-webidl", "physx.tuned": "physx-js-webidl"}
 NUMBER = r"(-?[\d.]+(?:e-?\d+)?)"
 
 
@@ -79,6 +80,39 @@ class Engines(unittest.TestCase):
             boxes = numbers_after(r"[\[,]", self.printed_by(self.snippet(name, "bounds", scene)).replace(" ", ""))
             for number, expected in zip(boxes, [2, -1, -1, 4, 1, 1, 0, 0, 0, 1, 1, 1], strict=True):
                 self.assertAlmostEqual(number, expected, delta=1e-6, msg=name)
+
+    def test_snippets_of_casts(self):
+        """The same box moves at 2 m/s and is there after half a second."""
+        pose = {"q": {"w": 1, "x": 0, "y": 0, "z": 0}}
+        box = {"shape": {"type": "box", "half_extents": [1, 1, 1]}, "X_WB": {"p": [3, 0, 0], **pose},
+               "velocity": {"v_WBcm": [-2, 0, 0], "w_WB": [0, 0, 0]}}
+        hull = {"shape": {"type": "polytope", "vertices": [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]},
+                "X_WB": {"p": [0, 0, 0], **pose}}
+        scene = {"touchstone": "scene/1", "bodies": [box, hull], "motion": {"sample_times": [4]}}
+        for name in ("rapier", "jolt", "physx"):
+            time, = numbers_after("time:", self.printed_by(self.snippet(name, "time_of_impact", scene)))
+            self.assertAlmostEqual(time, 0.5, delta=1e-3, msg=name)
+
+    def test_a_snippet_of_a_simulation(self):
+        """It takes the adapter's steps, so it prints the adapter's numbers."""
+        pose, fixed = {"q": {"w": 1, "x": 0, "y": 0, "z": 0}}, {"type": "fixed"}
+        ball = {"shape": {"type": "sphere", "radius": 0.5}, "X_WB": {"p": [0, 0, 1], **pose},
+                "velocity": {"v_WBcm": [0, 0, -2], "w_WB": [0, 1, 0]}, "material": {"restitution": 0.5, "friction": 0}}
+        floor = {"shape": {"type": "box", "half_extents": [9, 9, 1]}, "X_WB": {"p": [0, 0, -1], **pose}, "mass": fixed,
+                 "material": {"restitution": 0.75, "friction": 0}}
+        motion = {"sample_times": [0.125, 0.5], "force_bound": 1,
+                  "forces": [{"time": 0.25, "body": 0, "force_W": [1, 0, 0]}]}
+        scene = {"touchstone": "scene/1", "gravity": [0, 0, -4], "bodies": [ball, floor], "motion": motion}
+        lines = [{"op": "start", "seq": 1, "protocol": 1},
+                 {"op": "ask", "seq": 2, "query": "simulation", "scene": scene}]
+        done = subprocess.run(["node", "engines/rapier.mjs"], input="".join(json.dumps(line) + "\n" for line in lines),
+                              cwd=self.folder, capture_output=True, text=True, timeout=60)
+        states = json.loads(done.stdout.splitlines()[1])["result"]["states"]
+        printed = numbers_after("[xyzw]:", self.printed_by(self.snippet("rapier", "simulation", scene)))
+        said = [number for bodies in states for body in bodies for part in (body["X_WB"]["p"], body["X_WB"]["q"],
+                body["velocity"]["v_WBcm"], body["velocity"]["w_WB"])
+                for number in (part if isinstance(part, list) else [part[axis] for axis in "xyzw"])]
+        self.assertEqual(printed, said)
 
     def test_cannon_as_shipped_differs_by_its_own_fault(self):
         """The same adapter, tuned, passes. As shipped the engine gives speed to a ball that should stay on the floor."""
