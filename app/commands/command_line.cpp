@@ -380,6 +380,11 @@ void add_simulate(CLI::App& program, Options& options) {
       ->type_name("SECONDS");
   add_file(*command, "--out", words.out, "Write the events to this file, one JSON object a line");
   add_file(*command, "--replay", words.replay, "Write a page that shows the bodies to this file");
+  command
+      ->add_option("--beside", words.beside,
+                   "Engines, at most five, that the page shows beside --engine, from the same start: names as there")
+      ->allow_extra_args(false)
+      ->type_name("ENGINE");
   add_time_limit(*command, words.time_limit, "CPU time that the engine may take");
   command->footer(help::simulate);
   command->callback([&options] { options.chosen = [&] { return simulate(options.simulate); }; });

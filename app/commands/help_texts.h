@@ -195,12 +195,14 @@ Examples:
   touchstone simulate bouncing_ball
   touchstone simulate docs/scenes/motion/rolling/turntable.json --engine bullet --until 3
   touchstone simulate pool_break --out events.jsonl --replay replay.html
+  touchstone simulate pool_break --replay replay.html --beside bullet,ode
   touchstone simulate scene.json --engine "exec:python3 my_engine.py"
 
 The table shows the energy and momentum of all bodies that are not fixed; potential energy is 0 at the world's origin.
 For a scene with a known future, the greatest error is printed, and the time up to which it holds. The replay page
-loads nothing from the network; three.js must be installed to make it (Debian: libjs-three). Bodies that overlap at
-the start are bad input for every engine.
+loads nothing from the network; three.js must be installed to make it (Debian: libjs-three). With --beside it shows
+several engines by one clock, --engine in the middle, and how far the others are from it. Bodies that overlap at the
+start are bad input for every engine.
 
 Exit codes:
   0    done

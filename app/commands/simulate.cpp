@@ -38,6 +38,7 @@ namespace fs = std::filesystem;
 constexpr std::size_t rows_printed = 24;
 constexpr int samples_beyond = 20;  // samples added after the scene's own end
 constexpr const char* constraint = "constraint";
+constexpr std::size_t most_beside = 5;     // a choice: the bodies of more engines are too small on a screen
 constexpr double constraint_steps = 4096;  // the least number of steps per motion (fast/constraint.h)
 
 struct ShortName {
@@ -111,17 +112,59 @@ std::vector<std::string> engines() {
   return names;
 }
 
-std::unique_ptr<oracle::Subject> connect_to(const SimulateCommand& command) {
-  oracle::PipeLimits limits = limits_of(command.time_limit);
+std::unique_ptr<oracle::Subject> connect_to(const std::string& engine, double time_limit) {
+  oracle::PipeLimits limits = limits_of(time_limit);
   limits.simulation_factor = 1;
   limits.longest_line = std::size_t{1} << 30;
-  const std::string subject = subject_of(command.engine);
+  const std::string subject = subject_of(engine);
   try {
     return connect(subject, limits);
   } catch (const InputError&) {
     if (subject.find(':') != std::string::npos || std::ranges::count(subject_list({}), subject) > 0) throw;
-    throw InputError("engine \"" + command.engine + '"', unknown_among(command.engine, engines()));
+    throw InputError("engine \"" + engine + '"', unknown_among(engine, engines()));
   }
+}
+
+/// An engine that is shown, and what it answered.
+struct Shown {
+  std::string name;
+  std::unique_ptr<oracle::Subject> subject;
+  MotionRun run = {};
+
+  bool by_constraint() const { return name == constraint; }
+  std::string title() const { return subject->card().name + (by_constraint() ? ", constraint" : ""); }
+};
+
+/// The command's engine, and those beside it.
+std::vector<Shown> shown_engines(const SimulateCommand& command) {
+  std::vector<std::string> names = {command.engine};
+  if (!command.beside.empty()) {
+    if (command.replay.empty()) {
+      throw InputError("--beside", "is for the page that shows the motions: say with --replay where to write it");
+    }
+    for (const std::string& name : subject_list(command.beside)) {
+      const auto is_same = [&](const std::string& other) { return subject_of(other) == subject_of(name); };
+      const bool both_of_fast = std::ranges::count(names, name) == 0 && subject_of(name) == "fast";
+      if (!both_of_fast && std::ranges::any_of(names, is_same))
+        throw InputError("--beside", name + " is shown already");
+      names.push_back(name);
+    }
+    if (names.size() > most_beside + 1) {
+      throw InputError("--beside", fmt::format("expected at most {} engines, found {}", most_beside, names.size() - 1));
+    }
+  }
+  std::vector<Shown> shown;
+  for (const std::string& name : names) shown.push_back({name, connect_to(name, command.time_limit)});
+  return shown;
+}
+
+/// The command's engine in the middle.
+std::string page_of(const Scene& scene, const std::vector<Shown>& shown) {
+  std::vector<ReplayRun> runs;
+  for (std::size_t k = 1; k < shown.size(); ++k) runs.push_back({shown[k].title(), &shown[k].run});
+  const std::size_t middle = runs.size() / 2;
+  runs.insert(runs.begin() + static_cast<std::ptrdiff_t>(middle), {shown[0].title(), &shown[0].run});
+  return replay_page(scene, runs, middle);
 }
 
 std::size_t impacts_until(const Trajectory& trajectory, double time) {
@@ -232,7 +275,7 @@ void warn_of_long_steps(const Scene& scene) {
 }
 
 /// Reports why the run ended before the scene's end. Returns the exit code.
-int report_end(const Scene& scene, const MotionRun& run) {
+int report_end(const Scene& scene, const MotionRun& run, const std::string& engine) {
   const double end = scene.motion->sample_times.back();
   const double known = run.trajectory.complete_until.value_or(run.times.empty() ? 0 : run.times.back());
   if (run.interrupted) {
@@ -240,12 +283,12 @@ int report_end(const Scene& scene, const MotionRun& run) {
     return interrupted_exit_code();
   }
   if (!run.broke.empty()) {
-    complain("the engine broke ({}); what it said until {} s of {} s is above", run.broke, known, end);
+    complain("{} broke ({}); what it said until {} s of {} s is above", engine, run.broke, known, end);
     return 1;
   }
   if (known < end) {
     const std::string& why = run.trajectory.gave_up;
-    complain("the engine gave up at {} s of {} s{}{}", known, end, why.empty() ? "" : ": ", why);
+    complain("{} gave up at {} s of {} s{}{}", engine, known, end, why.empty() ? "" : ": ", why);
     return 1;
   }
   return 0;
@@ -264,27 +307,33 @@ int simulate(const SimulateCommand& command) {
   require_places(command);
   watch_for_interruption();
   Scene asked = scene;
+  std::vector<Shown> shown = shown_engines(command);
   if (!command.replay.empty()) {
     require_replay_library();
-    asked.motion->sample_times = with_frames(scene);
+    asked.motion->sample_times = with_frames(scene, shown.size());
   }
-  const auto subject = connect_to(command);
-  const bool by_constraint = command.engine == constraint;
-  const MotionRun run = run_motion(asked, *subject, by_constraint);
+  for (Shown& each : shown) each.run = run_motion(asked, *each.subject, each.by_constraint());
+  const auto& [name, subject, run] = shown[0];
 
   print("scene      {}: {} bodies, {} s\n", scene.name.empty() ? command.scene : scene.name, scene.bodies.size(),
         scene.motion->sample_times.back());
-  print("engine     {} {}{}\n", subject->card().name, subject->card().version, by_constraint ? ", constraint" : "");
+  print("engine     {} {}{}\n", subject->card().name, subject->card().version,
+        name == constraint ? ", constraint" : "");
   const MotionRun samples = without_frames(scene, run);
   print_energies(scene, samples);
   print_events(run.trajectory);
   print_solver(run.trajectory);
   print_truth(scene, samples);
   const std::optional<std::vector<Event>>& events = run.trajectory.events;
-  if (!command.replay.empty()) write(command.replay, replay_page(scene, run.times, run.trajectory));
+  if (!command.replay.empty()) write(command.replay, page_of(scene, shown));
   if (!command.out.empty() && events) write(command.out, json_lines(*events));
-  if (by_constraint) warn_of_long_steps(scene);
-  const int code = report_end(scene, run);
+  if (shown[0].by_constraint()) warn_of_long_steps(scene);
+  int code = 0;
+  for (const Shown& each : shown) {
+    const int end = report_end(scene, each.run, &each == &shown[0] ? "the engine" : each.name);
+    code = std::max(code, end);
+    if (each.run.interrupted) break;
+  }
   const bool answered = !run.interrupted && run.broke.empty();
   if (answered && !command.out.empty() && !events) {
     throw InputError(command.engine, "reports no events: there is nothing to write to --out");

@@ -106,9 +106,14 @@ std::string in_script(std::string text) {
   return text;
 }
 
-std::string data_of(const Scene& scene, const std::vector<double>& times, const Trajectory& trajectory) {
-  return fmt::format("const data = {{name: {}, bodies: {}, events: {}, frames: [\n{}\n]}};\n", Json(scene.name).dump(),
-                     bodies_of(scene).dump(), events_of(trajectory).dump(), frames_of(scene, times, trajectory));
+std::string data_of(const Scene& scene, const std::vector<ReplayRun>& runs, std::size_t middle) {
+  std::string all;
+  for (const auto& [engine, run] : runs) {
+    all += fmt::format("{}{{engine: {}, events: {}, frames: [\n{}\n]}}", all.empty() ? "" : ",\n", Json(engine).dump(),
+                       events_of(run->trajectory).dump(), frames_of(scene, run->times, run->trajectory));
+  }
+  return fmt::format("const data = {{name: {}, bodies: {}, middle: {}, runs: [{}]}};\n", Json(scene.name).dump(),
+                     bodies_of(scene).dump(), middle, all);
 }
 
 void replace(std::string& text, const std::string& mark, const std::string& by) {
@@ -117,10 +122,10 @@ void replace(std::string& text, const std::string& mark, const std::string& by) 
 
 }  // namespace
 
-std::vector<double> with_frames(const Scene& scene) {
+std::vector<double> with_frames(const Scene& scene, std::size_t runs) {
   std::vector<double> times = scene.motion->sample_times;
   const std::size_t frames =
-      std::clamp(most_states / std::max<std::size_t>(scene.bodies.size(), 1), std::size_t{1}, most_frames);
+      std::clamp(most_states / std::max<std::size_t>(scene.bodies.size() * runs, 1), std::size_t{1}, most_frames);
   const double end = times.back();
   const double begin = scene.motion->start_times.empty() ? 0 : std::ranges::max(scene.motion->start_times);
   for (std::size_t k = 1; k < frames; ++k) {
@@ -141,12 +146,12 @@ void require_replay_library() {
   }
 }
 
-std::string replay_page(const Scene& scene, const std::vector<double>& times, const Trajectory& trajectory) {
+std::string replay_page(const Scene& scene, const std::vector<ReplayRun>& runs, std::size_t middle) {
   require_replay_library();
   std::string page = replay_html;
   // From the last to the first, so that inserted text is not searched again.
   replace(page, "{{script}}", replay_script);
-  replace(page, "{{data}}", in_script(data_of(scene, times, trajectory)));
+  replace(page, "{{data}}", in_script(data_of(scene, runs, middle)));
   replace(page, "{{controls}}", in_script(read_text(orbit_controls)));
   replace(page, "{{library}}", in_script(read_text(library)));
   replace(page, "{{title}}", escaped(scene.name.empty() ? "a scene" : scene.name));

@@ -43,7 +43,7 @@ class Accessibility(Test):
         self.has_none("R/index.html")
 
     def test_replay(self):
-        self.make("simulate", "newtons_cradle", "--replay", "replay.html")
+        self.make("simulate", "bouncing_ball", "--beside", "constraint", "--replay", "replay.html")
         self.has_none("replay.html")
 
     def test_a_bad_page_is_seen(self):

@@ -45,6 +45,9 @@ for line in sys.stdin:
         said = {"abstains": "not on Sundays"}
     else:
         result = answer(message["scene"])
+        if trick == "higher":
+            for row in result["states"]:
+                row[0]["X_WB"]["p"][2] += 0.25
         if message["scene"]["motion"]["sample_times"][-1] > 1:
             if trick == "dies":
                 os._exit(3)

@@ -6,7 +6,11 @@ import unittest
 from browser import SHOTS, Browser, folder_and_browser
 from program import *
 
-PLAYER = f"exec:/usr/bin/python3 {SOURCE / 'tests/app/motion/motion_engine.py'} right"
+def player(trick):
+    return f"exec:/usr/bin/python3 {SOURCE / 'tests/app/motion/motion_engine.py'} {trick}"
+
+
+READING = "due to ReadPixels"  # the driver complains, late, about this test's own reading of pixels
 COLOURS = """(() => { replay.seek(replay.time);  // draws, in the same task as the reading
   const gl = replay.canvas.getContext('webgl2') || replay.canvas.getContext('webgl'), seen = new Set();
   const w = gl.drawingBufferWidth, h = gl.drawingBufferHeight, all = new Uint8Array(4 * w * h);
@@ -30,7 +34,7 @@ class Replay(Test):
         one = {**scene(falling, body(table, (0, 0, -1), mass={"type": "fixed"})), "gravity": [0, 0, -10],
                "name": "a </script> & {{data}} ball"}
         (cls.runs / "scene.json").write_text(json.dumps(one))
-        subprocess.run([PROGRAM, "simulate", "scene.json", "--engine", PLAYER, "--until", "3", "--replay", "R.html"],
+        subprocess.run([PROGRAM, "simulate", "scene.json", "--engine", player("right"), "--until", "3", "--replay", "R.html"],
                        cwd=cls.runs, check=True, capture_output=True)
         cls.page = (cls.runs / "R.html").as_uri()
 
@@ -41,8 +45,7 @@ class Replay(Test):
         for width, dark in ((390, True), (1300, False)):
             with self.subTest(width=width, dark=dark):
                 self.browser.open(self.page, width, 800, dark=dark)
-                # The driver complains, late, about this test's own reading of pixels.
-                self.assertEqual([c for c in self.browser.complaints() if "due to ReadPixels" not in c], [])
+                self.assertEqual([c for c in self.browser.complaints() if READING not in c], [])
                 self.assertLessEqual(self.browser.value("document.documentElement.scrollWidth"), width)
                 self.assertGreater(self.browser.value("replay.canvas.clientHeight"), 400)
                 self.assertGreater(self.browser.value(COLOURS), 20)  # the background alone has one colour
@@ -50,6 +53,41 @@ class Replay(Test):
                 self.assertLessEqual(bottom, 800.5)
                 if SHOTS:
                     self.browser.screenshot(f"{SHOTS}/replay{width}{'dark' if dark else ''}.png", height=800)
+
+    def test_engines_side_by_side(self):
+        done = subprocess.run([PROGRAM, "simulate", "scene.json", "--engine", player("right"), "--until", "3", "--replay", "B.html",
+                               "--beside", player("higher"), "--beside", player("gives_up")],
+                              cwd=self.runs, capture_output=True, text=True)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("gives_up gave up at 1 s of 3 s", done.stderr)
+        cells = "[...document.querySelectorAll('#cells div')].map(e => [...e.children].map(c => c.textContent))"
+        for width, dark in ((400, False), (1400, True)):
+            self.browser.open((self.runs / "B.html").as_uri(), width, 600, dark=dark)
+            self.assertEqual([c for c in self.browser.complaints() if READING not in c], [])
+            self.assertLessEqual(self.browser.value("document.documentElement.scrollWidth"), width)
+            self.browser.value("replay.seek(0.9)")
+            self.assertEqual(self.browser.value(cells), [["higher", "0.25 m off"], ["right", ""], ["gives_up", "0.0 m off"]])
+            self.browser.value("replay.seek(3)")
+            self.assertEqual(self.browser.value(cells)[2], ["gives_up", "ended at 1 s"])
+            if SHOTS:
+                self.browser.screenshot(f"{SHOTS}/beside{width}.png", height=600)
+        self.camera_and_labels()
+
+    def camera_and_labels(self):
+        drawn = lambda: self.browser.value("replay.seek(0.5), replay.canvas.toDataURL()")
+        before = drawn()
+        turn = "dispatchEvent(new KeyboardEvent('keydown', {key: 'ArrowRight', shiftKey: true})); replay.time"
+        self.assertEqual(self.browser.value(turn), 0.5)
+        turned = drawn()
+        self.assertNotEqual(turned, before)
+        self.browser.value(key("+"))
+        nearer = drawn()
+        self.assertNotEqual(nearer, turned)
+        for box in ("labels", "follow"):
+            self.browser.value(f"document.getElementById('{box}').click()")
+            changed = drawn()
+            self.assertNotEqual(changed, nearer, box)
+            nearer = changed
 
     def test_scrubbing_moves_a_body(self):
         self.browser.open(self.page, 600, 500)

@@ -52,6 +52,18 @@ class Simulate(Test):
         self.assertEqual([event["kind"] for event in events], ["impact"] * 3)
         self.assertTrue(near(events[2]["time"], 2.5, 1e-12))
 
+    def test_engines_beside_that_are_refused(self):
+        self.drop(sample_times=[1])
+        words = ["simulate", "drop.json", "--engine", engine("right"), "--beside"]
+        self.refused(*words, "fast", says=["--beside", "--replay"])
+        page = ["--replay", "replay.html"]
+        self.refused(*words, "bulet", *page, says=["bulet", "unknown"])
+        self.refused(*words, engine("right"), *page, says=["--beside", "shown already"])
+        self.refused(*words, "inproc:fast,inproc:fast", *page, says=["--beside", "shown already"])
+        self.refused(*words, engine("abstains"), *page, says="not on Sundays")
+        five = [word for k in range(5) for word in ("--beside", engine(f"right {k}"))]
+        self.refused(*words, "inproc:fast", *five, *page, says=["at most 5 engines, found 6"])
+
     def test_until(self):
         self.drop()
         self.refused("simulate", "drop.json", "--engine", engine("right"), says="--until")
