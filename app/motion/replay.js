@@ -277,7 +277,7 @@ function name_runs() {
       const end = run.frames.length ? run.frames[run.frames.length - 1][0] : null;
       if (end === null) state.textContent = "no answer";
       else if (replay.time > end) state.textContent = `ended at ${end} s`;
-      else if (run !== main && main.frames.length) state.textContent = `${replay.apart(run, replay.time).toPrecision(2)} m off`;
+      else if (run !== main && main.frames.length) state.textContent = `${+replay.apart(run, replay.time).toPrecision(2)} m off`;
       else state.textContent = "";
     };
   }
