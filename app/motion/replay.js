@@ -4,9 +4,8 @@
 const KINDS = ["impact", "micro-collision", "completed", "contact", "release", "force"];
 const element = id => document.getElementById(id);
 const {runs, bodies} = data, main = runs[data.middle], events = main.events;
-const times = runs.flatMap(run => run.frames.map(frame => frame[0]));
-const first = times.length ? Math.min(times[0], main.frames.length ? main.frames[0][0] : times[0]) : 0;
-const last = times.reduce((a, b) => Math.max(a, b), first);
+const first = main.frames.length ? main.frames[0][0] : 0;
+const last = Math.max(first, ...runs.map(run => run.frames.length ? run.frames[run.frames.length - 1][0] : first));
 const moving = bodies.map((body, b) => b).filter(b => !bodies[b].fixed);
 const dark = matchMedia("(prefers-color-scheme: dark)");
 const colour = name => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
@@ -66,7 +65,8 @@ function circles(radius) {
 
 // A body's name, or else its number, on a plate that faces the camera.
 function plate(body, index) {
-  const canvas = document.createElement("canvas"), pen = canvas.getContext("2d"), font = "600 44px system-ui, sans-serif";
+  const canvas = document.createElement("canvas"), pen = canvas.getContext("2d");
+  const font = "600 44px system-ui, sans-serif";
   const text = (body.name || String(index)).slice(0, 24);
   pen.font = font;
   canvas.width = pen.measureText(text).width + 28;
@@ -91,7 +91,7 @@ function solid(body, index) {
   for (const part of body.parts) {
     const shape = geometry(part);
     const paint = new THREE.MeshStandardMaterial({
-      color: body.fixed ? new THREE.Color(0x8a93a5) : new THREE.Color().setHSL(hue, 0.6, index % 2 ? 0.62 : 0.42), roughness: 0.7,
+      color: body.fixed ? 0x8a93a5 : new THREE.Color().setHSL(hue, 0.6, index % 2 ? 0.62 : 0.42), roughness: 0.7,
       flatShading: !part.radius, transparent: body.fixed, opacity: body.fixed ? 0.25 : 1, depthWrite: !body.fixed});
     const lines = part.radius ? circles(part.radius) : new THREE.EdgesGeometry(shape);
     const edges = new THREE.LineSegments(lines, new THREE.LineBasicMaterial({color: 0x30363f, transparent: true, opacity: 0.5}));
@@ -114,7 +114,8 @@ function corners(body) {
     const q = new THREE.Quaternion(...part.q).normalize(), p = new THREE.Vector3(...part.p);
     const reach = part.half || [part.radius, part.radius, part.radius];
     const own = part.vertices || signs.map(sign => sign.map((s, i) => s * reach[i]));
-    return own.map(v => part.radius ? new THREE.Vector3(...v).add(p) : new THREE.Vector3(...v).applyQuaternion(q).add(p));
+    if (part.radius) q.set(0, 0, 0, 1);
+    return own.map(v => new THREE.Vector3(...v).applyQuaternion(q).add(p));
   });
 }
 
@@ -126,7 +127,8 @@ function extent(at) {
     const ball = bodies[b].parts.length == 1 && bodies[b].parts[0].radius;
     for (const time of at) {
       const {p, q} = replay.pose(b, time);
-      for (const v of points[b]) box.expandByPoint((ball ? v.clone() : v.clone().applyQuaternion(q)).add(new THREE.Vector3(...p)));
+      if (ball) q.set(0, 0, 0, 1);
+      for (const v of points[b]) box.expandByPoint(v.clone().applyQuaternion(q).add(new THREE.Vector3(...p)));
     }
   }
   return box;
@@ -136,20 +138,22 @@ const sphere_of = box => box.getBoundingSphere(new THREE.Sphere());
 
 // A grid on the ground, which catches shadows: at the lowest point that a moving body comes to.
 function ground(box, radius, cell) {
-  const level = box.min.z - radius * (bodies.some(body => body.fixed) ? 0.002 : 0.5), centre = box.getCenter(new THREE.Vector3());
-  const count = 2 * Math.min(40, Math.ceil(3 * radius / cell)), lines = new THREE.GridHelper(count * cell, count, 0x808896, 0x808896);
+  const level = box.min.z - radius * (bodies.some(body => body.fixed) ? 0.002 : 0.5);
+  const centre = box.getCenter(new THREE.Vector3()), count = 2 * Math.min(40, Math.ceil(3 * radius / cell));
+  const side = count * cell, lines = new THREE.GridHelper(side, count, 0x808896, 0x808896);
   lines.material.transparent = true;
   lines.material.opacity = 0.35;
   lines.rotation.x = Math.PI / 2;
   lines.position.set(Math.round(centre.x / cell) * cell, Math.round(centre.y / cell) * cell, level);
-  const floor = new THREE.Mesh(new THREE.PlaneBufferGeometry(count * cell, count * cell), new THREE.ShadowMaterial({opacity: 0.35}));
+  const floor = new THREE.Mesh(new THREE.PlaneBufferGeometry(side, side), new THREE.ShadowMaterial({opacity: 0.35}));
   floor.position.copy(lines.position);
   floor.receiveShadow = true;
   return [floor, lines];
 }
 
 function lights(around) {
-  const sun = new THREE.DirectionalLight(0xffffff, 0.8), sky = new THREE.HemisphereLight(0xffffff, 0x777777, 0.75), r = around.radius;
+  const sun = new THREE.DirectionalLight(0xffffff, 0.8), sky = new THREE.HemisphereLight(0xffffff, 0x777777, 0.75);
+  const r = around.radius;
   sun.position.copy(around.center).add(new THREE.Vector3(1, -1.2, 4).multiplyScalar(r));
   sun.target.position.copy(around.center);
   sun.castShadow = true;
@@ -188,7 +192,8 @@ function stage() {
   const controls = new THREE.OrbitControls(camera, canvas);
   controls.enableKeys = false;
   let shown = around;  // the sphere that the camera frames
-  const cells = () => [...element("cells").children].map(div => div.getBoundingClientRect()), tangent = Math.tan(35 * Math.PI / 360);
+  const cells = () => [...element("cells").children].map(div => div.getBoundingClientRect());
+  const tangent = Math.tan(35 * Math.PI / 360);  // of half the camera's angle
   const draw = () => {
     const frame = canvas.getBoundingClientRect();
     renderer.setScissorTest(false);
@@ -211,7 +216,8 @@ function stage() {
   };
   let filled = 1;  // the sine of the angle that the framed sphere fills
   const fit = () => {
-    element("cells").style.gridTemplateColumns = `repeat(${columns(view.clientWidth, view.clientHeight)}, minmax(0, 1fr))`;
+    const count = columns(view.clientWidth, view.clientHeight);
+    element("cells").style.gridTemplateColumns = `repeat(${count}, minmax(0, 1fr))`;
     renderer.setPixelRatio(devicePixelRatio);
     renderer.setSize(view.clientWidth, view.clientHeight, false);
     renderer.setClearColor(colour("--paper"));
@@ -234,13 +240,17 @@ function stage() {
   element("labels").checked = moving.length <= 12;
   element("follow").checked = around.radius > 3 * sphere_of(extent([first])).radius;
   element("labels").addEventListener("change", () => replay.seek(replay.time));
-  element("follow").addEventListener("change", event => { if (!event.target.checked) aim(around); replay.seek(replay.time); });
+  element("follow").addEventListener("change", event => {
+    if (!event.target.checked) aim(around);
+    replay.seek(replay.time);
+  });
   replay.canvas = canvas;
   replay.turn = (right, up) => {
-    const from = new THREE.Spherical().setFromVector3(camera.position.clone().sub(controls.target).applyAxisAngle(new THREE.Vector3(1, 0, 0), -Math.PI / 2));
+    const x_axis = new THREE.Vector3(1, 0, 0), offset = camera.position.clone().sub(controls.target);
+    const from = new THREE.Spherical().setFromVector3(offset.applyAxisAngle(x_axis, -Math.PI / 2));  // z is up
     from.theta -= right;
     from.phi = Math.min(Math.PI - 0.01, Math.max(0.01, from.phi - up));
-    camera.position.setFromSpherical(from).applyAxisAngle(new THREE.Vector3(1, 0, 0), Math.PI / 2).add(controls.target);
+    camera.position.setFromSpherical(from).applyAxisAngle(x_axis, Math.PI / 2).add(controls.target);
     controls.update();
   };
   replay.zoom = factor => {
@@ -269,7 +279,7 @@ function name_runs() {
   const holder = document.createElement("div");
   holder.id = "cells";
   for (const run of runs) {
-    const cell = document.createElement("div"), heading = document.createElement("h2"), state = document.createElement("span");
+    const [cell, heading, state] = ["div", "h2", "span"].map(name => document.createElement(name));
     heading.textContent = run.engine;
     cell.append(heading, state);
     holder.append(cell);
@@ -277,7 +287,7 @@ function name_runs() {
       const end = run.frames.length ? run.frames[run.frames.length - 1][0] : null;
       if (end === null) state.textContent = "no answer";
       else if (replay.time > end) state.textContent = `ended at ${end} s`;
-      else if (run !== main && main.frames.length) state.textContent = `${+replay.apart(run, replay.time).toPrecision(2)} m off`;
+      else if (run !== main) state.textContent = `${+replay.apart(run, replay.time).toPrecision(2)} m off`;
       else state.textContent = "";
     };
   }
@@ -351,8 +361,9 @@ replay.play = on => {
 
 const keys = {" ": () => replay.play(!replay.playing), ArrowRight: () => replay.step(1), ArrowLeft: () => replay.step(-1),
   n: () => replay.event(true), p: () => replay.event(false), Home: () => replay.seek(first), End: () => replay.seek(last)};
-const camera_keys = {ArrowLeft: () => replay.turn(-0.15, 0), ArrowRight: () => replay.turn(0.15, 0), ArrowUp: () => replay.turn(0, 0.15),
-  ArrowDown: () => replay.turn(0, -0.15), "+": () => replay.zoom(0.9), "=": () => replay.zoom(0.9), "-": () => replay.zoom(1 / 0.9)};
+const camera_keys = {ArrowLeft: () => replay.turn(-0.15, 0), ArrowRight: () => replay.turn(0.15, 0),
+  ArrowUp: () => replay.turn(0, 0.15), ArrowDown: () => replay.turn(0, -0.15),
+  "+": () => replay.zoom(0.9), "=": () => replay.zoom(0.9), "-": () => replay.zoom(1 / 0.9)};
 addEventListener("keydown", event => {
   const of_camera = replay.turn && (event.shiftKey || event.key.length === 1) && camera_keys[event.key];
   const act = of_camera || keys[event.key] || keys[event.key.toLowerCase()];

@@ -52,7 +52,8 @@ function turn(svg, yaw, pitch) {
   }
   const shrink = yaw || pitch ? Math.min(1, 85 / far) : 1;  // a corner must not leave the view
   view.setAttribute('transform', `translate(270 90) scale(${shrink})`);
-  svg.lastElementChild.textContent = yaw || pitch ? `turned by ${Math.round(yaw)}°, ${Math.round(pitch)}°` : svg.dataset.title;
+  const angles = `turned by ${Math.round(yaw)}°, ${Math.round(pitch)}°`;
+  svg.lastElementChild.textContent = yaw || pitch ? angles : svg.dataset.title;
 }
 
 const turn_by = (svg, yaw, pitch) => turn(svg, turns.get(svg).yaw + yaw, turns.get(svg).pitch + pitch);
@@ -82,7 +83,9 @@ addEventListener('keydown', event => {
   if (event.key == 'Home') turn(svg, 0, 0); else turn_by(svg, ...steps[event.key]);
 });
 addEventListener('beforeprint', () => {
-  for (const svg of document.querySelectorAll('svg.turns')) if (turns.get(svg).yaw || turns.get(svg).pitch) turn(svg, 0, 0);
+  for (const svg of document.querySelectorAll('svg.turns')) {
+    if (turns.get(svg).yaw || turns.get(svg).pitch) turn(svg, 0, 0);
+  }
 });
 )js";
 
