@@ -12,8 +12,8 @@
 
 namespace touchstone::reference {
 
-/// What is told of the impacts at one time.
-struct ToldImpacts {
+/// What is reported of the impacts at one time.
+struct ReportedImpacts {
   struct Impulse {
     std::size_t region = 0;
     Vec3 point_W = Vec3::Zero();
@@ -25,6 +25,8 @@ struct ToldImpacts {
   std::vector<Velocity> after;  ///< of all bodies
 };
 
+/// The conditions. v, T: velocities and kinetic energy before; v', T' after; P_C v: the nearest velocities in energy at
+/// which nothing approaches.
 enum class ImpactCondition {
   momentum,      ///< N1: M(v' − v) = Σ GᵀP
   cone,          ///< N2: P_n ≥ 0, |P_t| ≤ μ P_n
@@ -36,6 +38,7 @@ enum class ImpactCondition {
   elastic,       ///< N8: T' = T of connected bodies with e = 1, μ = 0, unless one is clamped between others
   symmetry       ///< N9: reflections of the coordinate axes that map the scene onto itself map the outcome onto itself
 };
+/// Their number.
 constexpr std::size_t impact_conditions = 9;
 
 /// By how much each condition is violated, in their order; exactly 0 where it is not, or where it does not apply.
@@ -46,9 +49,9 @@ constexpr std::size_t impact_conditions = 9;
 /// N5, N7 and N8 ask nothing where a fixed body moves, since that does work; nor does N5 with Newton's law and
 /// friction. N9 is a demand on laws that are functions of the scene: impacts one after the other obey N1 to N8.
 /// Requires valid bodies. Throws what `impulse` throws.
-std::array<double, impact_conditions> condition_errors(const ToldImpacts& told);
+std::array<double, impact_conditions> condition_errors(const ReportedImpacts& reported);
 
 /// The first condition whose error is above its bound; none if the outcome is one that is allowed.
-std::optional<ImpactCondition> violated(const ToldImpacts& told, double allowed);
+std::optional<ImpactCondition> violated(const ReportedImpacts& reported, double allowed);
 
 }  // namespace touchstone::reference

@@ -37,21 +37,20 @@ struct RegionImpulse {
 /// `impulse` throws.
 std::optional<std::vector<RegionImpulse>> compression(const Scene& scene, const std::vector<ContactRegion>& regions);
 
-/// One round: all regions act at once, each that approaches, by compression and then restitution. e is the lesser of a
-/// pair's. With unlike e, energy falls by at least Σ (1 − e²) of each region's work of compression; then the share s of
-/// restitution is the greatest multiple of 2⁻⁶⁴ that this allows, and of all impulses of compression those act whose
-/// wrenches have the least energy. Friction is not used. None and throws: as `compression`.
-std::optional<std::vector<RegionImpulse>> one_round(const Scene& scene, const std::vector<ContactRegion>& regions);
-
-/// All rounds at one time.
+/// The rounds of impacts at one time.
 struct AllRounds {
-  std::vector<ExactVelocity> after;  ///< of all bodies
+  std::vector<RegionImpulse> impulses;  ///< of each region, summed over the rounds
+  std::vector<ExactVelocity> after;     ///< of all bodies
   int rounds = 0;
   bool completed = false;  ///< 64 rounds were not enough; the last one is their limit, one compression of all regions
 };
 
-/// Rounds until no region approaches. The regions are those of all pairs in contact, whether they approach or not.
-/// Friction is not used. None and throws: as `compression`.
+/// Rounds until no region approaches: in each, all regions that approach act at once, by compression and then
+/// restitution. e is the lesser of a pair's. Where those that act together differ in e, energy falls by at least
+/// Σ (1 − e²) of each region's work of compression: the share s of restitution is the greatest multiple of 2⁻⁶⁴ that
+/// this allows, and of all impulses of compression those act whose wrenches have the least energy.
+/// For an outcome, the regions are those of all pairs in contact, whether they approach or not. Friction is not used.
+/// None and throws: as `compression`.
 std::optional<AllRounds> all_rounds(const Scene& scene, const std::vector<ContactRegion>& regions);
 
 /// The point C of one region at which it acts alone while the bodies slide on each other: the normal velocities

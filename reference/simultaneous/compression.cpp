@@ -81,15 +81,6 @@ std::optional<std::vector<RegionImpulse>> compression(const Scene& scene, const 
   return summed(rows, *p, regions.size());
 }
 
-std::optional<std::vector<RegionImpulse>> one_round(const Scene& scene, const std::vector<ContactRegion>& regions) {
-  const std::vector<ContactRow> rows = contact_rows(scene, regions);
-  const auto round = impact_round(normal_contacts(scene, regions, rows));
-  if (!round) return std::nullopt;
-  RationalVector impulses = round->p;
-  for (std::size_t k = 0; k < impulses.size(); ++k) impulses[k] += round->q[k];
-  return summed(rows, impulses, regions.size());
-}
-
 std::optional<AllRounds> all_rounds(const Scene& scene, const std::vector<ContactRegion>& regions) {
   const std::vector<ContactRow> rows = contact_rows(scene, regions);
   const auto done = impact_rounds(normal_contacts(scene, regions, rows));
@@ -107,6 +98,7 @@ std::optional<AllRounds> all_rounds(const Scene& scene, const std::vector<Contac
     }
   }
   AllRounds all;
+  all.impulses = summed(rows, done->impulses, regions.size());
   for (const auto& [v, w] : velocities) all.after.push_back({exact(v), exact(w)});
   all.rounds = static_cast<int>(done->rounds.size());
   all.completed = done->completed;

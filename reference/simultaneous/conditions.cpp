@@ -58,11 +58,11 @@ class Weight {
   std::optional<MovingMass> mass_;
 };
 
-/// All that is told, in exact numbers.
+/// All that is reported, in exact numbers.
 struct Exact {
-  explicit Exact(const ToldImpacts& all) : told(all), corners(contact_rows(all.before, all.regions)) {
+  explicit Exact(const ReportedImpacts& all) : reported(all), corners(contact_rows(all.before, all.regions)) {
     std::vector<ContactRegion> at;
-    for (const ToldImpacts::Impulse& impulse : all.impulses) {
+    for (const ReportedImpacts::Impulse& impulse : all.impulses) {
       at.push_back(all.regions[impulse.region]);
       at.back().points_W = {impulse.point_W};
     }
@@ -77,7 +77,7 @@ struct Exact {
     }
   }
 
-  const Body& body(int i) const { return told.before.bodies[index(i)]; }
+  const Body& body(int i) const { return reported.before.bodies[index(i)]; }
   double friction(const ContactRegion& region) const {
     return std::min(body(region.a).material.friction, body(region.b).material.friction);
   }
@@ -103,7 +103,7 @@ struct Exact {
     return sum;
   }
 
-  const ToldImpacts& told;
+  const ReportedImpacts& reported;
   std::vector<ContactRow> corners, impulses;
   std::vector<Weight> weights;
   std::vector<ExactTwist> before, after, change;
@@ -123,7 +123,7 @@ double momentum_error(const Exact& exact) {
   for (std::size_t i = 0; i < left.size(); ++i)
     scale.emplace_back(exact.weights[i].twice_energy(exact.before[i]) + exact.weights[i].twice_energy(exact.after[i]));
   for (std::size_t k = 0; k < exact.impulses.size(); ++k) {
-    const Triple P = triple(exact.told.impulses[k].P_A_W);
+    const Triple P = triple(exact.reported.impulses[k].P_A_W);
     for (std::size_t side = 0; side < 2; ++side) {
       const Response& response = exact.impulses[k].impact.bodies[side];
       const Triple on_side = side == 0 ? P : scaled(mpq_class(-1), P);
@@ -148,9 +148,9 @@ double momentum_error(const Exact& exact) {
 double cone_error(const Exact& exact) {
   double worst = 0;
   for (std::size_t k = 0; k < exact.impulses.size(); ++k) {
-    const Triple P = triple(exact.told.impulses[k].P_A_W), &N = exact.impulses[k].impact.N;
+    const Triple P = triple(exact.reported.impulses[k].P_A_W), &N = exact.impulses[k].impact.N;
     const mpq_class square = dot(P, P), p = dot(P, N), n = dot(N, N);
-    const double mu = exact.friction(exact.told.regions[exact.told.impulses[k].region]);
+    const double mu = exact.friction(exact.reported.regions[exact.reported.impulses[k].region]);
     if (sgn(p) < 0) worst = std::max(worst, std::sqrt(quotient(p * p / n, square)));
     if (!std::isfinite(mu) || sgn(p) < 0) continue;
     const mpq_class across = square - p * p / n;
@@ -164,9 +164,9 @@ double cone_error(const Exact& exact) {
 double place_error(const Exact& exact) {
   double worst = 0;
   for (std::size_t k = 0; k < exact.impulses.size(); ++k) {
-    const Triple x = triple(exact.told.impulses[k].point_W);
+    const Triple x = triple(exact.reported.impulses[k].point_W);
     std::vector<Triple> offsets;
-    for (const Vec3& corner : exact.told.regions[exact.told.impulses[k].region].points_W)
+    for (const Vec3& corner : exact.reported.regions[exact.reported.impulses[k].region].points_W)
       offsets.push_back(minus(triple(corner), x));
     RationalMatrix Q;
     for (const Triple& a : offsets) {
@@ -202,7 +202,7 @@ double approach_left(const Exact& exact) {
 }
 
 bool is_frictionless(const Exact& exact, const Indices& regions) {
-  return std::ranges::all_of(regions, [&](std::size_t r) { return exact.friction(exact.told.regions[r]) == 0; });
+  return std::ranges::all_of(regions, [&](std::size_t r) { return exact.friction(exact.reported.regions[r]) == 0; });
 }
 
 /// Regions, and the bodies that move which they connect.
@@ -212,10 +212,10 @@ struct Connected {
 
 std::vector<Connected> connected(const Exact& exact) {
   std::vector<Connected> all;
-  for (std::size_t r = 0; r < exact.told.regions.size(); ++r) {
+  for (std::size_t r = 0; r < exact.reported.regions.size(); ++r) {
     Connected joined;
     joined.regions.push_back(r);
-    for (const int i : {exact.told.regions[r].a, exact.told.regions[r].b}) {
+    for (const int i : {exact.reported.regions[r].a, exact.reported.regions[r].b}) {
       if (exact.weights[index(i)].moves()) joined.bodies.push_back(index(i));
     }
     std::vector<Connected> apart;
@@ -254,10 +254,10 @@ double& at(Errors& errors, ImpactCondition condition) { return errors[static_cas
 /// N5 and N7.
 void check_energy(const Exact& exact, const RationalMatrix& K, const RationalVector& u, Errors& errors) {
   if (!exact.fixed_ones_rest) return;
-  const Indices bodies = all_of(exact.weights.size()), regions = all_of(exact.told.regions.size());
+  const Indices bodies = all_of(exact.weights.size()), regions = all_of(exact.reported.regions.size());
   const mpq_class before = exact.twice_energy(exact.before, bodies), after = exact.twice_energy(exact.after, bodies);
   const bool frictionless = is_frictionless(exact, regions);
-  const bool newton = exact.told.before.motion && exact.told.before.motion->law == Law::newton;
+  const bool newton = exact.reported.before.motion && exact.reported.before.motion->law == Law::newton;
   if (after > before && (frictionless || !newton))
     at(errors, ImpactCondition::energy) = quotient(after - before, before);
   if (!frictionless) return;
@@ -279,7 +279,7 @@ void check_connected(const Exact& exact, const Connected& part_of, const Rationa
                      std::sqrt(quotient(exact.twice_energy(exact.change, part_of.bodies), mpq_class(before + after))));
   }
   const bool elastic = std::ranges::all_of(
-      part_of.regions, [&](std::size_t r) { return exact.restitution(exact.told.regions[r]) == 1; });
+      part_of.regions, [&](std::size_t r) { return exact.restitution(exact.reported.regions[r]) == 1; });
   if (!elastic || !exact.fixed_ones_rest || !is_frictionless(exact, part_of.regions)) return;
   if (before == after || sgn(least_on_simplex(part(K, part_of.rows))) == 0) return;  // 0: impulses cancel (Gordan)
   double& worst = at(errors, ImpactCondition::elastic);
@@ -288,8 +288,8 @@ void check_connected(const Exact& exact, const Connected& part_of, const Rationa
 
 }  // namespace
 
-Errors condition_errors(const ToldImpacts& told) {
-  const Exact exact(told);
+Errors condition_errors(const ReportedImpacts& reported) {
+  const Exact exact(reported);
   const RationalMatrix K = normal_responses(exact.corners);
   const RationalVector u = normal_velocities(exact.corners);
   Errors errors{};
@@ -305,12 +305,12 @@ Errors condition_errors(const ToldImpacts& told) {
     for (const Response& response : row.impact.bodies) longest = std::max(longest, dot(response.arm, response.arm));
   }
   at(errors, ImpactCondition::separation) = approach_left(exact) / speed;
-  at(errors, ImpactCondition::symmetry) = asymmetry(told, root(longest)) / speed;
+  at(errors, ImpactCondition::symmetry) = asymmetry(reported, root(longest)) / speed;
   return errors;
 }
 
-std::optional<ImpactCondition> violated(const ToldImpacts& told, double allowed) {
-  const Errors errors = condition_errors(told);
+std::optional<ImpactCondition> violated(const ReportedImpacts& reported, double allowed) {
+  const Errors errors = condition_errors(reported);
   for (std::size_t k = 0; k < errors.size(); ++k) {
     if (!(errors[k] <= allowed)) return static_cast<ImpactCondition>(k);
   }

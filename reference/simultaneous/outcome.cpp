@@ -99,12 +99,12 @@ ImpactOutcome together(const Scene& then, double time, const std::vector<Contact
   for (const ContactRegion& region : regions) {
     if (friction(then, region) != 0) return {{}, "impacts act together with friction: the law leaves the outcome open"};
   }
-  const auto impulses = one_round(then, regions);
-  if (!impulses) return {{}, "a body is clamped between others"};
+  const auto rounds = all_rounds(then, regions);
+  if (!rounds) return {{}, "a body is clamped between others"};
   std::map<int, std::array<Triple, 2>> velocities;  // v and w so far, by body, not yet rounded
   ImpactOutcome outcome;
   for (std::size_t k = 0; k < regions.size(); ++k) {
-    const RegionImpulse& impulse = (*impulses)[k];
+    const RegionImpulse& impulse = rounds->impulses[k];
     const Triple P = exact(impulse.P_A_W);
     if (P == Triple{}) continue;
     const std::array<int, 2> ends = {regions[k].a, regions[k].b};

@@ -21,7 +21,7 @@ struct ImpactOutcome {
 };
 
 /// One region acts by the law of one contact point, at its sliding centre if it slides on to the end, else at its
-/// centre of pressure. Several act at once, by one round, if they have no friction.
+/// centre of pressure. Several act by rounds until none of them approaches, if they have no friction.
 ImpactOutcome impact_outcome(const Scene& then, double time, const std::vector<ContactRegion>& regions);
 
 }  // namespace touchstone::reference

@@ -18,7 +18,7 @@ struct Reflection {
   Vec3 point(const Vec3& p) const { return vector(p) + (Vec3::Ones() - signs).cwiseProduct(twice_centre) / 2; }
 };
 
-const Body& body(const ToldImpacts& told, int i) { return told.before.bodies[index(i)]; }
+const Body& body(const ReportedImpacts& reported, int i) { return reported.before.bodies[index(i)]; }
 
 /// Whether g takes the first body to the second one. Only poses without rotation, so that inertia keeps its axes.
 bool maps(const Reflection& g, const Body& from, const Body& to) {
@@ -42,11 +42,12 @@ bool maps(const Reflection& g, const Body& from, const Body& to) {
 }
 
 /// Whether g takes the first region to the second one, with the bodies in either order.
-bool maps(const Reflection& g, const ToldImpacts& told, const ContactRegion& from, const ContactRegion& to) {
-  const bool same = maps(g, body(told, from.a), body(told, to.a)) && maps(g, body(told, from.b), body(told, to.b)) &&
-                    g.vector(from.nhat_BA_W) == to.nhat_BA_W;
-  const bool exchanged = maps(g, body(told, from.a), body(told, to.b)) &&
-                         maps(g, body(told, from.b), body(told, to.a)) && g.vector(from.nhat_BA_W) == -to.nhat_BA_W;
+bool maps(const Reflection& g, const ReportedImpacts& reported, const ContactRegion& from, const ContactRegion& to) {
+  const bool same = maps(g, body(reported, from.a), body(reported, to.a)) &&
+                    maps(g, body(reported, from.b), body(reported, to.b)) && g.vector(from.nhat_BA_W) == to.nhat_BA_W;
+  const bool exchanged = maps(g, body(reported, from.a), body(reported, to.b)) &&
+                         maps(g, body(reported, from.b), body(reported, to.a)) &&
+                         g.vector(from.nhat_BA_W) == -to.nhat_BA_W;
   const auto contains = [](const std::vector<Vec3>& points, const Vec3& x) {
     return std::ranges::count(points, x) > 0;
   };
@@ -55,25 +56,26 @@ bool maps(const Reflection& g, const ToldImpacts& told, const ContactRegion& fro
 }
 
 /// The pairs of bodies that move, each with its image; empty if g is no symmetry.
-std::vector<std::pair<std::size_t, std::size_t>> images(const Reflection& g, const ToldImpacts& told) {
+std::vector<std::pair<std::size_t, std::size_t>> images(const Reflection& g, const ReportedImpacts& reported) {
   std::vector<std::pair<std::size_t, std::size_t>> pairs;
-  const std::vector<Body>& bodies = told.before.bodies;
+  const std::vector<Body>& bodies = reported.before.bodies;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     if (is_fixed(bodies[i])) continue;
     const auto image = std::ranges::find_if(bodies, [&](const Body& to) { return maps(g, bodies[i], to); });
     if (image == bodies.end()) return {};
     pairs.emplace_back(i, static_cast<std::size_t>(image - bodies.begin()));
   }
-  for (const ContactRegion& from : told.regions) {
-    if (std::ranges::none_of(told.regions, [&](const ContactRegion& to) { return maps(g, told, from, to); })) return {};
+  for (const ContactRegion& from : reported.regions) {
+    if (std::ranges::none_of(reported.regions, [&](const ContactRegion& to) { return maps(g, reported, from, to); }))
+      return {};
   }
   return pairs;
 }
 
 /// Twice the middle of the bodies that move.
-Vec3 twice_centre(const ToldImpacts& told) {
+Vec3 twice_centre(const ReportedImpacts& reported) {
   std::optional<Vec3> least, most;
-  for (const Body& each : told.before.bodies) {
+  for (const Body& each : reported.before.bodies) {
     if (is_fixed(each)) continue;
     least = least ? least->cwiseMin(each.X_WB.p_WB) : each.X_WB.p_WB;
     most = most ? most->cwiseMax(each.X_WB.p_WB) : each.X_WB.p_WB;
@@ -83,13 +85,13 @@ Vec3 twice_centre(const ToldImpacts& told) {
 
 }  // namespace
 
-double asymmetry(const ToldImpacts& told, double longest_arm) {
+double asymmetry(const ReportedImpacts& reported, double longest_arm) {
   double worst = 0;
   for (int k = 1; k < 8; ++k) {
-    const Reflection g{Vec3(k & 1 ? -1 : 1, k & 2 ? -1 : 1, k & 4 ? -1 : 1), twice_centre(told)};
-    for (const auto& [i, image] : images(g, told)) {
-      const Vec3 v = g.vector(told.after[i].v_WBcm) - told.after[image].v_WBcm;
-      const Vec3 w = g.axial(told.after[i].w_WB) - told.after[image].w_WB;
+    const Reflection g{Vec3(k & 1 ? -1 : 1, k & 2 ? -1 : 1, k & 4 ? -1 : 1), twice_centre(reported)};
+    for (const auto& [i, image] : images(g, reported)) {
+      const Vec3 v = g.vector(reported.after[i].v_WBcm) - reported.after[image].v_WBcm;
+      const Vec3 w = g.axial(reported.after[i].w_WB) - reported.after[image].w_WB;
       worst = std::max({worst, v.norm(), longest_arm * w.norm()});
     }
   }

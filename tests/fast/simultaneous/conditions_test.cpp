@@ -1,10 +1,12 @@
 // Impacts at one time in simulations by `fast`, against what every outcome must obey (reference/impact_conditions.h).
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <sstream>
 
 #include "fast/simulation.h"
+#include "model/limits.h"
 #include "reference/impact_conditions.h"
 #include "reference/validity.h"
 #include "tests/catch.h"
@@ -15,38 +17,59 @@ namespace {
 
 using reference::impact_conditions;
 using reference::ImpactCondition;
-using reference::ToldImpacts;
+using reference::ReportedImpacts;
 
 /// What `fast` tells of the impacts at the start. None if it reports no impact, or anything else than impacts: bodies
 /// that stay together take steps in contact, which have no impulses of their own.
-std::optional<ToldImpacts> told_by_fast(const std::vector<Body>& bodies) {
-  ToldImpacts told;
-  told.before.bodies = bodies;
-  told.before.motion = Motion{.sample_times = {0x1p-30}};
-  told.before = reference::completed(told.before);
-  told.regions = all_touching(bodies);
-  for (const Body& body : bodies) told.after.push_back(body.velocity);
-  const Simulated done = simulate(told.before);
+std::optional<ReportedImpacts> reported_by_fast(const std::vector<Body>& bodies) {
+  ReportedImpacts reported;
+  reported.before.bodies = bodies;
+  reported.before.motion = Motion{.sample_times = {0x1p-30}};
+  reported.before = reference::completed(reported.before);
+  reported.regions = all_touching(bodies);
+  for (const Body& body : bodies) reported.after.push_back(body.velocity);
+  const Simulated done = simulate(reported.before);
   if (done.stopped) return std::nullopt;
   for (const Event& event : *done.trajectory.events) {
     if (event.kind != Event::Kind::impact || event.time != 0) return std::nullopt;
     const auto region = std::ranges::find_if(
-        told.regions, [&](const reference::ContactRegion& r) { return r.a == event.a && r.b == event.b; });
-    REQUIRE(region != told.regions.end());
-    told.impulses.push_back({static_cast<std::size_t>(region - told.regions.begin()), event.p_WC, event.P_A_W});
-    told.after[static_cast<std::size_t>(event.a)] = event.after_a.velocity;
-    told.after[static_cast<std::size_t>(event.b)] = event.after_b.velocity;
+        reported.regions, [&](const reference::ContactRegion& r) { return r.a == event.a && r.b == event.b; });
+    REQUIRE(region != reported.regions.end());
+    reported.impulses.push_back({static_cast<std::size_t>(region - reported.regions.begin()), event.p_WC, event.P_A_W});
+    reported.after[static_cast<std::size_t>(event.a)] = event.after_a.velocity;
+    reported.after[static_cast<std::size_t>(event.b)] = event.after_b.velocity;
   }
-  if (told.impulses.empty()) return std::nullopt;
-  return told;
+  if (reported.impulses.empty()) return std::nullopt;
+  return reported;
+}
+
+/// m/s: approaches that end a chain of impacts, since the pair stays together: twice the speed of a micro-bounce as
+/// high as the envelope, v² = 2 a ε, where a = ω² r of both bodies is what presses them together.
+double micro_bounce(const ReportedImpacts& reported) {
+  double fastest = 0, longest = 0;
+  for (std::size_t i = 0; i < reported.after.size(); ++i)
+    fastest = std::max({fastest, reported.before.bodies[i].velocity.w_WB.norm(), reported.after[i].w_WB.norm()});
+  for (const reference::ContactRegion& region : reported.regions) {
+    for (const int i : {region.a, region.b}) {
+      const Body& body = reported.before.bodies[static_cast<std::size_t>(i)];
+      if (is_fixed(body)) continue;
+      for (const Vec3& corner : region.points_W) longest = std::max(longest, (corner - body.X_WB.p_WB).norm());
+    }
+  }
+  return 2 * std::sqrt(2 * (2 * fastest * fastest * longest) * envelope(reported.before));
 }
 
 /// Relative, by condition: the rounding of scenes_test.cpp for condition numbers up to 64, which these masses and boxes
 /// have. Places are within the envelope, 2⁻³⁰. Sweeps with friction depend on their order as far as they do not
 /// converge: as in TS-SIMULATION-30, N9 allows a thousandth there.
-double allowed(ImpactCondition condition, bool rough) {
+double allowed(ImpactCondition condition, const ReportedImpacts& reported) {
+  constexpr double rounding_here = 0x1p-39;
   if (condition == ImpactCondition::place) return 0x1p-30;
-  return condition == ImpactCondition::symmetry && rough ? 0x1p-10 : 0x1p-39;
+  if (condition == ImpactCondition::symmetry && reported.before.bodies.front().material.friction > 0) return 0x1p-10;
+  if (condition != ImpactCondition::separation) return rounding_here;
+  double speed = 0;
+  for (const Body& body : reported.before.bodies) speed = std::max(speed, body.velocity.v_WBcm.norm());
+  return rounding_here + micro_bounce(reported) / speed;
 }
 
 /// Checks so many impacts of drawn scenes.
@@ -56,15 +79,15 @@ void check_impacts(int count) {
   int several = 0, drawn = 0;
   for (int done = 0; done < count; ++drawn) {
     const std::vector<Body> bodies = scenes.next();
-    const std::optional<ToldImpacts> told = told_by_fast(bodies);
-    if (!told) continue;
+    const std::optional<ReportedImpacts> reported = reported_by_fast(bodies);
+    if (!reported) continue;
     ++done;
-    several += told->regions.size() > 1 ? 1 : 0;
-    const std::array<double, impact_conditions> errors = condition_errors(*told);
+    several += reported->regions.size() > 1 ? 1 : 0;
+    const std::array<double, impact_conditions> errors = condition_errors(*reported);
     for (std::size_t c = 0; c < errors.size(); ++c) {
       worst[c] = std::max(worst[c], errors[c]);
       INFO("scene " << drawn << ", condition N" << c + 1 << ", error " << errors[c]);
-      CHECK(errors[c] <= allowed(static_cast<ImpactCondition>(c), bodies.front().material.friction > 0));
+      CHECK(errors[c] <= allowed(static_cast<ImpactCondition>(c), *reported));
     }
   }
   std::ostringstream text;
@@ -72,7 +95,7 @@ void check_impacts(int count) {
   WARN(count << " impacts of " << drawn << " scenes, " << several << " with several regions; worst:" << text.str());
 }
 
-TEST_CASE("conditions: impacts at one time obey what every law must") { check_impacts(200); }
+TEST_CASE("conditions: impacts at one time obey what every law must") { check_impacts(100); }
 
 TEST_CASE("conditions: 5,000 impacts at one time", "[.full]") { check_impacts(5000); }
 

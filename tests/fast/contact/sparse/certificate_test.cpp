@@ -99,7 +99,7 @@ TEST_CASE("certificate: a stack of 50 under a tilted pull, up to a slope of 1/50
 }
 
 /// A half circle of `count` equal stones between the ground's two ends, in the xz-plane. Neighbours touch at the four
-/// corners of their joint. The ground is the last body.
+/// corners of their seam. The ground is the last body.
 struct Arch {
   Contacts contacts;
   Lift lift;
@@ -118,20 +118,20 @@ struct Arch {
     contacts.bodies.emplace_back();
     contacts.twists.emplace_back();
     lift.resize(index(count) + 1);
-    // All are raised by so much that the last joint opens too, and each moves on from the one before.
+    // All are raised by so much that the last seam opens too, and each moves on from the one before.
     Vec3 moved(0, 0, 8 * radius);
-    for (int joint = 0; joint <= count; ++joint) {
-      const double angle = 2 * half * joint;
+    for (int seam = 0; seam <= count; ++seam) {
+      const double angle = 2 * half * seam;
       const Vec3 n(std::sin(angle), 0, std::cos(angle));  // onwards
-      const int before = joint == 0 ? count : joint - 1;
-      if (joint < count) lift[index(joint)].v = moved += 2 * half * radius * n;
+      const int before = seam == 0 ? count : seam - 1;
+      if (seam < count) lift[index(seam)].v = moved += 2 * half * radius * n;
       for (const double r : {inner, outer}) {
         for (const double y : {-0.5, 0.5}) {
           const Vec3 corner = r * radial(angle) + Vec3(0, y, 0);
           ContactRow row;
-          row.a = joint < count ? joint : before;
-          row.b = joint < count ? before : count;
-          row.n = joint < count ? n : Vec3(-n);
+          row.a = seam < count ? seam : before;
+          row.b = seam < count ? before : count;
+          row.n = seam < count ? n : Vec3(-n);
           row.arm_A = corner - centre * radial((2 * row.a + 1) * half);
           row.arm_B = row.b == count ? Vec3(Vec3::Zero()) : Vec3(corner - centre * radial((2 * row.b + 1) * half));
           row.friction = friction;
