@@ -1,12 +1,10 @@
 // Impacts at one time in simulations by `fast`, against what every outcome must obey (reference/impact_conditions.h).
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <optional>
 #include <sstream>
 
 #include "fast/simulation.h"
-#include "model/limits.h"
 #include "reference/impact_conditions.h"
 #include "reference/validity.h"
 #include "tests/catch.h"
@@ -43,33 +41,12 @@ std::optional<ReportedImpacts> reported_by_fast(const std::vector<Body>& bodies)
   return reported;
 }
 
-/// m/s: approaches that end a chain of impacts, since the pair stays together: twice the speed of a micro-bounce as
-/// high as the envelope, v² = 2 a ε, where a = ω² r of both bodies is what presses them together.
-double micro_bounce(const ReportedImpacts& reported) {
-  double fastest = 0, longest = 0;
-  for (std::size_t i = 0; i < reported.after.size(); ++i)
-    fastest = std::max({fastest, reported.before.bodies[i].velocity.w_WB.norm(), reported.after[i].w_WB.norm()});
-  for (const reference::ContactRegion& region : reported.regions) {
-    for (const int i : {region.a, region.b}) {
-      const Body& body = reported.before.bodies[static_cast<std::size_t>(i)];
-      if (is_fixed(body)) continue;
-      for (const Vec3& corner : region.points_W) longest = std::max(longest, (corner - body.X_WB.p_WB).norm());
-    }
-  }
-  return 2 * std::sqrt(2 * (2 * fastest * fastest * longest) * envelope(reported.before));
-}
-
 /// Relative, by condition: the rounding of scenes_test.cpp for condition numbers up to 64, which these masses and boxes
 /// have. Places are within the envelope, 2⁻³⁰. Sweeps with friction depend on their order as far as they do not
 /// converge: as in TS-SIMULATION-30, N9 allows a thousandth there.
-double allowed(ImpactCondition condition, const ReportedImpacts& reported) {
-  constexpr double rounding_here = 0x1p-39;
+double allowed(ImpactCondition condition, bool rough) {
   if (condition == ImpactCondition::place) return 0x1p-30;
-  if (condition == ImpactCondition::symmetry && reported.before.bodies.front().material.friction > 0) return 0x1p-10;
-  if (condition != ImpactCondition::separation) return rounding_here;
-  double speed = 0;
-  for (const Body& body : reported.before.bodies) speed = std::max(speed, body.velocity.v_WBcm.norm());
-  return rounding_here + micro_bounce(reported) / speed;
+  return condition == ImpactCondition::symmetry && rough ? 0x1p-10 : 0x1p-39;
 }
 
 /// Checks so many impacts of drawn scenes.
@@ -87,7 +64,7 @@ void check_impacts(int count) {
     for (std::size_t c = 0; c < errors.size(); ++c) {
       worst[c] = std::max(worst[c], errors[c]);
       INFO("scene " << drawn << ", condition N" << c + 1 << ", error " << errors[c]);
-      CHECK(errors[c] <= allowed(static_cast<ImpactCondition>(c), *reported));
+      CHECK(errors[c] <= allowed(static_cast<ImpactCondition>(c), bodies.front().material.friction > 0));
     }
   }
   std::ostringstream text;
@@ -97,6 +74,7 @@ void check_impacts(int count) {
 
 TEST_CASE("conditions: impacts at one time obey what every law must") { check_impacts(100); }
 
+// Fails in one scene: docs/measured/simulation.md says why.
 TEST_CASE("conditions: 5,000 impacts at one time", "[.full]") { check_impacts(5000); }
 
 }  // namespace
