@@ -53,12 +53,21 @@ struct Measures {
   }
 };
 
-double mass_ratio(const Scene& scene) {
-  Interval masses{infinity, 0};
-  for (const auto& truth : truth::mass(scene)) {
-    if (truth) masses = {std::min(masses.lo, truth->mass.lo), std::max(masses.hi, truth->mass.hi)};
+Measures measures_of(const Scene& scene) {
+  Measures measures;
+  for (const Body& body : scene.bodies) std::visit([&](const auto& shape) { measures.add(shape); }, body.shape);
+  return measures;
+}
+
+/// Greatest speed and angular speed.
+std::pair<double, double> speeds_of(const Scene& scene) {
+  double speed = 0;
+  double angular_speed = 0;
+  for (const Body& body : scene.bodies) {
+    speed = std::max(speed, body.velocity.v_WBcm.stableNorm());
+    angular_speed = std::max(angular_speed, body.velocity.w_WB.stableNorm());
   }
-  return masses.hi > 0 ? masses.hi / masses.lo : 1;
+  return {speed, angular_speed};
 }
 
 std::optional<std::string> above(double value, const std::optional<double>& limit, const char* what) {
@@ -74,8 +83,7 @@ std::optional<std::string> beyond_lengths(const Interval& limits, const Interval
 bool limits_bodies(const Domain& domain) { return domain.lengths || domain.aspect || domain.vertices; }
 
 std::optional<std::string> beyond_bodies(const Domain& domain, const Scene& scene) {
-  Measures measures;
-  for (const Body& body : scene.bodies) std::visit([&](const auto& shape) { measures.add(shape); }, body.shape);
+  const Measures measures = measures_of(scene);
   if (domain.lengths) {
     if (auto why = beyond_lengths(*domain.lengths, measures.lengths)) return why;
   }
@@ -85,16 +93,30 @@ std::optional<std::string> beyond_bodies(const Domain& domain, const Scene& scen
 
 }  // namespace
 
+SceneSizes sizes_of(const Scene& scene) {
+  const Measures measures = measures_of(scene);
+  const auto [speed, angular_speed] = speeds_of(scene);
+  return {.lengths = measures.lengths,
+          .reach = tolerance::scale(scene),
+          .aspect = measures.aspect,
+          .vertices = static_cast<int>(measures.vertices),
+          .speed = speed,
+          .angular_speed = angular_speed};
+}
+
+double mass_ratio(const Scene& scene) {
+  Interval masses{infinity, 0};
+  for (const auto& truth : truth::mass(scene)) {
+    if (truth) masses = {std::min(masses.lo, truth->mass.lo), std::max(masses.hi, truth->mass.hi)};
+  }
+  return masses.hi > 0 ? masses.hi / masses.lo : 1;
+}
+
 std::optional<std::string> beyond(const Domain& domain, const Scene& scene) {
   if (domain.reach) {
     if (auto why = above(tolerance::scale(scene), domain.reach, "a coordinate, m:")) return why;
   }
-  double speed = 0;
-  double angular_speed = 0;
-  for (const Body& body : scene.bodies) {
-    speed = std::max(speed, body.velocity.v_WBcm.stableNorm());
-    angular_speed = std::max(angular_speed, body.velocity.w_WB.stableNorm());
-  }
+  const auto [speed, angular_speed] = speeds_of(scene);
   if (auto why = above(speed, domain.speed, "a speed, m/s:")) return why;
   if (auto why = above(angular_speed, domain.angular_speed, "an angular speed, rad/s:")) return why;
   if (limits_bodies(domain)) {

@@ -33,10 +33,26 @@ struct DistanceTolerance {
   bool operator==(const DistanceTolerance&) const = default;
 };
 
-/// The limit that the scene exceeds, in words with numbers; none if it is inside. The thickness of a polytope is its
-/// least height over one of its faces, that of a sphere its diameter, that of a box its shortest side. The length is
-/// the greatest distance from the first vertex, the diameter, or the diagonal. Errors: of doubles; a scene within 2⁻⁴⁰
-/// of a limit may be on either side.
+/// What a domain limits, in the same units. `lengths`: of the thinnest body, and of the longest one.
+struct SceneSizes {
+  Interval lengths;
+  double reach = 0;
+  double aspect = 0;
+  int vertices = 0;
+  double speed = 0;
+  double angular_speed = 0;
+};
+
+/// The thickness of a polytope is its least height over one of its faces, that of a sphere its diameter, that of a box
+/// its shortest side. The length is the greatest distance from the first vertex, the diameter, or the diagonal. Errors:
+/// of doubles.
+SceneSizes sizes_of(const Scene& scene);
+
+/// Of the bodies that are not fixed; 1 if there is none. It takes their exact masses, so it is not one of the sizes.
+double mass_ratio(const Scene& scene);
+
+/// The limit that the scene exceeds, in words with numbers; none if it is inside. A scene within 2⁻⁴⁰ of a limit may be
+/// on either side.
 std::optional<std::string> beyond(const Domain& domain, const Scene& scene);
 
 }  // namespace touchstone::oracle

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
+#include "app/report/chart.h"
 #include "app/report/xml.h"
 
 namespace touchstone::app {
@@ -16,24 +16,8 @@ constexpr double left = 56;
 constexpr double right = 160;  // for the labels of the lines
 constexpr double top = 34;
 constexpr double bottom = 42;
-constexpr double line_of_text = 12;
 
 using Points = std::vector<std::pair<double, double>>;
-
-/// The ranges of both axes in decades, common to all panels.
-struct Axes {
-  double x0 = 1e300;
-  double x1 = -1e300;
-  double y0 = 1e300;
-  double y1 = -1e300;
-
-  double x(double bodies) const {
-    return left + (std::log10(bodies) - x0) / std::max(x1 - x0, 1e-9) * (panel_width - left - right);
-  }
-  double y(double ns) const {
-    return panel_height - bottom - (std::log10(ns) - y0) / (y1 - y0) * (panel_height - top - bottom);
-  }
-};
 
 struct Line {
   std::string name;
@@ -42,15 +26,14 @@ struct Line {
   double label_y = 0;
 };
 
-Axes axes_of(const std::vector<BenchRow>& rows) {
-  Axes axes;
+LogAxes axes_of(const std::vector<BenchRow>& rows) {
+  LogAxes axes{left, panel_width - right, top, panel_height - bottom};
   for (const BenchRow& row : rows) {
     if (!row.ns) continue;
-    axes.x0 = std::min(axes.x0, std::log10(static_cast<double>(row.bodies)));
-    axes.x1 = std::max(axes.x1, std::log10(static_cast<double>(row.bodies)));
-    axes.y0 = std::min(axes.y0, std::floor(std::log10(*row.ns)));
-    axes.y1 = std::max(axes.y1, std::ceil(std::log10(*row.ns) + 1e-9));
+    axes.include_x_as_edge(static_cast<double>(row.bodies));
+    axes.include_y(*row.ns);
   }
+  axes.close();
   return axes;
 }
 
@@ -71,47 +54,25 @@ std::vector<Line> curves_of(const std::vector<BenchRow>& rows, const std::string
   return lines;
 }
 
-/// Puts each label at the end of its line. Overlapping labels are moved down, then up again from the bottom.
-void place_names(std::vector<Line>& lines, const Axes& axes) {
-  for (Line& line : lines) line.label_y = axes.y(line.points.back().second);
-  std::ranges::sort(lines, {}, &Line::label_y);
-  double least = top;
-  for (Line& line : lines) {
-    line.label_y = std::max(line.label_y, least);
-    least = line.label_y + line_of_text;
-  }
-  double greatest = panel_height - bottom;
-  for (auto line = lines.rbegin(); line != lines.rend(); ++line) {
-    line->label_y = std::min(line->label_y, greatest);
-    greatest = line->label_y - line_of_text;
-  }
+/// Puts each name at the end of its line.
+void place_names(std::vector<Line>& lines, const LogAxes& axes) {
+  std::vector<double> wanted;
+  for (const Line& line : lines) wanted.push_back(axes.y(line.points.back().second));
+  const std::vector<double> heights = apart(wanted, axes.top, axes.bottom);
+  for (std::size_t i = 0; i < lines.size(); ++i) lines[i].label_y = heights[i];
 }
 
-std::string grid(const Axes& axes, const std::vector<BenchRow>& rows) {
-  std::string svg;
-  const double end = panel_width - right;
-  for (double decade = axes.y0; decade <= axes.y1; ++decade) {
-    const double ns = std::pow(10, decade);
-    svg += fmt::format(
-        "<line class='grid' x1='{0}' x2='{1}' y1='{2:.1f}' y2='{2:.1f}'/><text x='{3}' y='{4:.1f}' "
-        "text-anchor='end'>{5:g}</text>\n",
-        left, end, axes.y(ns), left - 6, axes.y(ns) + 4, ns);
-  }
+std::string grid(const LogAxes& axes, const std::vector<BenchRow>& rows) {
+  std::string svg = axes.rows();
   std::vector<std::size_t> sizes;
   for (const BenchRow& row : rows) {
     if (row.ns && std::ranges::count(sizes, row.bodies) == 0) sizes.push_back(row.bodies);
   }
-  for (const std::size_t n : sizes) {
-    const double x = axes.x(static_cast<double>(n));
-    svg += fmt::format(
-        "<line class='grid' x1='{0:.1f}' x2='{0:.1f}' y1='{1}' y2='{2}'/><text x='{0:.1f}' y='{3}' "
-        "text-anchor='middle'>{4}</text>\n",
-        x, top, panel_height - bottom, panel_height - bottom + 16, n);
-  }
+  for (const std::size_t n : sizes) svg += axes.column(static_cast<double>(n), std::to_string(n), 16);
   return svg;
 }
 
-std::string drawn(const Line& line, const Axes& axes) {
+std::string drawn(const Line& line, const LogAxes& axes) {
   const std::string style = style_of(line);
   std::string path;
   std::string dots;
@@ -128,7 +89,7 @@ std::string drawn(const Line& line, const Axes& axes) {
       escaped(line.name));
 }
 
-std::string panel(const std::vector<BenchRow>& rows, const std::string& workload, const Axes& axes) {
+std::string panel(const std::vector<BenchRow>& rows, const std::string& workload, const LogAxes& axes) {
   std::vector<Line> lines = curves_of(rows, workload);
   place_names(lines, axes);
   std::string svg = fmt::format("<text class='title' x='{}' y='20'>{}</text>\n", left, escaped(workload));
@@ -170,7 +131,7 @@ std::string bench_plot(const std::vector<BenchRow>& rows) {
   for (const BenchRow& row : rows) {
     if (row.ns && std::ranges::count(workloads, row.workload) == 0) workloads.push_back(row.workload);
   }
-  const Axes axes = axes_of(rows);
+  const LogAxes axes = axes_of(rows);
   const std::size_t columns = std::min<std::size_t>(2, std::max<std::size_t>(1, workloads.size()));
   const std::size_t height = (workloads.size() + columns - 1) / columns;
   std::string svg =

@@ -1,10 +1,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "app/benchmarks/work_precision.h"
+#include "app/report/chart.h"
 #include "app/report/xml.h"
 
 namespace touchstone::app {
@@ -16,7 +16,6 @@ constexpr double left = 64;
 constexpr double right = 170;  // for the labels of the lines
 constexpr double top = 34;
 constexpr double bottom = 62;  // for the axis and the row of exact answers
-constexpr double line_of_text = 12;
 
 struct Line {
   std::string name;
@@ -24,30 +23,16 @@ struct Line {
   double label_y = 0;
 };
 
-/// The ranges of both axes in decades, common to all panels.
-struct Axes {
-  double x0 = 1e300, x1 = -1e300, y0 = 1e300, y1 = -1e300;
-
-  double x(double ns) const { return left + (std::log10(ns) - x0) / (x1 - x0) * (panel_width - left - right); }
-  double y(double error) const {
-    if (!(error > 0)) return panel_height - bottom + 16;
-    return panel_height - bottom - (std::log10(error) - y0) / (y1 - y0) * (panel_height - top - bottom);
-  }
-};
-
 bool drawable(const WorkPrecision& row) { return row.ns && row.worst_error && std::isfinite(*row.worst_error); }
 
-Axes axes_of(const std::vector<WorkPrecision>& rows) {
-  Axes axes;
+LogAxes axes_of(const std::vector<WorkPrecision>& rows) {
+  LogAxes axes{left, panel_width - right, top, panel_height - bottom};
   for (const WorkPrecision& row : rows) {
     if (!drawable(row)) continue;
-    axes.x0 = std::min(axes.x0, std::floor(std::log10(*row.ns)));
-    axes.x1 = std::max(axes.x1, std::ceil(std::log10(*row.ns) + 1e-9));
-    if (!(*row.worst_error > 0)) continue;
-    axes.y0 = std::min(axes.y0, std::floor(std::log10(*row.worst_error)));
-    axes.y1 = std::max(axes.y1, std::ceil(std::log10(*row.worst_error) + 1e-9));
+    axes.include_x(*row.ns);
+    if (*row.worst_error > 0) axes.include_y(*row.worst_error);
   }
-  if (axes.y0 > axes.y1) axes.y0 = -1, axes.y1 = 1;  // no contestant has an error
+  axes.close();
   return axes;
 }
 
@@ -62,34 +47,17 @@ std::vector<Line> curves_of(const std::vector<WorkPrecision>& rows, const std::s
   return lines;
 }
 
-/// Puts each label at the height of the end of its line. Overlapping labels are moved down.
-void place_names(std::vector<Line>& lines, const Axes& axes) {
-  for (Line& line : lines) line.label_y = axes.y(*line.points.back()->worst_error);
-  std::ranges::sort(lines, {}, &Line::label_y);
-  double least = top;
-  for (Line& line : lines) {
-    line.label_y = std::max(line.label_y, least);
-    least = line.label_y + line_of_text;
-  }
+/// Puts each name at the height of the end of its line.
+void place_names(std::vector<Line>& lines, const LogAxes& axes) {
+  std::vector<double> wanted;
+  for (const Line& line : lines) wanted.push_back(axes.y(*line.points.back()->worst_error));
+  const std::vector<double> heights = apart(wanted, axes.top, panel_height);
+  for (std::size_t i = 0; i < lines.size(); ++i) lines[i].label_y = heights[i];
 }
 
-std::string grid(const Axes& axes) {
-  std::string svg;
-  for (double decade = axes.y0; decade <= axes.y1; ++decade) {
-    const double y = axes.y(std::pow(10, decade));
-    svg += fmt::format(
-        "<line class='grid' x1='{0}' x2='{1}' y1='{2:.1f}' y2='{2:.1f}'/><text x='{3}' y='{4:.1f}' "
-        "text-anchor='end'>{5:g}</text>\n",
-        left, panel_width - right, y, left - 6, y + 4, std::pow(10, decade));
-  }
-  for (double decade = axes.x0; decade <= axes.x1; ++decade) {
-    const double x = axes.x(std::pow(10, decade));
-    svg += fmt::format(
-        "<line class='grid' x1='{0:.1f}' x2='{0:.1f}' y1='{1}' y2='{2}'/><text x='{0:.1f}' y='{3}' "
-        "text-anchor='middle'>{4:g}</text>\n",
-        x, top, panel_height - bottom, panel_height - bottom + 32, std::pow(10, decade));
-  }
-  return svg + fmt::format("<text x='{}' y='{:.1f}' text-anchor='end'>exact</text>\n", left - 6, axes.y(0) + 4);
+std::string grid(const LogAxes& axes) {
+  return axes.rows() + axes.columns(32) +
+         fmt::format("<text x='{}' y='{:.1f}' text-anchor='end'>exact</text>\n", left - 6, axes.y(0) + 4);
 }
 
 /// The class in the style sheet: one for ours, one per library.
@@ -100,7 +68,7 @@ std::string style_of(const Line& line) {
   return library;
 }
 
-std::string drawn(const Line& line, const Axes& axes) {
+std::string drawn(const Line& line, const LogAxes& axes) {
   std::string path, dots;
   for (const WorkPrecision* point : line.points) {
     const double x = axes.x(*point->ns), y = axes.y(*point->worst_error);
@@ -117,7 +85,7 @@ std::string drawn(const Line& line, const Axes& axes) {
       line.label_y + 4, escaped(line.name));
 }
 
-std::string panel(const std::vector<WorkPrecision>& rows, const std::string& workload, const Axes& axes,
+std::string panel(const std::vector<WorkPrecision>& rows, const std::string& workload, const LogAxes& axes,
                   const WorkPrecisionWords& words) {
   std::vector<Line> lines = curves_of(rows, workload);
   place_names(lines, axes);
@@ -151,7 +119,7 @@ std::string work_precision_plot(const std::vector<WorkPrecision>& rows, const Wo
   for (const WorkPrecision& row : rows) {
     if (drawable(row) && std::ranges::count(workloads, row.workload) == 0) workloads.push_back(row.workload);
   }
-  const Axes axes = axes_of(rows);
+  const LogAxes axes = axes_of(rows);
   const std::size_t columns = std::clamp<std::size_t>(workloads.size(), 1, 2);
   const std::size_t height = (workloads.size() + columns - 1) / columns;
   std::string svg =

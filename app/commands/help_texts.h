@@ -45,7 +45,7 @@ Examples:
 
 The shards of a run have the same options but for --shard and --jobs. What they found is merged in the order of the
 scenes, and only then failing scenes are made smaller, so the engines must be here too. The report is the same, byte for
-byte, as without shards, if the engines repeat themselves.
+byte, as without shards, but for the times, if the engines repeat themselves.
 
 Exit codes:
   0    the report is written

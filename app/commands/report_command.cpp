@@ -11,12 +11,14 @@
 
 #include "app/adapter/proven.h"
 #include "app/baseline/comparison.h"
+#include "app/report/atlas_csv.h"
 #include "app/report/finding_words.h"
 #include "app/report/page/report_html.h"
 #include "app/report/replay_command.h"
 #include "app/report/report_json.h"
 #include "app/report/report_junit.h"
 #include "app/report/report_sarif.h"
+#include "app/report/timing_json.h"
 #include "app/system/interruption.h"
 #include "app/system/terminal.h"
 #include "app/system/writable.h"
@@ -131,7 +133,9 @@ void name_replay_commands(Ledger& ledger, const TrialPlan& plan, const fs::path&
 
 /// Removes the old report first and writes index.html last: if index.html exists, the report is complete.
 void write_report(const fs::path& folder, const Ledger& ledger) {
-  for (const char* file : {"index.html", "report.json", "junit.xml"}) fs::remove(folder / file);
+  for (const char* file : {"index.html", "report.json", "report.timing.json", "atlas.csv", "junit.xml"}) {
+    fs::remove(folder / file);
+  }
   for (const fs::directory_entry& old : fs::directory_iterator(folder / "cases")) {
     if (is_case_of_a_report(old.path())) fs::remove(old.path());
   }
@@ -141,6 +145,8 @@ void write_report(const fs::path& folder, const Ledger& ledger) {
     }
   }
   write_text((folder / "report.json").string(), text_of(report_json(ledger)));
+  write_text((folder / "report.timing.json").string(), text_of(timing_json(ledger)));
+  write_text((folder / "atlas.csv").string(), atlas_csv(ledger));
   write_text((folder / "junit.xml").string(), report_junit(ledger));
   write_text((folder / "index.html").string(), report_html(ledger));
 }

@@ -40,7 +40,8 @@ struct RunOptions {
   PassConditions pass;
 };
 
-/// Writes index.html, report.json, junit.xml and cases/ into `out`, or one shard of the run. Returns 0 whatever it
+/// Writes index.html, report.json, report.timing.json, atlas.csv, junit.xml and cases/ into `out`, or one shard of the
+/// run. But for times the same seed gives the same bytes. Returns 0 whatever it
 /// found, 130 if interrupted; then no shard is written.
 int report(const RunOptions& options);
 
@@ -50,8 +51,8 @@ struct MergeCommand {
   RunFiles files;
 };
 
-/// Writes the report of all shards in a folder, byte for byte that of one run. Returns what `report` returns. Throws
-/// InputError if a shard is missing, cut off or of another run.
+/// Writes the report of all shards in a folder; but for times, byte for byte that of one run. Returns what `report`
+/// returns. Throws InputError if a shard is missing, cut off or of another run.
 int merge(const MergeCommand& command);
 
 /// Prints one line per failing row and, for a single subject, the largest error of each query and its case. Returns 0

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/infinity.h"
+
 namespace touchstone::app {
 
 void ErrorHistogram::count(const oracle::Finding& finding) {
@@ -34,6 +36,17 @@ long ErrorHistogram::total() const {
   long sum = exact + infinite;
   for (const auto& [power, count] : powers) sum += count;
   return sum;
+}
+
+double ErrorHistogram::median() const {
+  const long half = (total() + 1) / 2;
+  long before = exact;
+  if (before >= half) return 0;
+  for (const auto& [power, count] : powers) {
+    before += count;
+    if (before >= half) return std::min(largest, std::ldexp(1.0, power));
+  }
+  return infinity;
 }
 
 }  // namespace touchstone::app

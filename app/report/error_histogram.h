@@ -22,6 +22,8 @@ struct ErrorHistogram {
   void count(const oracle::Finding& finding);
   void merge(const ErrorHistogram& later);
   long total() const;
+  /// An upper bound of the median, within a factor of 2: the upper edge of its power. Requires a total above 0.
+  double median() const;
 };
 
 }  // namespace touchstone::app

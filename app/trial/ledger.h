@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/profile/query_profile.h"
 #include "app/trial/result_matrix.h"
 #include "app/trial/row.h"
 
@@ -38,6 +39,7 @@ struct Ledger {
   std::map<std::string, long> scenes;                          ///< query -> number of scenes
   std::vector<std::string> empty_classes;                      ///< "distance: edge-edge"
   MeshCounts meshes;
+  std::map<std::string, QueryProfile> profiles;  ///< by query
 };
 
 }  // namespace touchstone::app

@@ -33,7 +33,7 @@ oracle::PipeLimits limits_of(double time_limit, double simulation_factor) {
 std::unique_ptr<oracle::Subject> connect(const std::string& connectable, oracle::PipeLimits limits) {
   if (connectable == "inproc:reference") return oracle::subjects::make_reference();
   if (connectable == "inproc:fast") return oracle::subjects::make_fast();
-  if (connectable.starts_with("inproc:")) {
+  if (is_in_process(connectable)) {
     throw InputError("subject \"" + connectable + '"', unknown_among(connectable, {"inproc:reference", "inproc:fast"}));
   }
   return oracle::connect(connectable, subjects_folder(), limits);

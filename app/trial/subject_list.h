@@ -26,6 +26,9 @@ std::vector<std::string> subject_list(const std::vector<std::string>& asked_for)
 /// The subjects beside the program whose cards claim the query.
 std::vector<std::string> answering(const std::string& query);
 
+/// Whether the subject runs in this process.
+inline bool is_in_process(const std::string& connectable) { return connectable.starts_with("inproc:"); }
+
 /// Makes the subject forget everything: starts a fresh process, if it has one.
 void start_afresh(oracle::Subject& subject);
 

@@ -94,6 +94,7 @@ void enter(Ledger& ledger, const QueryTrial& query, const UnitResult& result) {
   for (const auto& [name, count] : result.classes) ledger.classes[query.name][name] += count;
   for (const auto& [family, count] : result.mesh_scenes) ledger.meshes.scenes[family] += count;
   ledger.scenes[query.name] += result.scenes;
+  ledger.profiles[query.name].merge(result.profile);
 }
 
 /// Merges units in order, whichever ends first, so the ledger does not depend on the threads. At most as many units
@@ -139,6 +140,7 @@ class Entry {
       if (given_up_[query][subject.index]) {
         result.results.forget(subject);
         result.beyond.forget(subject);
+        result.profile.atlas[subject.index].clear();
       }
       if (result.hangs[subject.index] >= most_hangs) given_up_[query][subject.index] = true;
     }
@@ -239,6 +241,7 @@ ShardResult run_shard(const TrialPlan& plan, const MeshSet& meshes, Shard shard)
   for (const TestedSubject& subject : tested) result.versions.push_back(subject.card.name + ' ' + subject.card.version);
   result.units.resize(mine.size());
   UnitProgress progress(all_trials, mine_of_all);
+  std::mutex merging;
   in_parallel(mine.size(), plan.jobs, [&](std::size_t m, std::size_t job) {
     const QueryTrial& query = all_trials[mine_of_all[m].query];
     if (interrupted()) return;
@@ -246,6 +249,8 @@ ShardResult run_shard(const TrialPlan& plan, const MeshSet& meshes, Shard shard)
         run_unit(query, mine_of_all[m], tested, workers[job], std::vector<int>(tested.size()), false);
     result.units[m] = {{"unit", mine[m]}};
     result.units[m].update(json_of(unit));
+    const std::lock_guard lock(merging);
+    result.times[query.name].merge(unit.profile.times);
     progress.step(query.name, unit.scenes);
   });
   return result;
@@ -273,6 +278,12 @@ Ledger merged(const TrialPlan& plan, const MeshSet& meshes, const std::vector<Sh
     if (found[u] == nullptr) throw InputError(place, "is in no shard");
     const QueryTrial& query = all_trials[all_units[u].query];
     entry.add(u, read_unit(*found[u], query, all_units[u], ledger.subjects, place));
+  }
+  for (const ShardResult& shard : shards) {
+    for (const auto& [query, times] : shard.times) {
+      if (times.answers.size() != ledger.subjects.size()) throw InputError("times of a shard", "are of other subjects");
+      ledger.profiles[query].times.merge(times);
+    }
   }
   finish(ledger, plan, all_trials, workers);
   return ledger;

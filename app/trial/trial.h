@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -38,8 +39,9 @@ struct Shard {
 
 /// What a shard found, as JSON that can be merged (app/units/unit_json.h).
 struct ShardResult {
-  std::vector<std::string> versions;  ///< name and version of each subject
-  std::vector<Json> units;            ///< empty if the run was interrupted before them
+  std::vector<std::string> versions;        ///< name and version of each subject
+  std::vector<Json> units;                  ///< empty if the run was interrupted before them
+  std::map<std::string, QueryTimes> times;  ///< by query; they are in no unit, so that a unit is the same in each run
 };
 
 /// Asks the units that are the shard's. Nothing is minimised.

@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "app/report/replay_command.h"
+#include "app/report/timing_json.h"
 #include "model/input_error.h"
 #include "model/json.h"
 #include "model/json_node.h"
@@ -19,7 +20,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* format = "shard/1";
+constexpr const char* format = "shard/2";
+constexpr const char* timing_format = "shard-timing/1";
 constexpr int most_shards = 100'000;
 
 Json json_of(const RunOptions& options, const std::vector<std::string>& subjects) {
@@ -66,6 +68,20 @@ std::string command_of(const RunOptions& options, const std::string& folder, Sha
   return words + fmt::format(" --shard {}/{} --out {}", shard.number, shard.of, shell_word(folder));
 }
 
+/// Beside a shard.
+fs::path timing_file(const fs::path& shard) { return fs::path(shard).replace_extension(".timing.json"); }
+
+/// Times are no result: a shard without its file of times only has none.
+std::map<std::string, QueryTimes> read_shard_times(const fs::path& shard) {
+  const fs::path file = timing_file(shard);
+  if (!fs::is_regular_file(file)) return {};
+  const std::string place = file.string();
+  const Json json = parse(read_text(place), place);
+  const Node node(json, place);
+  if (node.at("touchstone").text() != timing_format) node.at("touchstone").refuse("expected \"shard-timing/1\"");
+  return read_times(json.at("times"), node.at("times"));
+}
+
 struct ShardFile {
   Shard shard;
   Json plan;
@@ -90,6 +106,7 @@ ShardFile read_shard(const std::string& file) {
   shard.plan = all.front()["plan"];
   shard.result.versions = words_of(head.at("versions"));
   shard.result.units.assign(all.begin() + 1, all.end() - 1);
+  shard.result.times = read_shard_times(file);
   return shard;
 }
 
@@ -121,6 +138,7 @@ void write_shard(const std::string& file, Shard shard, const RunOptions& options
   const auto line = [](const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n'; };
   std::string text = line(head);
   for (const Json& unit : result.units) text += line(unit);
+  write_text(timing_file(file).string(), line({{"touchstone", timing_format}, {"times", json_of(result.times)}}));
   write_text(file, text + line({{"end", result.units.size()}}));
 }
 

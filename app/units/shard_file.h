@@ -14,8 +14,9 @@ Shard shard_of(const std::string& word);
 /// The file of a shard in a folder: "shard-3-of-8.jsonl".
 std::string shard_file(const std::string& folder, Shard shard);
 
-/// Writes a line with the options of the run, a line for each unit, and a last one. `subjects` are the connectables
-/// that the options stand for.
+/// Writes a line with the options of the run, a line for each unit, and a last one; and beside it
+/// "shard-3-of-8.timing.json" with the times, so that the shard itself is the same in each run. `subjects` are the
+/// connectables that the options stand for.
 void write_shard(const std::string& file, Shard shard, const RunOptions& options,
                  const std::vector<std::string>& subjects, const ShardResult& result);
 
@@ -25,7 +26,8 @@ struct ReadShards {
   std::vector<ShardResult> shards;
 };
 
-/// Throws InputError if a shard is missing (and says how to run it), is cut off, or is of another run.
+/// Times that are missing are no error: they are no result. Throws InputError if a shard is missing (and says how to
+/// run it), is cut off, or is of another run.
 ReadShards read_shards(const std::string& folder);
 
 }  // namespace touchstone::app

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "app/profile/timed_answers.h"
 #include "app/system/interruption.h"
 #include "app/trial/counted_hangs.h"
 #include "app/trial/domain_watch.h"
@@ -34,9 +35,9 @@ oracle::Finding checked(const Question& question, const Scene& scene, const Prop
 
 /// `row` and `beyond`: for the answers inside and outside the domain that the subject's card declares. `hangs` counts
 /// the questions on which the subject hung. A property that is told only of a hang which another property met counts as
-/// not asked: one hang is one break.
+/// not asked: one hang is one break. `outcome`: of the scene, to which the finding is added.
 void ask(const Question& question, const Property& property, oracle::Subject& subject, const int& hangs, Row& row,
-         Row& beyond, Example& example) {
+         Row& beyond, Example& example, SceneOutcome& outcome) {
   if (hangs >= most_hangs) {
     ++row.counts.not_asked;
     return;
@@ -48,7 +49,10 @@ void ask(const Question& question, const Property& property, oracle::Subject& su
   if (interrupted()) return;  // a query that was cancelled is no failure
   if (example.finding.defect == oracle::Defect::hung && hangs == hangs_before) {
     ++row.counts.not_asked;
-  } else if (example.beyond.empty()) {
+    return;
+  }
+  outcome.add(example.finding);
+  if (example.beyond.empty()) {
     row.count(example);
   } else {
     ++row.counts.beyond;
@@ -65,11 +69,13 @@ std::size_t exact_questions(const TrialPlan& plan, const std::string& query) {
 
 /// Asks one subject under each property. After a hang, a property that would ask the same question again does not.
 void ask_all(const Question& question, const QueryTrial& query, const TestedSubject& tested, oracle::Subject& itself,
-             UnitResult& result, Example& example) {
+             const std::vector<AtlasPlace>& places, UnitResult& result, Example& example) {
   const bool is_asked = question.number < query.exact_questions || tested.card.precision != oracle::Precision::exact;
   int& hangs = result.hangs[tested.index];
   const int hangs_before = hangs;
-  CountedHangs counted(itself, hangs);
+  SceneOutcome outcome;
+  TimedAnswers timed(itself, result.profile.times.answers[tested.index]);
+  CountedHangs counted(timed, hangs);
   RememberedAnswers remembered(counted);
   for (const Property* property : query.properties) {
     if (!question.asked_under(*property)) continue;
@@ -77,10 +83,11 @@ void ask_all(const Question& question, const QueryTrial& query, const TestedSubj
     if (!is_asked || (asks_twice(*property) && hangs > hangs_before)) {
       ++row.counts.not_asked;
     } else {
-      ask(question, *property, remembered.asked_by(*property), hangs, row, result.beyond.at(*property, tested),
-          example);
+      ask(question, *property, remembered.asked_by(*property), hangs, row, result.beyond.at(*property, tested), example,
+          outcome);
     }
   }
+  add(result.profile.atlas[tested.index], places, outcome);
 }
 
 }  // namespace
@@ -113,8 +120,13 @@ std::vector<Unit> units(const std::vector<QueryTrial>& trials) {
 }
 
 UnitResult nothing_of(const QueryTrial& query, const TestedSubjects& tested) {
-  return {ResultMatrix(query.properties, tested), ResultMatrix(query.properties, tested), {}, {}, 0,
-          std::vector<int>(tested.size())};
+  return {ResultMatrix(query.properties, tested),
+          ResultMatrix(query.properties, tested),
+          {},
+          {},
+          0,
+          std::vector<int>(tested.size()),
+          QueryProfile(tested.size())};
 }
 
 bool any_failing(const UnitResult& result) { return std::ranges::any_of(result.results.all(), &Row::failing); }
@@ -134,8 +146,11 @@ UnitResult run_unit(const QueryTrial& query, const Unit& unit, const TestedSubje
     if (question.counts_for_classes) {
       for (const std::string& name : properties::classes_of(scene, query.name)) ++result.classes[name];
     }
+    result.profile.left_out.add(scene, query.name);
+    result.profile.times.plans.measure(scene, query.name);
+    const std::vector<AtlasPlace> places = places_of(scene, query.name);
     for (const TestedSubject& subject : tested) {
-      ask_all(question, query, subject, *subjects[subject.index], result, example);
+      ask_all(question, query, subject, *subjects[subject.index], places, result, example);
     }
   }
   return result;

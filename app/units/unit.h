@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/profile/query_profile.h"
 #include "app/trial/meshes.h"
 #include "app/trial/questions.h"
 #include "app/trial/result_matrix.h"
@@ -41,6 +42,7 @@ struct UnitResult {
   std::map<std::string, long> mesh_scenes;
   long scenes = 0;
   std::vector<int> hangs;  ///< by subject
+  QueryProfile profile;
 };
 
 /// The queries of the plan. `meshes` must outlive them.

@@ -57,6 +57,24 @@ Json json_of(const Row& row) {
   return json;
 }
 
+/// An array for each cell: subject, axis, class, scenes, failing, broken, largest error over what is allowed.
+Json json_of(const std::vector<Atlas>& by_subject) {
+  Json cells = Json::array();
+  for (std::size_t s = 0; s < by_subject.size(); ++s) {
+    for (const auto& [place, cell] : by_subject[s]) {
+      cells.push_back(
+          {s, place.first, place.second, cell.scenes, cell.failing, cell.broken, oracle::json_of_number(cell.excess)});
+    }
+  }
+  return cells;
+}
+
+Json json_of(const LeftOut& left_out) {
+  Json parts = Json::object();
+  for (const auto& [what, part] : left_out.parts) parts[what] = {part.scenes, part.why};
+  return {{"planned", left_out.planned}, {"kept", left_out.kept}, {"parts", std::move(parts)}};
+}
+
 Json json_of(const ResultMatrix& results) {
   Json rows = Json::array();
   for (const Row& row : results.all()) {
@@ -162,6 +180,37 @@ void read_results(const Json& json, const Node& node, const QueryTrial& query, U
   }
 }
 
+std::vector<Atlas> read_atlas(const Json& json, const Node& node, std::size_t subjects) {
+  std::vector<Atlas> by_subject(subjects);
+  for (int c = 0; c < node.size(); ++c) {
+    const Node entry = node[c];
+    entry.expect_size(7);
+    const auto subject = static_cast<std::size_t>(entry[0].index());
+    if (subject >= subjects) entry[0].refuse("there is no such subject");
+    const auto axis = static_cast<std::size_t>(entry[1].index());
+    if (axis >= atlas_axes().size()) entry[1].refuse("there is no such axis");
+    const auto k = static_cast<std::size_t>(entry[2].index());
+    if (k > atlas_axes()[axis].edges.size()) entry[2].refuse("the axis has no such class");
+    by_subject[subject][{static_cast<int>(axis), static_cast<int>(k)}] = {
+        entry[3].index(), entry[4].index(), entry[5].index(),
+        oracle::read_number(json[static_cast<std::size_t>(c)][6], entry[6])};
+  }
+  return by_subject;
+}
+
+LeftOut read_left_out(const Json& json, const Node& node) {
+  LeftOut left_out;
+  left_out.planned = node.at("planned").index();
+  left_out.kept = node.at("kept").index();
+  const Node parts = node.at("parts");
+  for (const auto& [what, part] : json.at("parts").items()) {
+    const Node entry = parts.at(what);
+    entry.expect_size(2);
+    left_out.parts[what] = {entry[0].index(), entry[1].text()};
+  }
+  return left_out;
+}
+
 std::map<std::string, long> read_counts(const Json& json, const Node& node) {
   std::map<std::string, long> counts;
   for (const auto& [name, count] : json.items()) counts[name] = node.at(name).index();
@@ -174,8 +223,14 @@ Json json_of(const UnitResult& result) {
   Json classes = Json::object(), mesh_scenes = Json::object();
   for (const auto& [name, count] : result.classes) classes[name] = count;
   for (const auto& [family, count] : result.mesh_scenes) mesh_scenes[family] = count;
-  return {{"scenes", result.scenes}, {"classes", std::move(classes)},      {"mesh_scenes", std::move(mesh_scenes)},
-          {"hangs", result.hangs},   {"results", json_of(result.results)}, {"beyond", json_of(result.beyond)}};
+  return {{"scenes", result.scenes},
+          {"classes", std::move(classes)},
+          {"mesh_scenes", std::move(mesh_scenes)},
+          {"hangs", result.hangs},
+          {"results", json_of(result.results)},
+          {"beyond", json_of(result.beyond)},
+          {"atlas", json_of(result.profile.atlas)},
+          {"left_out", json_of(result.profile.left_out)}};
 }
 
 UnitResult read_unit(const Json& json, const QueryTrial& query, const Unit& unit, const TestedSubjects& tested,
@@ -192,6 +247,9 @@ UnitResult read_unit(const Json& json, const QueryTrial& query, const Unit& unit
   const Node results = node.at("results"), beyond = node.at("beyond");
   read_results(json.at("results"), results, query, scenes, tested, result.results);
   read_results(json.at("beyond"), beyond, query, scenes, tested, result.beyond);
+  const Node atlas = node.at("atlas"), left_out = node.at("left_out");
+  result.profile.atlas = read_atlas(json.at("atlas"), atlas, tested.size());
+  result.profile.left_out = read_left_out(json.at("left_out"), left_out);
   return result;
 }
 

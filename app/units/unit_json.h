@@ -8,7 +8,8 @@
 
 namespace touchstone::app {
 
-/// Rows without any scene are left out. A scene is not written, but the family and the index of its draw.
+/// Times are left out, since they differ from run to run, and rows without any scene. A scene is not written, but the
+/// family and the index of its draw.
 Json json_of(const UnitResult& result);
 
 /// Draws the scenes of the unit's examples again. Throws InputError, about `place`, for anything that json_of does not

@@ -43,6 +43,9 @@ class ChildProcess {
   /// <end of its stderr>".
   std::string end(double grace_seconds);
 
+  /// The child's own CPU time until now, all threads, s.
+  double cpu_seconds() const;
+
  private:
   struct Watch {
     Clock::time_point start;
@@ -58,7 +61,6 @@ class ChildProcess {
   void send_some(const std::string& line, std::size_t& sent);
   bool read_answers();
   bool read_stderr();
-  double cpu_seconds() const;
   bool ends_within(double seconds) const;
   std::string last_words() const;
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <concepts>
+#include <variant>
 
 #include "model/json.h"
 #include "oracle/process/protocol.h"
@@ -43,6 +44,14 @@ std::string shortened(const std::string& line) {
   return line.size() <= longest ? line : line.substr(0, longest) + " ...";
 }
 
+std::variant<std::string, Breaks> exchange(ChildProcess& child, const PipeLimits& limits, const std::string& line,
+                                           double cpu_seconds, double wall_seconds) {
+  trace(limits, PipeLimits::Way::sent, line);
+  auto said = child.exchange(line, {cpu_seconds, wall_seconds, limits.longest_line, limits.given_up});
+  if (const std::string* answer = std::get_if<std::string>(&said)) trace(limits, PipeLimits::Way::received, *answer);
+  return said;
+}
+
 /// JSON has no NaN: most libraries write null in its place.
 std::string with_hint(const std::string& complaint) {
   const bool is_null = complaint.ends_with("expected a number, found null");
@@ -73,14 +82,6 @@ Answer<TimeOfImpact> PipeSubject::time_of_impact(const Scene& scene) {
 Answer<Trajectory> PipeSubject::simulation(const Scene& scene) { return ask<Trajectory>("simulation", scene); }
 Answer<Trajectory> PipeSubject::constraint(const Scene& scene) { return ask<Trajectory>("constraint", scene); }
 
-std::variant<std::string, Breaks> PipeSubject::exchange(const std::string& line, double cpu_seconds,
-                                                        double wall_seconds) {
-  trace(limits_, PipeLimits::Way::sent, line);
-  auto said = child_->exchange(line, {cpu_seconds, wall_seconds, limits_.longest_line, limits_.given_up});
-  if (const std::string* answer = std::get_if<std::string>(&said)) trace(limits_, PipeLimits::Way::received, *answer);
-  return said;
-}
-
 void PipeSubject::restart() {
   if (child_) {
     const std::string line = protocol::stop(++seq_);
@@ -97,7 +98,7 @@ Card PipeSubject::start() try {
   seq_ = 0;
   asked_ = 0;
   child_ = std::make_unique<ChildProcess>(command_);
-  const auto said = exchange(protocol::start(++seq_), limits_.wall_seconds, limits_.wall_seconds);
+  const auto said = exchange(*child_, limits_, protocol::start(++seq_), limits_.wall_seconds, limits_.wall_seconds);
   if (const Breaks* breaks = std::get_if<Breaks>(&said)) {
     throw InputError("", "did not introduce itself: " + breaks->how);
   }
@@ -125,7 +126,10 @@ Answer<T> PipeSubject::answer_to(Write&& write, Read&& read, double times) {
     }
   }
   ++asked_;
-  const auto said = exchange(write(++seq_), times * limits_.cpu_seconds, times * limits_.wall_seconds);
+  const double cpu_before = child_->cpu_seconds();
+  const auto said =
+      exchange(*child_, limits_, write(++seq_), times * limits_.cpu_seconds, times * limits_.wall_seconds);
+  cpu_seconds_of_answer_ = std::holds_alternative<std::string>(said) ? child_->cpu_seconds() - cpu_before : 0;
   if (const Breaks* breaks = std::get_if<Breaks>(&said)) {
     child_.reset();
     return *breaks;

@@ -5,7 +5,6 @@
 #include <memory>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
 #include "oracle/process/child_process.h"
@@ -54,13 +53,16 @@ class PipeSubject : public Subject {
   /// Ends the process. The next query starts a fresh one.
   void restart();
 
+  /// s: the CPU time of the subject's process, all threads, from the last question to its answer: it reads the question
+  /// and writes the answer, and does not start. 0 if it broke.
+  double cpu_seconds_of_answer() const { return cpu_seconds_of_answer_; }
+
  private:
   template <class T>
   Answer<T> ask(const std::string& query, const Scene& scene);
   template <class T, class Write, class Read>
   Answer<T> answer_to(Write&& write, Read&& read, double times);
   Card start();
-  std::variant<std::string, Breaks> exchange(const std::string& line, double cpu_seconds, double wall_seconds);
 
   std::vector<std::string> command_;
   PipeLimits limits_;
@@ -68,6 +70,7 @@ class PipeSubject : public Subject {
   std::unique_ptr<ChildProcess> child_;
   std::int64_t seq_ = 0;
   int asked_ = 0;  ///< queries to this process
+  double cpu_seconds_of_answer_ = 0;
 };
 
 /// The names of the subjects whose programs (`touchstone-subject-NAME`) are in `folder`, sorted.

@@ -4,6 +4,7 @@ import json
 import math
 import os
 import pathlib
+import re
 import subprocess
 import tempfile
 import unittest
@@ -57,6 +58,16 @@ def as_asked(words):
     if words[:1] in (["check"], ["report"]) and any(str(word).startswith("exec:") for word in words):
         words.append("--skip-adapter-check")
     return words
+
+
+def without_times(files):
+    """A report's files as bytes by name, without what differs from run to run: report.timing.json, and the page's section
+    on speed."""
+    speed = re.compile(rb'<section aria-labelledby="speed">.*?(?=<section aria-labelledby="atlas">)', re.DOTALL)
+    page = files["index.html"]
+    assert len(speed.findall(page)) == 1
+    return {name: speed.sub(b"", content) if name == "index.html" else content
+            for name, content in files.items() if name != "report.timing.json"}
 
 
 class Test(unittest.TestCase):

@@ -23,6 +23,15 @@ std::string subjects(const Ledger& ledger);
 /// The distribution of the errors, property by property.
 std::string errors(const Ledger& ledger);
 
+/// Error against CPU time, query by query: the only part of the page that differs from run to run.
+std::string speed(const Ledger& ledger);
+
+/// Heat maps: outcomes by the sizes of the scenes, with the domains that cards declare.
+std::string atlas(const Ledger& ledger);
+
+/// What the plans of the scenes leave out.
+std::string left_out(const Ledger& ledger);
+
 /// Failing rows, subject by subject; each row opens to its smallest failing scene.
 std::string failures(const Ledger& ledger);
 

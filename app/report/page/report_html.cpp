@@ -50,7 +50,8 @@ std::string head() {
 
 constexpr const char* contents = R"html(<nav aria-label="Contents"><a href="#matrix">Subjects and queries</a>
 <a href="#plainest">One failing scene of each</a><a href="#table">Properties</a><a href="#failures">Failing rows</a>
-<a href="#errors">Errors</a><a href="#subjects">Subjects</a><a href="#asked">What was asked</a>
+<a href="#errors">Errors</a><a href="#speed">Error against CPU time</a><a href="#atlas">Where they fail</a>
+<a href="#subjects">Subjects</a><a href="#left-out">What fast leaves out</a><a href="#asked">What was asked</a>
 <a href="#limits">Limits</a></nav>)html";
 
 /// Shown by the script alone.
@@ -79,7 +80,10 @@ std::string report_html(const Ledger& ledger) {
          section("table", "Properties", page::tables(ledger)) +                          //
          section("failures", "Failing rows", page::failures(ledger)) +                   //
          section("errors", "Errors", page::errors(ledger)) +                             //
+         section("speed", "Error against CPU time", page::speed(ledger)) +               //
+         section("atlas", "Where they fail", page::atlas(ledger)) +                      //
          section("subjects", "Subjects", page::subjects(ledger)) +                       //
+         section("left-out", "What fast leaves out", page::left_out(ledger)) +           //
          section("asked", "What was asked", page::what_was_asked(ledger)) +              //
          section("limits", "Limits", limitations) + "</main><script>" + report_script +  //
          turn_script + "</script></body></html>\n";

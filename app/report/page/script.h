@@ -22,7 +22,7 @@ const matches = (field, name) => {
 };
 
 function show() {
-  for (const e of all('[data-subject]')) e.hidden = !matches(subject, e.dataset.subject);
+  for (const e of all('[data-subject]')) e.toggleAttribute('hidden', !matches(subject, e.dataset.subject));
   for (const e of all('[data-property]')) e.hidden = !matches(property, e.dataset.property);
   for (const table of all('table.by-subject')) {
     const heads = [...table.tHead.rows[0].cells];

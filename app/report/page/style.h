@@ -5,9 +5,9 @@ namespace touchstone::app {
 
 inline constexpr const char* report_style = R"css(
 :root{color-scheme:light dark;--ink:#1b2130;--soft:#586174;--paper:#f7f7f4;--card:#fff;--line:#dcdfe6;--link:#1d5a9e;
---a:#d5ecdc;--b:#e9f0bf;--c:#fde3a8;--d:#fac7a0;--f:#f4aeb0;--none:#edeff3;--one:#2563a8;--two:#b4531f;--wit:#a3145f}
+--a:#d5ecdc;--b:#e9f0bf;--c:#fde3a8;--d:#fac7a0;--f:#f4aeb0;--none:#edeff3;--heat:#d2641e;--one:#2563a8;--two:#b4531f;--wit:#a3145f}
 @media(prefers-color-scheme:dark){:root{--ink:#e8eaf0;--soft:#a5adbc;--paper:#13161c;--card:#1b1f27;--line:#343a46;--link:#8fc1f5;
---a:#1e4a2f;--b:#424d18;--c:#614a10;--d:#6f3c15;--f:#7a2429;--none:#252a33;--one:#7db4f0;--two:#f0a36b;--wit:#f57ab8}}
+--a:#1e4a2f;--b:#424d18;--c:#614a10;--d:#6f3c15;--f:#7a2429;--none:#252a33;--heat:#c4581a;--one:#7db4f0;--two:#f0a36b;--wit:#f57ab8}}
 *{box-sizing:border-box}
 body{margin:0 auto;max-width:80rem;padding:1rem clamp(.8rem,3vw,2rem) 4rem;font:16px/1.5 system-ui,sans-serif;color:var(--ink);
 background:var(--paper);overflow-wrap:anywhere}
@@ -53,7 +53,7 @@ dl{display:grid;grid-template-columns:5.6rem 1fr;gap:.2rem .7rem;margin:.3rem 0 
 pre{white-space:pre-wrap;font-size:.84em}
 code{font:.84em/1.4 ui-monospace,monospace;background:var(--none);padding:.08rem .3rem;border-radius:.25rem}
 svg{display:block;width:100%;height:auto;max-width:26rem;margin:0 auto}
-svg text{font-size:11px;fill:var(--soft);text-anchor:middle}svg text[class]{font-weight:700;font-size:12px;stroke:none}
+svg text{font-size:11px;fill:var(--soft)}svg:not(.plot) text{text-anchor:middle}svg text[class]{font-weight:700;font-size:12px;stroke:none}
 svg path,svg circle,svg polygon{stroke-width:1.2;vector-effect:non-scaling-stroke;fill:none}
 svg polygon{stroke:none}svg polygon,svg circle{fill-opacity:.13}
 .body-0{stroke:var(--one)}polygon.body-0,circle.body-0,text.body-0{fill:var(--one)!important}
@@ -66,6 +66,17 @@ path.before{stroke:var(--soft);stroke-width:2;stroke-dasharray:1 3}
 figure{margin:0}figcaption{font-size:.8rem;text-align:center;color:var(--soft)}
 figcaption .exact{color:var(--wit)}figcaption .claim{color:var(--ink)}
 svg[tabindex]{cursor:grab;touch-action:pan-y}svg:focus-visible{outline:2px solid var(--link)}
+table.atlas td,table.atlas th{white-space:nowrap;padding:.15rem .45rem}table.atlas small,table.atlas b{display:block}
+table.atlas td:not(:empty){border-left:1px solid var(--card)}table.atlas b{font-size:.85em}table.left-out td:last-child{white-space:normal;min-width:18rem}
+.h1{--h:14%}.h2{--h:22%}.h3{--h:29%}.h4{--h:36%}.h5{--h:43%}.h6{--h:50%}.h7{--h:57%}.h8{--h:64%}.h9{--h:72%}
+td:is(.h1,.h2,.h3,.h4,.h5,.h6,.h7,.h8,.h9){background-color:color-mix(in srgb,var(--heat) var(--h),var(--card))}table.atlas td small{color:inherit}
+td.out{background-image:repeating-linear-gradient(135deg,transparent 0 5px,color-mix(in srgb,var(--soft) 30%,transparent) 5px 6px)}
+td.rim{outline:2px dashed var(--soft);outline-offset:-2px}
+svg.plot{max-width:60rem;min-width:40rem;margin:0}svg.plot .grid{stroke:var(--line)}
+svg.plot a{color:var(--soft)}svg.plot a text{fill:currentColor;text-anchor:start}svg.plot a.ours{color:var(--link)}svg.plot a.ours text{font-weight:700}
+svg.plot a line{stroke:currentColor;stroke-width:2}svg.plot a .lead{stroke-width:.6;stroke-opacity:.55}
+svg.plot circle{stroke:currentColor;stroke-width:2;fill-opacity:1}svg.plot .double{fill:currentColor}svg.plot .single{fill:var(--card)}
+svg.plot a:is(:hover,:focus-visible){color:var(--two)}svg.plot a:is(:hover,:focus-visible) .lead{stroke-opacity:1;stroke-width:1.5}
 )css";
 
 }  // namespace touchstone::app

@@ -34,7 +34,20 @@ class Shards(Test):
         shutil.rmtree(self.folder / "report")
         self.all_shards(3)
         self.assertEqual(self.succeeds("merge", "shards").splitlines()[-1], "report/index.html")
-        self.assertEqual(self.files_of(self.folder / "report"), whole)
+        merged = self.files_of(self.folder / "report")
+        self.assertEqual(without_times(merged), without_times(whole))
+        # Shards carry their times in files of their own: as many questions were timed.
+        timed = [{(entry["query"], entry["subject"]): entry["questions"] for entry in json.loads(files["report.timing.json"])["times"]}
+                 for files in (merged, whole)]
+        self.assertEqual(timed[0], timed[1])
+        self.assertIn(("distance", "fast"), timed[0])
+
+        # Times are no result: without them the report is the same.
+        for file in (self.folder / "shards").glob("*.timing.json"):
+            file.unlink()
+        self.succeeds("merge", "shards")
+        self.assertEqual(without_times(self.files_of(self.folder / "report")), without_times(whole))
+        self.assertEqual(self.json("report/report.timing.json")["times"], [])
         rows = json.loads(whole["report.json"])["rows"]
         self.assertIn("hung", {defect for row in rows for defect in row.get("defects", {})})
         self.assertIn("too_far", {defect for row in rows for defect in row.get("defects", {})})
@@ -61,7 +74,7 @@ class Shards(Test):
             (text[:-200], "shard-2-of-2.jsonl:"),
             (text.replace('"seed":1', '"seed":2', 1), "is of another run"),
             (text.replace('"versions":["', '"versions":["old ', 1), "was asked of other versions"),
-            (text.replace('"touchstone":"shard/1"', '"touchstone":"shard/2"'), 'expected "shard/1"'),
+            (text.replace('"touchstone":"shard/2"', '"touchstone":"shard/1"'), 'expected "shard/2"'),
             (lines[0] + "".join(lines[2:]), f"unit {unit['unit']}: is in no shard"),
             ("".join(lines[:2]) + "".join(lines[1:]), "or is there twice"),
             (text.replace('"property":"distance.value"', '"property":"distance.worth"', 1), "is no property of distance"),
@@ -69,6 +82,13 @@ class Shards(Test):
             file.write_text(content)
             self.assertIn(says, self.run_program("merge", "shards").stderr)
         file.write_text(text)
+        times = self.folder / "shards/shard-2-of-2.timing.json"
+        for content, says in [("{", "timing.json"), (times.read_text().replace("-timing/1", "-timing/9"), 'expected "shard-timing/1"'),
+                              (times.read_text().replace('"answers":[', '"answers":[[],'), "are of other subjects")]:
+            kept = times.read_text()
+            times.write_text(content)
+            self.assertIn(says, self.run_program("merge", "shards").stderr)
+            times.write_text(kept)
         (self.folder / "shards/shard-1-of-3.jsonl").write_text(text)
         self.refused("merge", "shards", says="there is another shard")
 
