@@ -17,6 +17,7 @@ import workshop
 QUICK_SEED, STANDARD_SEED = 1, 2  # standard begins with the scenes that quick has asked, so it has a seed of its own
 CANARY_TESTS = "canaries prove*,each canary about*"
 SIGNALS_OF_A_CRASH = range(-64, 0)
+HANGS_AFTER = "5"  # CPU seconds for one question: on a busy machine an original takes more than the usual limit of 1
 
 
 @dataclasses.dataclass(frozen=True)
@@ -87,8 +88,8 @@ class Trial:
         """(the run, the rows of its report)."""
         report = folder / "report.json"
         report.unlink(missing_ok=True)
-        run = limited.run([judge, "check", "--subjects", f"exec:{subject}", "--jobs", "1", "--skip-adapter-check", "--json", report,
-                           *words], limit)
+        run = limited.run([judge, "check", "--subjects", f"exec:{subject}", "--jobs", "1", "--skip-adapter-check",
+                           "--time-limit", HANGS_AFTER, "--json", report, *words], limit)
         return run, rows_of(report)
 
     def killed_by_check(self, stage, judge, subject, folder, words, limit, judge_is_mutant):
