@@ -2,6 +2,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "model/limits.h"
 #include "oracle/judge/words.h"
@@ -275,6 +276,109 @@ Finding elastic_energy(const Scene& scene, Subject& subject) {
   });
 }
 
+/// A level table that pushes straight up, and what bounds the bodies on it.
+struct Ice {
+  Real energy = 0;            ///< J: what all free bodies have at the start, above the table's top
+  Real until = 0;             ///< s, from the start: before that no body reaches the edge
+  std::vector<Real> momenta;  ///< kg m/s: no body ever has more
+};
+
+bool is_level(const Body& body) {
+  const Quaternion& q = body.X_WB.q_WB;
+  return std::holds_alternative<Box>(body.shape) && q.x == 0 && q.y == 0 && q.z == 0;
+}
+
+// While all bodies are over the top of the table, nothing pushes them but its top, up, and gravity, down. A body over
+// the top has no less potential energy than at the top, so by its kinetic energy it is never faster than √(2E/m).
+std::optional<Ice> ice_of(const Scene& scene, const std::vector<ImpactBody>& first) {
+  const auto table = std::ranges::find_if(scene.bodies, is_fixed);
+  const bool one = table != scene.bodies.end() && std::ranges::count_if(scene.bodies, is_fixed) == 1;
+  const bool pulls_down = scene.gravity.x() == 0 && scene.gravity.y() == 0 && scene.gravity.z() <= 0;
+  if (!one || !is_level(*table) || table->velocity != Velocity{} || !pulls_down) return std::nullopt;
+  const Vec3& half = std::get<Box>(table->shape).half_extents;
+  const Real top = table->X_WB.p_WB.z() + half.z(), g = -scene.gravity.z();
+  Ice ice;
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    if (first[i].fixed) continue;
+    if (std::min(scene.bodies[i].material.friction, table->material.friction) > 0) return std::nullopt;
+    const Real height = -first[i].p_BcmC_W.z() - top + envelope(scene);
+    if (height <= 0) return std::nullopt;
+    ice.energy += first[i].mass * (first[i].v_WBcm.squaredNorm() / 2 + g * height) +
+                  first[i].spin_energy_twice(first[i].w_WB) / 2;
+  }
+  ice.until = std::numeric_limits<Real>::infinity();
+  ice.momenta.resize(first.size(), 0);
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    if (first[i].fixed) continue;
+    const Real reach = tolerance::radius(scene.bodies[i]) + first[i].p_BBcm.norm();
+    const Point off = -first[i].p_BcmC_W - table->X_WB.p_WB.cast<Real>();
+    const Real way = std::min(half.x() - std::abs(off.x()), half.y() - std::abs(off.y())) - reach;
+    if (way <= 0) return std::nullopt;
+    ice.momenta[i] = std::sqrt(2 * ice.energy * first[i].mass);
+    if (ice.energy > 0) ice.until = std::min(ice.until, way * first[i].mass / ice.momenta[i]);
+  }
+  return ice;
+}
+
+// What a table without friction does to the bodies on it, up to a time: its impulses add up to gravity's and to the
+// momenta that they stop and give. A computed normal may be off by tolerance::normal, which is never more than 2⁻¹⁰.
+Sum<Real> pressed(const Scene& scene, const std::vector<ImpactBody>& first, const Ice& ice, Real seconds) {
+  Sum<Real> sum{0};  // N s and, about the vertical through the origin, N m s
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    if (first[i].fixed) continue;
+    const Real impulse = 2 * ice.momenta[i] - scene.gravity.z() * first[i].mass * seconds;
+    const Real arm = first[i].p_BcmC_W.norm() + seconds * ice.momenta[i] / first[i].mass +
+                     tolerance::radius(scene.bodies[i]) + first[i].p_BBcm.norm();
+    sum.value += impulse;
+    sum.size += impulse * arm;
+  }
+  return sum;
+}
+
+// A level table without friction pushes straight up, and gravity pulls straight down: what bodies do to each other
+// there changes neither their horizontal momentum nor their angular momentum about the vertical.
+Finding level_momentum(const Scene& scene, Subject& subject) {
+  return of_trajectory(scene, subject, [&](const TrajectoryCase& asked) {
+    const bool law_loses = scene.motion->law == Law::poisson || frictionless(scene);
+    if (!law_loses || !scene.motion->forces.empty() || !start_at_once(scene)) {
+      return judge::outside("a law or a force that may add energy or momentum");
+    }
+    const std::vector<ImpactBody> first = bodies_at(scene, first_states(scene));
+    const std::optional<Ice> ice = ice_of(scene, first);
+    if (!ice) return judge::outside("not a level table without friction under all bodies");
+    const auto level = [](const std::vector<ImpactBody>& bodies) {
+      std::vector<ImpactBody> free = bodies;
+      std::erase_if(free, [](const ImpactBody& body) { return body.fixed; });
+      Point sum = momentum_of(free).value;
+      sum.z() = angular_momentum_of(free).value.z();
+      return sum;
+    };
+    const Point before = level(first);
+    Finding worst = judge::outside("no sample before a body may reach the edge");
+    for (std::size_t sample = 0; sample < asked.samples(); ++sample) {
+      const Real seconds = asked.time(sample) - start_of_all(scene);
+      if (seconds >= ice->until) break;
+      const std::vector<ImpactBody> bodies = bodies_at(scene, asked.said.states[sample]);
+      const Point now = level(bodies);
+      const Sum<Real> most = pressed(scene, first, *ice, seconds);
+      const Real off = 0x1p-10L + 2 * pose_error(asked, bodies);
+      const auto judged = [&](Real error, Real size, const char* name) {
+        const double unit = std::max(static_cast<double>(size), 0x1p-900);
+        return counted(off * 256 < 1,
+                       judge::at_most(
+                           static_cast<double>(error), {static_cast<double>(off * size), unit, name, 0, 0},
+                           Defect::wrong_momentum, [&] { return oracle::words::text(Vec3(now.cast<double>())); },
+                           [&] { return oracle::words::text(Vec3(before.cast<double>())) + ", as at the start"; }));
+      };
+      if (worse(worst, judged((now - before).head<2>().norm(), most.value, "impulses of the table")) ||
+          worse(worst, judged(std::abs(now.z() - before.z()), most.size, "moments of the table's impulses"))) {
+        return worst;
+      }
+    }
+    return worst;
+  });
+}
+
 /// Does rounding leave every pair's contact decided until the end? Where it may move a pair by a thousandth of a body,
 /// doubles cannot decide whether the pair touches.
 bool contacts_decided(const TrajectoryCase& asked) {
@@ -347,6 +451,11 @@ std::vector<Property> simulation_law_properties() {
        {clause + "12"},
        "a simulation of elastic bodies without gravity reaches its end",
        whole},
+      {"simulation.level_momentum",
+       query,
+       {clause + "33"},
+       "on a level table without friction, horizontal momentum is conserved, and angular momentum about the vertical",
+       level_momentum},
       {"simulation.survives",
        query,
        {clause + "20"},

@@ -127,6 +127,15 @@ Velocity velocity_before(const TrajectoryCase& asked, const Timeline& timeline, 
   return oracle::ballistic_state(segment_scene(asked.scene, {*found}, time), 0, time).velocity;
 }
 
+/// Is one of an impact's bodies that move held by a contact in the segment that ends with the first event at its time?
+bool is_held_before(const TrajectoryCase& asked, const std::vector<Segment>& segments, const Event& impact) {
+  return std::ranges::any_of(segments, [&](const Segment& segment) {
+    const bool takes_part =
+        segment.body == static_cast<std::size_t>(impact.a) || segment.body == static_cast<std::size_t>(impact.b);
+    return takes_part && !asked.is_fixed(segment.body) && !segment.ballistic;
+  });
+}
+
 /// Whether the contact of `impact` approaches before `event`, which is at the same time and not later.
 bool approaches_before(const TrajectoryCase& asked, const Timeline& timeline, const Event& impact, std::size_t event) {
   Scene pair;
@@ -227,9 +236,11 @@ bool acts_together(const TrajectoryCase& asked, const Event& impact) {
     const Event& other = events[k];
     const bool shares = (moves(impact.a) && acts_on(other, impact.a)) || (moves(impact.b) && acts_on(other, impact.b));
     const bool one_region = other.a == impact.a && other.b == impact.b && is_convex(impact.a) && is_convex(impact.b);
-    if (k == at || one_region || other.kind != Event::Kind::impact || other.time != impact.time || !shares) continue;
+    if (k == at || other.kind != Event::Kind::impact || other.time != impact.time || !shares) continue;
     const std::size_t first = std::min(k, at);
     if (!all) all = timeline(asked.scene, asked.said);
+    if (is_held_before(asked, segments_into(*all, asked.said, first), impact)) return true;
+    if (one_region) continue;
     if (approaches_before(asked, *all, impact, first) && approaches_before(asked, *all, other, first)) return true;
   }
   return false;

@@ -80,8 +80,8 @@ oracle::Finding of_impacts(const Scene& scene, oracle::Subject& subject, JudgeIt
 }
 
 /// Whether another impact at the same time acts together with this one: it acts on a common body that moves, and before
-/// the first of the two both contacts approach. Then the law of one contact says nothing about either. Two convex
-/// bodies have one contact region, which acts as one.
+/// the first of the two both contacts approach; or with a contact that holds one of the bodies until then. Then the law
+/// of one contact says nothing about it. Two convex bodies have one contact region, which acts as one.
 bool acts_together(const TrajectoryCase& asked, const Event& impact);
 inline constexpr const char* together_with_others = "acts together with other impacts at its time";
 

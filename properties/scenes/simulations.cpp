@@ -346,6 +346,62 @@ Scene together(Random& random) { return at_one_time(random, random.pick<Bodies>(
 
 Scene touching(Random& random) { return at_one_time(random, random.pick<Bodies>({row, polytope_lands})); }
 
+/// Boxes and balls that slide on the table into each other.
+std::vector<Body> sliders(Random& random) {
+  std::vector<Body> bodies;
+  const int count = random.between(2, 3);
+  for (int n = 0; n < count; ++n) {
+    Body body = with_mass(random, random.one_in(3) ? some_ball(random) : some_box(random));
+    body.X_WB = {};
+    const auto* box = std::get_if<Box>(&body.shape);
+    const double half = box != nullptr ? box->half_extents.z() : std::get<Sphere>(body.shape).radius;
+    if (box != nullptr && random.one_in(2)) body.X_WB.q_WB = {random.whole(1, 3), 0, 0, random.whole(-2, 2)};
+    body.X_WB.p_WB = {17.0 * n, random.whole(-1, 1), half};
+    body.velocity.v_WBcm = {n == 0 ? random.whole(4, 8) : -random.whole(0, 4), 0, 0};
+    bodies.push_back(std::move(body));
+  }
+  return bodies;
+}
+
+/// A box or a ball that slides over a longer box, and drags it along.
+std::vector<Body> on_another(Random& random) {
+  Body carrier = with_mass(random, at_rest(Box{Vec3(8, 4, 0.5)}));
+  carrier.X_WB.p_WB = {0, 0, 0.5};
+  const bool is_ball = random.one_in(3);
+  Body body = is_ball ? at_rest(Sphere{1}) : at_rest(Box{Vec3(1, random.pick({0.5, 1.0}), 0.5)});
+  body = with_mass(random, std::move(body));
+  body.X_WB.p_WB = {random.whole(-2, 2), random.whole(-2, 2), is_ball ? 2.0 : 1.5};
+  body.velocity.v_WBcm = {random.whole(-3, 3), random.whole(-1, 1), 0};
+  return {std::move(carrier), std::move(body)};
+}
+
+/// A box with three different sides, in any pose, that falls and spins; another one lies where it may fall on it.
+std::vector<Body> dropped(Random& random) {
+  Body box = with_mass(random, at_rest(Box{Vec3(random.whole(1, 2), 3, 0.5)}));
+  box.X_WB = {{0, 0, 6}, small_quaternion(random)};
+  box.velocity = {{random.whole(-2, 2), random.whole(-2, 2), -random.whole(0, 4)}, small_vector(random, 1)};
+  std::vector<Body> bodies = {std::move(box)};
+  if (random.one_in(2)) {
+    Body under = with_mass(random, at_rest(Box{Vec3(1, 2, 0.5)}));
+    under.X_WB.p_WB = {random.whole(-2, 2), random.whole(-2, 2), 0.5};
+    bodies.push_back(std::move(under));
+  }
+  return bodies;
+}
+
+/// Bodies on a level table without friction, which may rub on each other.
+Scene on_ice(Random& random) {
+  std::vector<Body> bodies = random.pick<Bodies>({sliders, on_another, dropped})(random);
+  const double e = random.pick({0.0, 0.0, 0.5}), mu = random.pick({0.25, 0.5});
+  for (Body& body : bodies) body.material = {e, mu};
+  Body table = fixed(at_rest(Box{Vec3(256, 256, 2)}, {{0, 0, -2}, {}}));
+  table.material = {1, 0};
+  bodies.push_back(std::move(table));
+  Scene scene = run(random, std::move(bodies), motion_until(2, 4), {0, 0, -8});
+  scene.motion->law = Law::poisson;
+  return scene;
+}
+
 /// Two bodies that start 2^4 to 2^60 of their sizes apart, and come within a few sizes or into contact halfway through
 /// the motion. Positions and velocities are exact: one axis has the approach, the others have the offset.
 Scene far_apart(Random& random) {
@@ -382,6 +438,8 @@ std::vector<Family> run_families() {
       {"runs.together", "one body that collides with two at one time", queries, true, together},
       {"runs.touching", "a row of balls that touch, hit at its ends; a polytope that lands on a face", queries, true,
        touching},
+      {"runs.on_ice", "bodies that slide, fall and rub on each other on a table without friction", queries, true,
+       on_ice},
       {"runs.far_apart", "two bodies that start 2^4 to 2^60 sizes apart", queries, false, far_apart},
   };
 }

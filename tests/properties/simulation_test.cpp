@@ -210,6 +210,20 @@ TEST_CASE("an impact that another one causes at the same time obeys the law of o
   CHECK(judged("impulses", cradle(0.5)) == Outcome::fails);
 }
 
+TEST_CASE("an impact that another one causes acts together with a contact that holds the body until then") {
+  Run run = cradle(0.5);
+  Event held = run.said.events->back();
+  held.kind = Event::Kind::contact;
+  held.time = 0.25;
+  held.P_A_W.setZero();
+  held.after_a = at({0, 0, 0}, Vec3::Zero());
+  held.after_b = at({1, 0, 0}, Vec3::Zero());
+  run.said.events->insert(run.said.events->begin(), held);
+  CHECK(judged("ordered", run) == Outcome::holds);
+  CHECK(judged("impulses", run) == Outcome::outside);
+  CHECK(judged("lockstep", run) == Outcome::outside);
+}
+
 }  // namespace
 
 TEST_CASE("simulation: the trajectory on paper holds") {

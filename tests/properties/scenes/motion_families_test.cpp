@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "model/limits.h"
+#include "oracle/subjects/touchstone/fast.h"
 #include "oracle/truth/truth.h"
 #include "tests/catch.h"
 #include "tests/properties/scenes/drawn.h"
@@ -125,4 +126,25 @@ TEST_CASE("drawn motions: flights.from_afar are up to 2^60 sizes apart, and many
   CHECK(count(scenes, [&](const Scene& s) { return ratio(s) > 0x1p40; }) >= 12);
   CHECK(count(scenes, [&](const Scene& s) { return ratio(s) > 0x1p56; }) >= 1);
   CHECK(count(scenes, [&](const Scene& s) { return ratio(s) < 0x1p40 && truth(s).status == Status::hit; }) >= 12);
+}
+
+TEST_CASE("drawn motions: runs.on_ice has bodies that rest or slide on each other, and such that collide") {
+  const std::vector<Scene> scenes = drawn("runs.on_ice", draws);
+  const auto subject = oracle::subjects::make_fast();
+  const auto has = [&](const Scene& scene, Event::Kind kind, bool with_table) {
+    const auto answer = subject->simulation(scene);
+    const auto* said = std::get_if<Trajectory>(&answer);
+    return said != nullptr && std::ranges::any_of(*said->events, [&](const Event& event) {
+             const bool on_table =
+                 is_fixed(scene.bodies[static_cast<std::size_t>(event.b)]);  // the table is the last body
+             return event.kind == kind && on_table == with_table;
+           });
+  };
+  const auto scenes_with = [&](Event::Kind kind, bool with_table) {
+    return count(scenes, [&](const Scene& scene) { return has(scene, kind, with_table); });
+  };
+  CHECK(scenes_with(Event::Kind::contact, false) >= 12);
+  CHECK(scenes_with(Event::Kind::impact, false) >= 12);
+  CHECK(scenes_with(Event::Kind::contact, true) >= 30);
+  CHECK(scenes_with(Event::Kind::impact, true) >= 6);
 }
