@@ -15,8 +15,9 @@ namespace {
 using exact::Dyadic;
 using lin_canny::Hull;
 
-/// A computed r·s, with r a row of R and s a unit spoke: the error of R is 36u, that of the spoke 5u, and the three
-/// products and two sums of numbers whose magnitudes sum to at most 1 round by 3.1u: 44.1u, and terms of second order.
+/// A computed r·s, with r a row of R and s a unit vector along an edge: the error of R is 36u, that of the vector 5u,
+/// and the three products and two sums of numbers whose magnitudes sum to at most 1 round by 3.1u: 44.1u, and terms of
+/// second order.
 constexpr double slope_error = 48 * u;
 
 struct ExactQuaternion {
@@ -45,31 +46,42 @@ std::tuple<double, double, double> coordinates(const Vec3& p) { return {p.x(), p
 class Uphill {
  public:
   Uphill(const Hull& hull, std::span<const Pose> poses, const Mat3& R, int axis, int sign)
-      : hull_(hull), poses_(poses), direction_(sign * R.row(axis).transpose()), axis_(axis), sign_(sign) {}
+      : hull_(hull),
+        poses_(poses),
+        direction_(sign * R.row(axis).transpose()),
+        floats_(direction_),
+        axis_(axis),
+        sign_(sign) {}
 
-  bool higher(const Hull::Spoke& spoke, int from) {
-    const double slope = direction_.dot(spoke.away);
+  /// Whether `there` is higher than its neighbour `here`.
+  bool higher(int there, int here) {
+    const Vec3 along = hull_.vertex(there) - hull_.vertex(here);
+    const double slope = direction_.dot(along / along.norm());
     if (hull_.fits_doubles() && std::abs(slope) > slope_error) return slope > 0;
     if (!row_) {
       mark(Mark::climb_exact);
       row_ = exact_row(poses_, axis_);
     }
-    const Vec3& there = hull_.vertex(spoke.other);
-    const Vec3& here = hull_.vertex(from);
-    const int rises = sign_ * dot(*row_, exact::vector(there) - exact::vector(here)).sign();
-    return rises != 0 ? rises > 0 : coordinates(there) > coordinates(here);
+    const Vec3 &to = hull_.vertex(there), &from = hull_.vertex(here);
+    const int rises = sign_ * dot(*row_, exact::vector(to) - exact::vector(from)).sign();
+    return rises != 0 ? rises > 0 : coordinates(to) > coordinates(from);
+  }
+
+  /// A neighbour that is higher; -1 if there is none. Floats decide first.
+  int higher_neighbour(int vertex) {
+    for (const Hull::Spokes& some : hull_.spokes(vertex)) {
+      const lin_canny::FloatDirection::Slopes slopes = floats_.slopes(some);
+      for (std::size_t lane = 0; lane < Hull::Spokes::lanes; ++lane) {
+        if (slopes[lane] < -floats_.error()) continue;
+        const int there = some.other[lane];
+        if (slopes[lane] > floats_.error() || higher(there, vertex)) return there;
+      }
+    }
+    return -1;
   }
 
   int top(int vertex) {
-    for (const Hull::Spoke* s = hull_.spokes_begin(vertex); s != hull_.spokes_end(vertex);) {
-      if (higher(*s, vertex)) {
-        mark(Mark::climb_step);
-        vertex = s->other;
-        s = hull_.spokes_begin(vertex);
-      } else {
-        ++s;
-      }
-    }
+    for (int next; (next = higher_neighbour(vertex)) >= 0; vertex = next) mark(Mark::climb_step);
     return vertex;
   }
 
@@ -77,6 +89,7 @@ class Uphill {
   const Hull& hull_;
   std::span<const Pose> poses_;
   Vec3 direction_;
+  lin_canny::FloatDirection floats_;
   int axis_;
   int sign_;
   std::optional<exact::Vector> row_;  ///< set once doubles could not decide

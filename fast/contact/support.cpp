@@ -25,10 +25,8 @@ SupportingFace supporting_face(const lin_canny::PosedHull& hull, const Vec3& out
 Vec3 face_normal(const lin_canny::PosedHull& hull, int face) { return hull.turned_out(hull.hull->face(face).normal); }
 
 std::vector<Vec3> face_corners(const lin_canny::PosedHull& hull, int face) {
-  const lin_canny::Hull::Face& polygon = hull.hull->face(face);
   std::vector<Vec3> corners;
-  for (int i = 0; i < polygon.corner_count; ++i)
-    corners.push_back(hull.vertex(hull.hull->corner(polygon.first_corner + i)));
+  for (const auto& corner : hull.hull->corners(hull.hull->face(face))) corners.push_back(hull.vertex(corner.vertex));
   return corners;
 }
 

@@ -2,19 +2,10 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
+#include <cstddef>
 
 namespace touchstone::fast::lin_canny {
 namespace {
-
-/// Whether all edges at v, except the one to `except`, surely lead down along n (in the hull's frame).
-bool is_highest(const PosedHull& P, int v, int except, const Vec3& n) {
-  double steepest = -1;
-  for (const Hull::Spoke* s = P.hull->spokes_begin(v); s != P.hull->spokes_end(v); ++s) {
-    if (s->other != except) steepest = std::max(steepest, n.dot(s->away));
-  }
-  return steepest < -(P.turn_error + 10 * u);
-}
 
 double highest_of_all(const Hull& hull, const Vec3& n) {
   double highest = n.dot(hull.vertex(0));
@@ -26,10 +17,13 @@ double highest_of_all(const Hull& hull, const Vec3& n) {
 double height(const PosedHull& P, const FeatureId& feature, const Vec3& n, bool own) {
   const Hull& hull = *P.hull;
   if (feature.kind == Kind::face && own) return hull.face(feature.index).height;
-  if (feature.kind == Kind::vertex && is_highest(P, feature.index, -1, n)) return n.dot(hull.vertex(feature.index));
+  const FloatDirection direction(n);
+  if (feature.kind == Kind::vertex && direction.lead_down(hull.spokes(feature.index))) {
+    return n.dot(hull.vertex(feature.index));
+  }
   if (feature.kind == Kind::edge) {
     const Hull::Edge& e = hull.edge(feature.index);
-    if (is_highest(P, e.tail, e.head, n) && is_highest(P, e.head, e.tail, n)) {
+    if (direction.lead_down(hull.spokes(e.tail), e.head) && direction.lead_down(hull.spokes(e.head), e.tail)) {
       return std::max(n.dot(hull.vertex(e.tail)), n.dot(hull.vertex(e.head)));
     }
   }
@@ -39,10 +33,6 @@ double height(const PosedHull& P, const FeatureId& feature, const Vec3& n, bool 
 /// v without its component along e.
 Vec3 across(const Vec3& v, const Vec3& e) { return v - e * (v.dot(e) / e.squaredNorm()); }
 
-Vec3 edge_in_pair(const PosedHull& P, const FeatureId& feature) {
-  return P.turned_out(P.hull->edge(feature.index).along);
-}
-
 Vec3 along_difference(const Vec3& n, const Vec3& d) { return n.dot(d) < 0 ? Vec3(-n) : n; }
 
 /// From A to B, of any length.
@@ -50,13 +40,13 @@ Vec3 direction(const PosedHull& A, const PosedHull& B, const Closest& c) {
   const auto& [a, b] = c.features;
   const Vec3 d = c.b - c.a;
   if (a.kind == Kind::edge && b.kind == Kind::edge) {
-    const Vec3 e = edge_in_pair(A, a);
-    const Vec3 f = edge_in_pair(B, b);
-    const Vec3 n = (e / std::sqrt(A.hull->edge(a.index).squared)).cross(f / std::sqrt(B.hull->edge(b.index).squared));
+    const Vec3 along_A = A.hull->along(A.hull->edge(a.index)), along_B = B.hull->along(B.hull->edge(b.index));
+    const Vec3 e = A.turned_out(along_A), f = B.turned_out(along_B);
+    const Vec3 n = (e / along_A.norm()).cross(f / along_B.norm());
     return n.squaredNorm() > clearly_crossing ? along_difference(n, d) : across(across(d, e), f);
   }
-  if (a.kind == Kind::edge) return across(d, edge_in_pair(A, a));
-  if (b.kind == Kind::edge) return across(d, edge_in_pair(B, b));
+  if (a.kind == Kind::edge) return across(d, A.edge_vector(a.index));
+  if (b.kind == Kind::edge) return across(d, B.edge_vector(b.index));
   return d;
 }
 
@@ -71,11 +61,12 @@ double lower_end(const PosedHull& A, const PosedHull& B, const FeaturePair& feat
 /// A point of a face near x (both in the hull's frame), as a convex combination of three corners of its triangle fan.
 Vec3 into_face(const Hull& hull, int f, const Vec3& x) {
   const Hull::Face& face = hull.face(f);
-  const auto corner = [&](int i) -> const Vec3& { return hull.vertex(hull.corner(face.first_corner + i)); };
+  const std::span<const Hull::Corner> corners = hull.corners(face);
+  const auto corner = [&](std::size_t i) -> const Vec3& { return hull.vertex(corners[i].vertex); };
   const Vec3& o = corner(0);
   const auto turn = [&](const Vec3& from, const Vec3& to) { return (from - o).cross(to - o).dot(face.normal); };
-  int k = 2;
-  while (k < face.corner_count - 1 && turn(x, corner(k)) < 0) ++k;
+  std::size_t k = 2;
+  while (k + 1 < corners.size() && turn(x, corner(k)) < 0) ++k;
   const Vec3& p = corner(k - 1);
   const Vec3& q = corner(k);
   const double whole = turn(p, q);
@@ -116,9 +107,11 @@ Vec3 separating_direction(const PosedHull& A, const PosedHull& B, const Closest&
 Bracket bracket(const PosedHull& A, const PosedHull& B, const Closest& c) {
   const double error = rounding(A, B);
   Bracket found;
+  found.rounding = error;
   found.a = witness(A, c.features.a, c.a);
   found.b = witness(B, c.features.b, c.b);
-  found.hi = (found.b - found.a).norm() * (1 + 4 * u) + error_of_hi(A, B, error);
+  found.length = (found.b - found.a).norm();
+  found.hi = found.length * (1 + 4 * u) + error_of_hi(A, B, error);
   found.n = separating_direction(A, B, c);
   if (found.n.isZero(0)) return found;
   found.lo = lower_end(A, B, c.features, found.n, error);

@@ -13,9 +13,9 @@ namespace touchstone::fast::lin_canny {
 ///
 /// The highest vertex along n is the feature's own if each of its edges surely leads down: a convex body has no other
 /// local maximum. For an edge this holds with each end exempt from the other's test, since the exactly higher end is
-/// then the highest of all; for a face it was proved once (hull.h). "Surely" is n·along < −(turn_error + 6u)|along|: n
-/// rotated into the hull's frame has an error of turn_error, the edge rounds by u, the product by 3.1u, and |n| is 1
-/// within 1.5u. If this is not sure, all vertices are tested.
+/// then the highest of all; for a face it was proved once (hull.h). "Surely" is decided in floats (hull.h,
+/// FloatDirection): n rotated into the hull's frame has an error of turn_error, which is nothing beside theirs. If this
+/// is not sure, all vertices are tested.
 ///
 /// Rounding, with ρ ≥ |x| for the vertices x (terms with ρ are per hull) and Δt the difference of the shifts:
 ///   lo   n·x: turn_error ρ, product 3.1uρ; |n| within 1.5u: 1.5uρ; n·Δt: 3.1u + 1.5u, Δt itself u; two more
@@ -31,6 +31,8 @@ struct Bracket {
   Vec3 a = Vec3::Zero();  ///< witness points, in the pair's frame
   Vec3 b = Vec3::Zero();
   Vec3 n = Vec3::Zero();  ///< that of lo; 0 if there is none
+  double length = 0;      ///< |b − a|
+  double rounding = 0;    ///< rounding(A, B)
 };
 
 /// The n for lo, from A to B, of length 1 within 1.5u; 0 if the closest points coincide and no feature defines a

@@ -1,6 +1,9 @@
 #include "fast/lin_canny/closest.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <cstddef>
+#include <span>
 #include <utility>
 
 #include "model/infinity.h"
@@ -15,8 +18,6 @@ FeatureId face(int f) { return {Kind::face, f}; }
 Closest measured(const FeaturePair& features, const Vec3& a, const Vec3& b) {
   return {features, a, b, (b - a).squaredNorm(), false};
 }
-
-Closest swapped(const Closest& c) { return {{c.features.b, c.features.a}, c.b, c.a, c.squared, c.below}; }
 
 Closest none() {
   Closest c;
@@ -48,28 +49,45 @@ Closest vertex_vertex(const PosedHull& A, int v, const PosedHull& B, int w) {
 Closest point_edge(const FeatureId& feature, const Vec3& p, const PosedHull& B, int e) {
   const Hull::Edge& ends = B.hull->edge(e);
   const Vec3 tail = B.vertex(ends.tail);
-  const Vec3 along = B.turned_out(ends.along);
-  const OnEdge on = on_edge(B, e, tail, along, (p - tail).dot(along) / ends.squared);
+  const Vec3 in_B = B.hull->along(ends);
+  const Vec3 along = B.turned_out(in_B);
+  const OnEdge on = on_edge(B, e, tail, along, (p - tail).dot(along) / in_B.squaredNorm());
   return measured({feature, on.feature}, p, on.at);
 }
 
-/// Height above the side's line in the face's plane, outward of the face: > 0 outside.
-double outside(const Hull& hull, int f, int side, const Vec3& x) {
-  const Hull::Edge& e = hull.edge(hull.side(side));
-  return e.out[e.face[0] == f ? 0 : 1].dot(x - hull.vertex(e.tail));
-}
+/// The sides of a face as lines in its plane.
+class Sides {
+ public:
+  Sides(const Hull& hull, const Hull::Face& face) : hull_(hull), normal_(face.normal), corners_(hull.corners(face)) {}
+
+  std::size_t count() const { return corners_.size(); }
+  int edge(std::size_t i) const { return corners_[i].side; }
+
+  /// Height above a side's line in the face's plane, outward of the face: > 0 outside. Measured from the edge's tail,
+  /// as from its other face.
+  double outside(std::size_t i, const Vec3& x) const {
+    const int v = corners_[i].vertex, w = corners_[i + 1 < corners_.size() ? i + 1 : 0].vertex;
+    return (hull_.vertex(w) - hull_.vertex(v)).cross(normal_).dot(x - hull_.vertex(std::min(v, w)));
+  }
+
+ private:
+  const Hull& hull_;
+  const Vec3& normal_;
+  std::span<const Hull::Corner> corners_;
+};
 
 Closest vertex_face(const PosedHull& A, int v, const PosedHull& B, int f) {
   const Vec3 p = A.vertex(v);
   const Vec3 x = B.in(p);
   const Hull& hull = *B.hull;
   const Hull::Face& plane = hull.face(f);
+  const Sides sides(hull, plane);
   Closest best = none();
   bool over = true;
-  for (int i = plane.first_corner; i < plane.first_corner + plane.corner_count; ++i) {
-    if (!(outside(hull, f, i, x) > 0)) continue;
+  for (std::size_t i = 0; i < sides.count(); ++i) {
+    if (!(sides.outside(i, x) > 0)) continue;
     over = false;
-    take_nearer(best, point_edge(vertex(v), p, B, hull.side(i)));
+    take_nearer(best, point_edge(vertex(v), p, B, sides.edge(i)));
   }
   if (!over) return best;
   const double height = plane.normal.dot(x) - plane.height;
@@ -83,13 +101,15 @@ Closest vertex_face(const PosedHull& A, int v, const PosedHull& B, int f) {
 Closest edge_edge(const PosedHull& A, int e, const PosedHull& B, int f) {
   const Hull::Edge& edge_A = A.hull->edge(e);
   const Hull::Edge& edge_B = B.hull->edge(f);
-  const Vec3 d = A.turned_out(edge_A.along);
-  const Vec3 g = B.turned_out(edge_B.along);
+  const Vec3 along_A = A.hull->along(edge_A);
+  const Vec3 along_B = B.hull->along(edge_B);
+  const Vec3 d = A.turned_out(along_A);
+  const Vec3 g = B.turned_out(along_B);
   const Vec3 p = A.vertex(edge_A.tail);
   const Vec3 q = B.vertex(edge_B.tail);
   const Vec3 w = q - p;
-  const double dd = edge_A.squared;
-  const double gg = edge_B.squared;
+  const double dd = along_A.squaredNorm();
+  const double gg = along_B.squaredNorm();
   const double dg = d.dot(g);
   const double dw = d.dot(w);
   const double gw = g.dot(w);
@@ -116,11 +136,12 @@ Closest edge_face(const PosedHull& A, int e, const PosedHull& B, int f) {
   Closest best = none();
   double from = 0;  // tail + s·along is over the face for s in [from, to]
   double to = 1;
-  for (int i = plane.first_corner; i < plane.first_corner + plane.corner_count; ++i) {
-    const double at_tail = outside(hull, f, i, tail);
-    const double at_head = outside(hull, f, i, head);
+  const Sides sides(hull, plane);
+  for (std::size_t i = 0; i < sides.count(); ++i) {
+    const double at_tail = sides.outside(i, tail);
+    const double at_head = sides.outside(i, head);
     if (!(at_tail > 0) && !(at_head > 0)) continue;
-    take_nearer(best, edge_edge(A, e, B, hull.side(i)));
+    take_nearer(best, edge_edge(A, e, B, sides.edge(i)));
     if (at_tail > 0) from = std::max(from, at_head > 0 ? 2.0 : at_tail / (at_tail - at_head));
     if (at_head > 0) to = std::min(to, at_tail > 0 ? -1.0 : at_tail / (at_tail - at_head));
   }
@@ -142,14 +163,12 @@ Closest edge_face(const PosedHull& A, int e, const PosedHull& B, int f) {
 
 /// Only a place to start from: a corner of one face against the other face.
 Closest face_face(const PosedHull& A, int f, const PosedHull& B, int g) {
-  return vertex_face(A, A.hull->corner(A.hull->face(f).first_corner), B, g);
+  return vertex_face(A, A.hull->corners(A.hull->face(f))[0].vertex, B, g);
 }
 
-}  // namespace
-
-Closest closest(const PosedHull& A, const PosedHull& B, const FeaturePair& features) {
+/// Requires that a feature of A has no more dimensions than that of B.
+Closest in_order(const PosedHull& A, const PosedHull& B, const FeaturePair& features) {
   const auto& [a, b] = features;
-  if (a.kind > b.kind) return swapped(closest(B, A, {b, a}));
   if (a.kind == Kind::vertex) {
     if (b.kind == Kind::vertex) return vertex_vertex(A, a.index, B, b.index);
     if (b.kind == Kind::edge) return point_edge(a, A.vertex(a.index), B, b.index);
@@ -158,6 +177,17 @@ Closest closest(const PosedHull& A, const PosedHull& B, const FeaturePair& featu
   if (a.kind == Kind::face) return face_face(A, a.index, B, b.index);
   if (b.kind == Kind::edge) return edge_edge(A, a.index, B, b.index);
   return edge_face(A, a.index, B, b.index);
+}
+
+}  // namespace
+
+Closest closest(const PosedHull& A, const PosedHull& B, const FeaturePair& features) {
+  const auto& [a, b] = features;
+  if (a.kind <= b.kind) return in_order(A, B, features);
+  Closest found = in_order(B, A, {b, a});
+  std::swap(found.features.a, found.features.b);
+  std::swap(found.a, found.b);
+  return found;
 }
 
 }  // namespace touchstone::fast::lin_canny

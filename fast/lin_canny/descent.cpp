@@ -112,7 +112,9 @@ Bracket bracket(const PosedHull& A, const PosedHull& B, const Simplex& nearest, 
   found.a = combined(A, in_A);
   found.b = combined(B, in_B);
   const Vec3 d = found.b - found.a;
-  found.hi = d.norm() * (1 + 4 * u) + error_of_hi(A, B, rounding_error);
+  found.length = d.norm();
+  found.rounding = rounding_error;
+  found.hi = found.length * (1 + 4 * u) + error_of_hi(A, B, rounding_error);
   Vec3 n = unit_or_zero(perpendicular(A, in_A, B, in_B, d));
   if (n.isZero(0)) return found;
   if (n.dot(d) < 0) n = -n;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <stdexcept>
 
 #include "fast/exact/nearest.h"
@@ -25,8 +26,8 @@ exact::PosedPoints posed(const Convex& part, const std::array<Pose, 2>& poses) {
 int some_vertex(const Hull& hull, const FeatureId& f, int which) {
   if (f.kind == Kind::vertex) return f.index;
   if (f.kind == Kind::edge) return which % 2 == 0 ? hull.edge(f.index).tail : hull.edge(f.index).head;
-  const Hull::Face& face = hull.face(f.index);
-  return hull.corner(face.first_corner + which % face.corner_count);
+  const std::span<const Hull::Corner> corners = hull.corners(hull.face(f.index));
+  return corners[static_cast<std::size_t>(which) % corners.size()].vertex;
 }
 
 /// Up to three pairs that include each vertex of a feature, or three of a face's.

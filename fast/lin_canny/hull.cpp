@@ -2,12 +2,13 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
-#include <span>
+#include <cstdint>
+#include <type_traits>
 #include <utility>
+#include <vector>
 
 #include "fast/lin_canny/merged_faces.h"
-#include "fast/lin_canny/rotation.h"
+#include "fast/rounding.h"
 #include "model/box_vertices.h"
 
 namespace touchstone::fast::lin_canny {
@@ -17,7 +18,7 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// A plain square, if it neither over- nor underflows, errs by less than 4u of itself and a stable norm by less than
 /// 8u. So the vertex with the greatest stable norm is among those whose squares are within 64u of the greatest.
-double greatest_length(const std::vector<Vec3>& vertices) {
+double greatest_length(std::span<const Vec3> vertices) {
   double square = 0;
   for (const Vec3& v : vertices) square = std::max(square, v.squaredNorm());
   const double enough = square > 0x1p-900 && square < 0x1p900 ? square * (1 - 64 * u) : 0;
@@ -32,7 +33,7 @@ Vec3 unit(const Vec3& v) { return v.stableNormalized(); }
 
 /// The sum over the fan's triangles from the first corner; corners are scaled by the polygon's size, so that nothing
 /// overflows or underflows.
-Vec3 polygon_normal(const std::vector<Vec3>& vertices, std::span<const int> loop) {
+Vec3 polygon_normal(std::span<const Vec3> vertices, std::span<const int> loop) {
   const auto corner = [&](std::size_t i) -> const Vec3& { return vertices[at(loop[i])]; };
   double size = 0;
   for (std::size_t i = 0; i < loop.size(); ++i) {
@@ -45,44 +46,76 @@ Vec3 polygon_normal(const std::vector<Vec3>& vertices, std::span<const int> loop
   return unit(sum);
 }
 
-/// Requires the hull's vertices and faces.
-Hull::Edge edge_between(const Hull& hull, const HalfEdge& there, const HalfEdge& back) {
-  Hull::Edge edge;
-  edge.tail = there.from;
-  edge.head = there.to;
-  edge.face[0] = there.face;
-  edge.face[1] = back.face;
-  edge.along = hull.vertex(edge.head) - hull.vertex(edge.tail);
-  edge.squared = edge.along.squaredNorm();
-  edge.out[0] = edge.along.cross(hull.face(there.face).normal);
-  edge.out[1] = hull.face(back.face).normal.cross(edge.along);
-  return edge;
+std::vector<Hull::Face> faces_of(std::span<const Vec3> vertices, const Loops& loops) {
+  std::vector<Hull::Face> faces(loops.count());
+  for (std::size_t f = 0; f < loops.count(); ++f) {
+    faces[f].normal = polygon_normal(vertices, loops[f]);
+    faces[f].first_corner = loops.first[f];
+    faces[f].corner_count = static_cast<int>(loops[f].size());
+  }
+  return faces;
+}
+
+struct EdgesAndCorners {
+  std::vector<Hull::Edge> edges;
+  std::vector<Hull::Corner> corners;
+};
+
+EdgesAndCorners edges_and_corners(const Loops& loops, const HalfEdges& half_edges) {
+  EdgesAndCorners sides;
+  sides.edges.reserve(loops.corners.size() / 2);
+  sides.corners.resize(loops.corners.size());
+  for (std::size_t i = 0; i < half_edges.sorted().size(); ++i) {
+    const HalfEdge &there = half_edges.sorted()[i], &back = half_edges.twin(i);
+    if (there.from > there.to) continue;
+    const int edge = static_cast<int>(sides.edges.size());
+    sides.corners[at(there.place)] = {there.from, edge};
+    sides.corners[at(back.place)] = {back.from, edge};
+    sides.edges.push_back({there.from, there.to, {there.face, back.face}});
+  }
+  return sides;
 }
 
 /// The edges as seen from their ends, by vertex.
-struct Spokes {
-  std::vector<int> first;  ///< by vertex, with one more at the end
-  std::vector<Hull::Spoke> list;
-  double shortest = 1;  ///< at most 1
+struct AllSpokes {
+  std::vector<int> first{0};  ///< by vertex, with one more at the end
+  std::vector<Hull::Spokes> list;
+  std::vector<int> edges;  ///< by lane
+  double shortest = 1;     ///< length of an edge; at most 1
 };
 
-Spokes spokes_of(const Hull& hull) {
-  Spokes spokes;
-  spokes.first.assign(hull.vertices().size() + 1, 0);
-  for (int e = 0; e < hull.edge_count(); ++e) {
-    ++spokes.first[at(hull.edge(e).tail) + 1];
-    ++spokes.first[at(hull.edge(e).head) + 1];
-  }
-  for (std::size_t v = 1; v < spokes.first.size(); ++v) spokes.first[v] += spokes.first[v - 1];
+AllSpokes spokes_of(std::span<const Vec3> vertices, std::span<const Hull::Edge> edges) {
+  constexpr int lanes = Hull::Spokes::lanes;
+  std::vector<int> degrees(vertices.size());
+  for (const Hull::Edge& edge : edges) ++degrees[at(edge.tail)], ++degrees[at(edge.head)];
+  AllSpokes spokes;
+  spokes.first.reserve(vertices.size() + 1);
+  for (const int degree : degrees) spokes.first.push_back(spokes.first.back() + (degree + lanes - 1) / lanes);
   spokes.list.resize(at(spokes.first.back()));
-  std::vector<int> next(spokes.first.begin(), spokes.first.end() - 1);
-  for (int e = 0; e < hull.edge_count(); ++e) {
-    const Hull::Edge& edge = hull.edge(e);
-    const double length = edge.along.stableNorm();
+  spokes.edges.resize(spokes.list.size() * lanes);
+  const auto set = [&](int v, int place, const Vec3& away, int other, int edge) {
+    Hull::Spokes& some = spokes.list[at(spokes.first[at(v)] + place / lanes)];
+    const std::size_t lane = at(place % lanes);
+    some.x[lane] = static_cast<float>(away.x());
+    some.y[lane] = static_cast<float>(away.y());
+    some.z[lane] = static_cast<float>(away.z());
+    some.other[lane] = other;
+    spokes.edges[at(spokes.first[at(v)] * lanes + place)] = edge;
+  };
+  std::vector<int> places(vertices.size());
+  const auto add = [&](int v, const Vec3& away, int other, int edge) {
+    int& place = places[at(v)];
+    const int end = place + 1 < degrees[at(v)] ? place + 1 : (spokes.first[at(v) + 1] - spokes.first[at(v)]) * lanes;
+    while (place < end) set(v, place++, away, other, edge);
+  };
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    const auto [tail, head, faces] = edges[e];
+    const Vec3 along = vertices[at(head)] - vertices[at(tail)];
+    const double length = along.stableNorm();
     spokes.shortest = std::min(spokes.shortest, length);
-    const Vec3 away = edge.along / length;
-    spokes.list[at(next[at(edge.tail)]++)] = {away, e, edge.head};
-    spokes.list[at(next[at(edge.head)]++)] = {-away, e, edge.tail};
+    const Vec3 away = along / length;
+    add(tail, away, head, static_cast<int>(e));
+    add(head, -away, tail, static_cast<int>(e));
   }
   return spokes;
 }
@@ -92,69 +125,96 @@ Spokes spokes_of(const Hull& hull) {
 double greatest_height(const Hull& hull, const Hull::Face& face) {
   const auto height_of = [&](int v) { return face.normal.dot(hull.vertex(v)); };
   const auto is_corner = [&](int v) {
-    for (int i = 0; i < face.corner_count; ++i) {
-      if (hull.corner(face.first_corner + i) == v) return true;
-    }
-    return false;
+    return std::ranges::any_of(hull.corners(face), [&](const Hull::Corner& corner) { return corner.vertex == v; });
   };
-  double height = height_of(hull.corner(face.first_corner));
+  const FloatDirection n(face.normal);
+  double height = height_of(hull.corners(face)[0].vertex);
   bool sure = true;
-  for (int i = 0; i < face.corner_count; ++i) {
-    const int corner = hull.corner(face.first_corner + i);
-    height = std::max(height, height_of(corner));
-    for (const Hull::Spoke* s = hull.spokes_begin(corner); s != hull.spokes_end(corner); ++s) {
-      const bool lower = face.normal.dot(s->away) < -10 * u;
-      sure = sure && (lower || is_corner(s->other));
+  for (const Hull::Corner& corner : hull.corners(face)) {
+    height = std::max(height, height_of(corner.vertex));
+    for (const Hull::Spokes& some : hull.spokes(corner.vertex)) {
+      const FloatDirection::Slopes slopes = n.slopes(some);
+      for (std::size_t lane = 0; lane < Hull::Spokes::lanes; ++lane) {
+        sure = sure && (slopes[lane] < -n.error() || is_corner(some.other[lane]));
+      }
     }
   }
   for (int v = 0; !sure && v < hull.vertex_count(); ++v) height = std::max(height, height_of(v));
   return height;
 }
 
+constexpr std::size_t cache_line = alignof(Hull::Spokes);
+
+/// Copies what the spans refer to into one allocation, each at the start of a cache line, and makes them refer to the
+/// copies. The block keeps these alive; their destructors must do nothing.
+template <class... Ts>
+std::shared_ptr<const std::byte[]> packed(std::span<const Ts>&... arrays) {
+  static_assert((std::is_trivially_destructible_v<Ts> && ...));
+  const auto rounded = [](std::size_t bytes) { return (bytes + cache_line - 1) / cache_line * cache_line; };
+  const std::size_t size = (std::size_t{0} + ... + rounded(arrays.size_bytes()));
+  const auto block = std::make_shared_for_overwrite<std::byte[]>(size + cache_line - 1);
+  std::byte* next =
+      block.get() + (cache_line - reinterpret_cast<std::uintptr_t>(block.get()) % cache_line) % cache_line;
+  const auto copied = [&]<class T>(std::span<const T> array) {
+    T* const here = reinterpret_cast<T*>(next);
+    std::uninitialized_copy(array.begin(), array.end(), here);
+    next += rounded(array.size_bytes());
+    return std::span<const T>(here, array.size());
+  };
+  ((arrays = copied(arrays)), ...);
+  return block;
+}
+
 }  // namespace
 
-Hull::Hull(std::vector<Vec3> vertices)
-    : vertices_(std::move(vertices)), radius_(greatest_length(vertices_) * (1 + 8 * u)) {}
-
-Hull::Hull(const Vec3& point) : Hull(std::vector<Vec3>{point}) { first_spoke_ = {0, 0}; }
-
-Hull::Hull(const Box& box) : vertices_(vertices_of(box)) {
-  static const std::vector<std::vector<int>> faces = as_polytope(box).faces;  // the same for every box
+struct Hull::Boundary {
+  std::vector<Vec3> vertices;
   Loops loops;
-  for (const auto& face : faces) loops.add(face);
-  add_faces(loops, HalfEdges(loops, vertices_.size()));
+  HalfEdges half_edges;
+
+  static Boundary of(const Box& box) {
+    static const Loops loops = [] {  // the same for every box
+      Loops all;
+      for (const auto& face : as_polytope(Box{}).faces) all.add(face);
+      return all;
+    }();
+    static const HalfEdges half_edges(loops, 8);
+    return {vertices_of(box), loops, half_edges};
+  }
+  static Boundary of(const Polytope& polytope) {
+    MergedFaces faces = merged_faces(polytope);
+    std::vector<Vec3> vertices;
+    vertices.reserve(faces.vertices.size());
+    for (const int v : faces.vertices) vertices.push_back(polytope.vertices[at(v)]);
+    return {std::move(vertices), std::move(faces.loops), std::move(faces.edges)};
+  }
+};
+
+Hull::Hull(std::span<const Vec3> vertices) : vertices_(vertices), radius_(greatest_length(vertices) * (1 + 8 * u)) {
+  block_ = packed(vertices_);
 }
 
-Hull::Hull(const Polytope& polytope) {
-  MergedFaces faces = merged_faces(polytope);
-  vertices_.reserve(faces.vertices.size());
-  for (const int v : faces.vertices) vertices_.push_back(polytope.vertices[at(v)]);
-  source_ = std::move(faces.vertices);
-  add_faces(faces.loops, faces.edges);
+Hull::Hull(const Vec3& point) : Hull(std::span(&point, 1)) {
+  static constexpr std::array<int, 2> no_spokes{0, 0};
+  first_spokes_ = no_spokes;
 }
 
-void Hull::add_faces(const Loops& loops, const HalfEdges& half_edges) {
-  faces_.resize(loops.count());
-  for (std::size_t f = 0; f < loops.count(); ++f) {
-    faces_[f].normal = polygon_normal(vertices_, loops[f]);
-    faces_[f].first_corner = loops.first[f];
-    faces_[f].corner_count = static_cast<int>(loops[f].size());
-  }
-  corners_ = loops.corners;
-  radius_ = greatest_length(vertices_) * (1 + 8 * u);
-  sides_.resize(corners_.size());
-  edges_.reserve(corners_.size() / 2);
-  for (std::size_t i = 0; i < half_edges.sorted().size(); ++i) {
-    const HalfEdge &there = half_edges.sorted()[i], &back = half_edges.twin(i);
-    if (there.from > there.to) continue;
-    sides_[at(there.place)] = sides_[at(back.place)] = edge_count();
-    edges_.push_back(edge_between(*this, there, back));
-  }
-  Spokes spokes = spokes_of(*this);
-  first_spoke_ = std::move(spokes.first);
-  spokes_ = std::move(spokes.list);
+Hull::Hull(const Box& box) : Hull(Boundary::of(box)) {}
+Hull::Hull(const Polytope& polytope) : Hull(Boundary::of(polytope)) {}
+
+Hull::Hull(const Boundary& boundary) : vertices_(boundary.vertices), radius_(greatest_length(vertices_) * (1 + 8 * u)) {
+  std::vector<Face> faces = faces_of(vertices_, boundary.loops);
+  const EdgesAndCorners sides = edges_and_corners(boundary.loops, boundary.half_edges);
+  const AllSpokes spokes = spokes_of(vertices_, sides.edges);
+  edges_ = sides.edges;
+  faces_ = faces;
+  corners_ = sides.corners;
+  spokes_ = spokes.list;
+  first_spokes_ = spokes.first;
+  spoke_edges_ = spokes.edges;
   shortest_edge_ = spokes.shortest;
-  for (Face& face : faces_) face.height = greatest_height(*this, face);
+  for (Face& face : faces) face.height = greatest_height(*this, face);
+  block_ = packed(vertices_, first_spokes_, spokes_, edges_, faces_, corners_, spoke_edges_);
 }
 
 }  // namespace touchstone::fast::lin_canny

@@ -20,9 +20,9 @@ bool any_parting_normal(const PosedHull& A, const PosedHull& B, Found&& found) {
     if (found(B.turned_out(B.hull->face(f).normal))) return true;
   }
   for (int i = 0; i < A.hull->edge_count(); ++i) {
-    const Vec3 d = A.turned_out(A.hull->edge(i).along);
+    const Vec3 d = A.edge_vector(i);
     for (int j = 0; j < B.hull->edge_count(); ++j) {
-      const Vec3 e = B.turned_out(B.hull->edge(j).along), n = d.cross(e);
+      const Vec3 e = B.edge_vector(j), n = d.cross(e);
       const double size = n.norm();
       if (!(size > 0x1p-20 * d.norm() * e.norm())) continue;
       if (found(Vec3(n / size)) || found(Vec3(-n / size))) return true;

@@ -31,11 +31,21 @@ struct PosedHull {
   double turn_error = lin_canny::turn_error;
   double shift_error = 0;
 
-  Vec3 out(const Vec3& x) const { return R * x + t; }
-  Vec3 in(const Vec3& p) const { return R.transpose() * (p - t); }
-  Vec3 turned_out(const Vec3& v) const { return R * v; }
-  Vec3 turned_in(const Vec3& v) const { return R.transpose() * v; }
+  Vec3 out(const Vec3& x) const { return turned_out(x) + t; }
+  Vec3 in(const Vec3& p) const { return turned_in(p - t); }
+  Vec3 turned_out(const Vec3& v) const {
+    return {R(0, 0) * v.x() + (R(0, 1) * v.y() + R(0, 2) * v.z()),
+            R(1, 0) * v.x() + (R(1, 1) * v.y() + R(1, 2) * v.z()),
+            R(2, 0) * v.x() + (R(2, 1) * v.y() + R(2, 2) * v.z())};
+  }
+  Vec3 turned_in(const Vec3& v) const {
+    return {R(0, 0) * v.x() + (R(1, 0) * v.y() + R(2, 0) * v.z()),
+            R(0, 1) * v.x() + (R(1, 1) * v.y() + R(2, 1) * v.z()),
+            R(0, 2) * v.x() + (R(1, 2) * v.y() + R(2, 2) * v.z())};
+  }
   Vec3 vertex(int v) const { return out(hull->vertex(v)); }
+  /// From tail to head.
+  Vec3 edge_vector(int e) const { return turned_out(hull->along(hull->edge(e))); }
 };
 
 /// Whether products of four lengths of the pair neither overflow nor lose bits to underflow.

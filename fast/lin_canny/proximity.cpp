@@ -17,8 +17,8 @@ constexpr double explained_by_rounding = 3;
 
 /// Derives the answer for the parts (cores with radii) from the cores' bracket; returns false if it leaves the verdict
 /// open.
-bool decide(const Bracket& cores, double radius, double error, Proximity& answer) {
-  if (!(cores.hi - cores.lo <= explained_by_rounding * error)) return false;
+bool decide(const Bracket& cores, double radius, Proximity& answer) {
+  if (!(cores.hi - cores.lo <= explained_by_rounding * cores.rounding)) return false;
   const double lo = cores.lo - radius - 2 * u * (cores.lo + radius);
   const double hi = cores.hi - radius + 2 * u * (cores.hi + radius);
   if (lo > 0) {
@@ -35,12 +35,10 @@ bool decide(const Bracket& cores, double radius, double error, Proximity& answer
 
 /// What a decided bracket of the cores says of the parts.
 void add_witnesses(const Bracket& cores, double radius_A, double radius_B, const Vec3& p_WO, Proximity& answer) {
-  const Vec3 d = cores.b - cores.a;
-  const double length = d.norm();
   if (answer.verdict == Verdict::separated) {
-    answer.distance = std::clamp(length - (radius_A + radius_B), answer.enclosure.lo, answer.enclosure.hi);
+    answer.distance = std::clamp(cores.length - (radius_A + radius_B), answer.enclosure.lo, answer.enclosure.hi);
   }
-  const Vec3 n = length > 0 ? Vec3(d / length) : Vec3(Vec3::Zero());
+  const Vec3 n = cores.length > 0 ? Vec3((cores.b - cores.a) / cores.length) : Vec3(Vec3::Zero());
   answer.p_WCa = p_WO + (cores.a + radius_A * n);
   answer.p_WCb = p_WO + (cores.b - radius_B * n);
 }
@@ -60,10 +58,30 @@ std::vector<exact::VertexPair> pairs_of(const Simplex& simplex) {
   return pairs;
 }
 
+void prefetch_vertex(const Hull& hull, int v) {
+  __builtin_prefetch(&hull.vertex(v));
+  for (const Hull::Spokes& some : hull.spokes(v)) __builtin_prefetch(&some);
+}
+
+/// What the first step and the bracket read of a hull is asked for before it is needed: of many pairs in turn, it is in
+/// memory.
+void prefetch_feature(const Hull& hull, const FeatureId& feature) {
+  if (feature.kind == Kind::vertex) prefetch_vertex(hull, feature.index);
+  if (feature.kind == Kind::edge) {
+    prefetch_vertex(hull, hull.edge(feature.index).tail);
+    prefetch_vertex(hull, hull.edge(feature.index).head);
+  }
+  if (feature.kind == Kind::face) {
+    for (const auto& corner : hull.corners(hull.face(feature.index))) __builtin_prefetch(&hull.vertex(corner.vertex));
+  }
+}
+
 }  // namespace
 
 Proximity proximity(const Convex& A, const CachedPose& body_A, const Convex& B, const CachedPose& body_B,
                     FeaturePair& memory) {
+  prefetch_feature(A.core, memory.a);
+  prefetch_feature(B.core, memory.b);
   const Vec3& p_WO = body_A.X_WB.p_WB;
   const PosedHull placed_A = posed_hull(A, body_A, p_WO);
   const PosedHull placed_B = posed_hull(B, body_B, p_WO);
@@ -75,7 +93,7 @@ Proximity proximity(const Convex& A, const CachedPose& body_A, const Convex& B, 
   answer.features = memory;
   Bracket cores;
   if (!walked.inside) cores = bracket(placed_A, placed_B, walked.closest);
-  if (walked.inside || !decide(cores, A.radius + B.radius, rounding(placed_A, placed_B), answer)) {
+  if (walked.inside || !decide(cores, A.radius + B.radius, answer)) {
     const std::optional<Vec3> common = common_point(placed_A, placed_B);
     if (!common) return exact_proximity(A, body_A, B, body_B, memory);
     answer.verdict = Verdict::overlapping;
@@ -103,7 +121,7 @@ Proximity proximity(const Convex& A, const CachedPose& body_A, const Convex& B, 
     return answer;
   }
   const Bracket cores = bracket(placed_A, placed_B, nearest, error);
-  if (!decide(cores, A.radius + B.radius, error, answer)) {
+  if (!decide(cores, A.radius + B.radius, answer)) {
     return exact_proximity(A, body_A, B, body_B, pairs_of(nearest));
   }
   if (answer.verdict == Verdict::separated) {

@@ -10,7 +10,7 @@ namespace {
 
 using Preparation = Solid::Preparation;
 
-Convex unposed(Hull core, double radius) { return {std::move(core), radius, {}, Mat3::Identity(), false, 0}; }
+Convex unposed(Hull core, double radius) { return {std::move(core), radius, 0, false, {}, Mat3::Identity()}; }
 
 Convex convex(const Sphere& sphere, Preparation) { return unposed(Hull(Vec3(Vec3::Zero())), sphere.radius); }
 Convex convex(const Box& box, Preparation preparation) {
@@ -51,20 +51,12 @@ Solid::Solid(const Shape& shape, Preparation preparation) {
 }
 
 PosedHull posed_hull(const Convex& part, const CachedPose& body, const Vec3& p_WO) {
-  PosedHull P;
-  P.hull = &part.core;
-  P.t = body.X_WB.p_WB - p_WO;
-  P.shift_error = u * P.t.norm();
-  if (!part.is_posed) {
-    P.R = body.R_WB;
-    return P;
-  }
+  const Vec3 t = body.X_WB.p_WB - p_WO;
+  const double shift_error = u * t.norm();
+  if (!part.is_posed) return {&part.core, body.R_WB, t, turn_error, shift_error};
   const Vec3& p_BP = part.X_BP.p_WB;
-  P.R = body.R_WB * part.R_BP;
-  P.turn_error = part_turn_error;
-  P.t += body.R_WB * p_BP;
-  P.shift_error = 2 * (P.shift_error + turn_error * p_BP.norm());
-  return P;
+  return {&part.core, body.R_WB * part.R_BP, t + body.R_WB * p_BP, part_turn_error,
+          2 * (shift_error + turn_error * p_BP.norm())};
 }
 
 }  // namespace touchstone::fast::lin_canny

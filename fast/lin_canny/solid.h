@@ -12,10 +12,10 @@ namespace touchstone::fast::lin_canny {
 struct Convex {
   Hull core;
   double radius = 0;
+  double reach = 0;       ///< ≥ |p| for its points p relative to the body's origin
+  bool is_posed = false;  ///< a part of a compound; otherwise X_BP is the identity
   Pose X_BP;              ///< its pose in the body
   Mat3 R_BP;              ///< computed from X_BP
-  bool is_posed = false;  ///< a part of a compound; otherwise X_BP is the identity
-  double reach = 0;       ///< ≥ |p| for its points p relative to the body's origin
 };
 
 class Solid {

@@ -1,5 +1,6 @@
 #include "fast/lin_canny/walk.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 
 #include "fast/mark.h"
@@ -7,15 +8,42 @@
 namespace touchstone::fast::lin_canny {
 namespace {
 
-/// The edge at vertex v that rises most steeply along d (in the hull's frame); -1 if none does. First finds the
-/// greatest slope, then its edge: in a loop that does both the comparisons could not be predicted by the processor.
-int steepest(const Hull& hull, int v, const Vec3& d) {
+/// The slopes as doubles say, for edges whose slopes are the same or 0 as floats can tell.
+int steepest_in_doubles(const Hull& hull, int v, const Vec3& d) {
+  int steepest = -1;
   double most = 0;
-  for (const Hull::Spoke* s = hull.spokes_begin(v); s != hull.spokes_end(v); ++s) most = std::max(most, s->away.dot(d));
-  if (!(most > 0)) return -1;
-  const Hull::Spoke* s = hull.spokes_begin(v);
-  while (s->away.dot(d) != most) ++s;
-  return s->edge;
+  for (const Hull::Spokes& some : hull.spokes(v)) {
+    for (std::size_t lane = 0; lane < Hull::Spokes::lanes; ++lane) {
+      const Vec3 along = hull.vertex(some.other[lane]) - hull.vertex(v);
+      const double slope = Vec3(along / along.norm()).dot(d);
+      if (slope > most) most = slope, steepest = hull.edge_of(some, lane);
+    }
+  }
+  return steepest;
+}
+
+/// The edge at vertex v that rises most steeply along d (in the hull's frame); -1 if none does.
+int steepest(const Hull& hull, int v, const Vec3& d) {
+  const FloatDirection direction(d);
+  if (direction.lead_down(hull.spokes(v))) return -1;
+  float most = direction.error();
+  for (const Hull::Spokes& some : hull.spokes(v)) {
+    const FloatDirection::Slopes s = direction.slopes(some);
+    most = std::max(most, std::max(std::max(s[0], s[1]), std::max(s[2], s[3])));
+  }
+  if (!(most > direction.error())) return steepest_in_doubles(hull, v, d);
+  const float about_as_steep = most - 2 * direction.error();
+  int steepest = -1;
+  for (const Hull::Spokes& some : hull.spokes(v)) {
+    const FloatDirection::Slopes slopes = direction.slopes(some);
+    for (std::size_t lane = 0; lane < Hull::Spokes::lanes; ++lane) {
+      if (slopes[lane] < about_as_steep) continue;
+      const int edge = hull.edge_of(some, lane);
+      if (steepest >= 0 && edge != steepest) return steepest_in_doubles(hull, v, d);
+      steepest = edge;
+    }
+  }
+  return steepest;
 }
 
 /// From v to ever higher neighbours along d (in the hull's frame), each the highest of its vertex's. Heights as
@@ -24,10 +52,13 @@ int climbed(const Hull& hull, int v, const Vec3& d) {
   double height = d.dot(hull.vertex(v));
   while (true) {
     int next = v;
-    for (const Hull::Spoke* s = hull.spokes_begin(v); s != hull.spokes_end(v); ++s) {
-      const double other = d.dot(hull.vertex(s->other));
-      next = other > height ? s->other : next;
-      height = std::max(height, other);
+    for (const Hull::Spokes& some : hull.spokes(v)) {
+      for (std::size_t lane = 0; lane < Hull::Spokes::lanes; ++lane) {
+        const int w = some.other[lane];
+        const double other = d.dot(hull.vertex(w));
+        next = other > height ? w : next;
+        height = std::max(height, other);
+      }
     }
     if (next == v) return v;
     v = next;
@@ -72,7 +103,7 @@ class Walk {
 
   bool step() {
     const Vec3 d = now_.b - now_.a;
-    return leave_A(A_.turned_in(d)) || leave_B(B_.turned_in(-d));
+    return leave_A(d) || leave_B(-d);
   }
 
   bool leave_A(const Vec3& d) {
@@ -83,17 +114,19 @@ class Walk {
   }
 
   template <class PairWith>
-  bool leave(const PosedHull& P, const FeatureId& feature, const Vec3& d, PairWith&& pair_with) {
+  bool leave(const PosedHull& P, const FeatureId& feature, const Vec3& from_P, PairWith&& pair_with) {
+    if (feature.kind == Kind::face) return false;
+    const Vec3 d = P.turned_in(from_P);
     if (feature.kind == Kind::vertex) {
       const int edge = steepest(*P.hull, feature.index, d);
       return edge >= 0 && take(pair_with({Kind::edge, edge}));
     }
-    if (feature.kind == Kind::face) return false;
     const Hull::Edge& edge = P.hull->edge(feature.index);
-    for (int i = 0; i < 2; ++i) {
-      if (edge.out[i].dot(d) < 0 && take(pair_with({Kind::face, edge.face[i]}))) return true;
-    }
-    return false;
+    const Vec3 along = P.hull->along(edge);
+    const auto into = [&](int face, const Vec3& along_face) {
+      return along_face.cross(P.hull->face(face).normal).dot(d) < 0 && take(pair_with({Kind::face, face}));
+    };
+    return into(edge.face[0], along) || into(edge.face[1], -along);
   }
 
   bool take(const FeaturePair& features) {

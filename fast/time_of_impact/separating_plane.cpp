@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "fast/lin_canny/bracket.h"
 #include "fast/motion/steady_turn.h"
@@ -50,7 +51,7 @@ void SeparatingPlane::Heights::see(const MovingCore& side, const Vec3& up, const
   const Vec3 bend_B = side.core.turned_in(to_bend);
   const double speed_O = up.dot(v) + sweep.dot(side.arm) + turn.dot(from_C);
   const double bend_O = up.dot(a) + 2 * turn.dot(v) + to_bend.dot(side.arm);
-  const std::vector<Vec3>& vertices = side.core.hull->vertices();
+  const std::span<const Vec3> vertices = side.core.hull->vertices();
   of.clear();
   of.reserve(vertices.size());
   for (const Vec3& x : vertices) {

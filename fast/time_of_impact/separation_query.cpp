@@ -68,8 +68,7 @@ class Widest {
 Vec3 point_of(const PosedHull& P, const lin_canny::FeatureId& feature) {
   if (feature.kind == lin_canny::Kind::vertex) return P.vertex(feature.index);
   const bool is_edge = feature.kind == lin_canny::Kind::edge;
-  const Hull::Edge& edge =
-      P.hull->edge(is_edge ? feature.index : P.hull->side(P.hull->face(feature.index).first_corner));
+  const Hull::Edge& edge = P.hull->edge(is_edge ? feature.index : P.hull->corners(P.hull->face(feature.index))[0].side);
   return (P.vertex(edge.tail) + P.vertex(edge.head)) / 2;
 }
 
@@ -131,8 +130,8 @@ Vec3 SeparationQuery::turn_of_features(const Vec3& n) const {
   if (b.kind == Kind::face) return B_.w.cross(n);
   const auto across_n = [&](const Vec3& x) { return Vec3(x - n.dot(x) * n); };
   if (a.kind == Kind::edge && b.kind == Kind::edge) {
-    const Vec3 e = A_.core.turned_out(A_.core.hull->edge(a.index).along).normalized();
-    const Vec3 f = B_.core.turned_out(B_.core.hull->edge(b.index).along).normalized();
+    const Vec3 e = A_.core.edge_vector(a.index).normalized();
+    const Vec3 f = B_.core.edge_vector(b.index).normalized();
     const double crossing = n.dot(e.cross(f));
     if (std::abs(crossing) < 0x1p-5) return Vec3::Zero();
     return across_n(A_.w.cross(e).cross(f) + e.cross(B_.w.cross(f))) / crossing;

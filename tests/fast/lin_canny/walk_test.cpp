@@ -134,8 +134,8 @@ Scene cubes(const Vec3& apart, const Quaternion& q = {}) {
 }
 
 int edge_between(const Hull& hull, int v, int w) {
-  for (const Hull::Spoke* s = hull.spokes_begin(v); s != hull.spokes_end(v); ++s) {
-    if (s->other == w) return s->edge;
+  for (int e = 0; e < hull.edge_count(); ++e) {
+    if (hull.edge(e).tail == std::min(v, w) && hull.edge(e).head == std::max(v, w)) return e;
   }
   return -1;
 }
