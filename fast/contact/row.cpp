@@ -19,7 +19,8 @@ Mat3 response_at(const Mobility& body, const Vec3& arm) {
 void prepare(ContactRow& row, const std::vector<Mobility>& bodies) {
   const Mat3 K = response_at(bodies[index(row.a)], row.arm_A) + response_at(bodies[index(row.b)], row.arm_B);
   const Vec3 t = row.n.unitOrthogonal(), s = row.n.cross(t);
-  row.K_nn = row.n.dot(K * row.n);
+  row.K_n = K * row.n;
+  row.K_nn = row.n.dot(row.K_n);
   const double tt = t.dot(K * t), ss = s.dot(K * s), ts = t.dot(K * s), half = (tt - ss) / 2;
   row.K_tt = (tt + ss) / 2 + std::sqrt(half * half + ts * ts);
 }

@@ -35,10 +35,11 @@ struct ContactRow {
   double least_u_n = 0;   ///< lower bound of u_n after the step (m/s)
   Vec3 P = Vec3::Zero();  ///< initial guess, then result (N s)
 
+  Vec3 K_n = Vec3::Zero();    ///< 1/kg; the velocity u that a unit impulse along n adds
   double K_nn = 0, K_tt = 0;  ///< 1/kg; K_tt: the greater eigenvalue of the tangential block
 };
 
-/// Computes K_nn and K_tt from the arms and the bodies.
+/// Computes K_n, K_nn and K_tt from the arms and the bodies.
 void prepare(ContactRow& row, const std::vector<Mobility>& bodies);
 
 /// Adds to `twists` the effect of an impulse P on A at C and −P on B.

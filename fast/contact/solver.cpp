@@ -3,32 +3,31 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "fast/contact/active_set.h"
+#include "model/infinity.h"
 
 namespace touchstone::fast::contact {
 namespace {
 
 constexpr double convergence = 0x1p-44;
+constexpr int sweeps_of_a_block = 32;
+constexpr double least_reduction = 4;  // of the change, from block to block
 
 /// Solves one contact with the others fixed. Returns how much a velocity at the contact changed.
 double relax(ContactRow& row, const std::vector<Mobility>& bodies, std::vector<Twist>& twists) {
-  const Vec3 before = row.P;
+  const Vec3 before = row.P, u_before = relative_velocity(row, twists);
   const double P_n = row.n.dot(row.P);
-  const double u_n = row.n.dot(relative_velocity(row, twists));
-  const double pushed = std::max(0.0, P_n + (row.least_u_n - u_n) / row.K_nn);
+  const double pushed = std::max(0.0, P_n + (row.least_u_n - row.n.dot(u_before)) / row.K_nn);
+  const Vec3 u = u_before + (pushed - P_n) * row.K_n;
   // The guess may belong to another normal. Its part across the new normal counts as friction, and is projected onto
   // the disc too.
-  Vec3 P_t = row.P - P_n * row.n;
-  row.P += (pushed - P_n) * row.n;
-  apply_impulse(row, row.P - before, bodies, twists);
-  const Vec3 with_normal = row.P;
-  const Vec3 u = relative_velocity(row, twists);
-  P_t -= (u - row.n.dot(u) * row.n) / row.K_tt;
+  Vec3 P_t = row.P - P_n * row.n - (u - row.n.dot(u) * row.n) / row.K_tt;
   const double size = P_t.norm(), most = row.friction * pushed;
   if (size > most) P_t *= most / size;
   row.P = pushed * row.n + P_t;
-  apply_impulse(row, row.P - with_normal, bodies, twists);
+  apply_impulse(row, row.P - before, bodies, twists);
   return (row.P - before).norm() * std::max(row.K_nn, row.K_tt);
 }
 
@@ -100,10 +99,16 @@ bool solve(std::vector<ContactRow>& rows, const std::vector<Mobility>& bodies, s
     apply_impulse(row, row.P, bodies, twists);
   }
   Descent descent(rows.size());
+  double least = infinity, least_before = infinity;  // change in this block, and in the one before
   for (int i = 1; i <= limits.sweeps; ++i) {
     descent.begin(rows);
     const double change = sweep(rows, bodies, twists);
     if (change <= std::max(convergence * fastest, limits.enough)) return true;
+    least = std::min(least, change);
+    if (i % sweeps_of_a_block == 0) {
+      if (!limits.is_patient && least * least_reduction > least_before) return false;
+      least_before = std::exchange(least, infinity);
+    }
     if (i % limits.sweeps_per_active_set == 0 && rows.size() <= limits.most_active_set_contacts) {
       try_active_set(rows, bodies, twists, change);
       descent = Descent(rows.size());

@@ -14,6 +14,7 @@ struct SolverLimits {
   int sweeps_per_active_set = 16;
   std::size_t most_active_set_contacts = 64;  ///< it costs their cube
   double enough = 0;                          ///< m/s; a smaller change of velocity counts as converged
+  bool is_patient = true;                     ///< otherwise sweeps end too when they converge slowly
 };
 
 /// Finds P for all contacts: P_n ≥ 0 and u_n ≥ least_u_n, with equality in at least one of the two; P_t in the disc of
@@ -22,7 +23,9 @@ struct SolverLimits {
 /// friction disc as a whole (no pyramid). Sweeps end when none of a sweep's changes of velocity exceeds 2⁻⁴⁴ of the
 /// greatest velocity, or `enough`. Between sweeps P is extrapolated along a conjugate direction. After every
 /// `sweeps_per_active_set` sweeps an active-set solve (active_set.h) is tried; it is undone if the next sweep changes
-/// no less than the one before. Returns whether they ended before `sweeps` of them.
+/// no less than the one before. Unless they are patient, sweeps end too when the least change of 32 of them is more
+/// than a quarter of that of the 32 before: at this rate 400 sweeps do not reach the tolerance. Returns whether they
+/// converged.
 bool solve(std::vector<ContactRow>& rows, const std::vector<Mobility>& bodies, std::vector<Twist>& twists,
            const SolverLimits& limits);
 

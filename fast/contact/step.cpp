@@ -17,9 +17,8 @@ namespace {
 constexpr int most_rounds = 16;
 constexpr int sweeps_of_a_round = 400;
 constexpr std::size_t most_swept_contacts = 64;
-constexpr int sweeps_between_newton = 128;
-constexpr int first_factorisations = 16, next_factorisations = 32, last_factorisations = 128;
-constexpr double of_recovery = 0x1p-12;  // of `recovery`: smaller changes of velocity count as converged
+constexpr int next_factorisations = 32, last_factorisations = 128;
+constexpr double of_recovery = 0x1p-10;  // of `recovery`: smaller changes of velocity count as converged
 constexpr int projection_sweeps = 8;
 
 bool is_round(const motion::RigidBodyModel& model) {
@@ -154,25 +153,22 @@ std::vector<ContactRow> rows_at(const std::vector<StepBody>& step_bodies,
   return rows;
 }
 
-/// Up to `most_swept_contacts`: by sweeps, and from where they led by Newton's method if they do not converge. Beyond
-/// it sweeps converge only where few contacts lie above one another, so Newton's method is first: from the given
-/// impulses, which often are nearly right; then after sweeps; then from the impulses of bonded contacts.
+/// By sweeps, as long as they converge fast, as they do where few contacts lie above one another. From where they led
+/// by Newton's method, and then by more sweeps; at last by Newton's method from the impulses of bonded contacts.
 void solve_island(std::vector<ContactRow>& rows, const std::vector<Mobility>& mobilities, std::vector<Twist>& twists,
-                  const SolverLimits& sweeps) {
+                  SolverLimits sweeps) {
   const std::vector<Twist> free = twists;
+  const auto swept = [&](bool is_patient) {
+    twists = free;
+    sweeps.is_patient = is_patient;
+    return solve(rows, mobilities, twists, sweeps);
+  };
   const auto newton = [&](int factorisations) {
     twists = free;
     return solve_newton(rows, mobilities, twists, {sweeps.enough, factorisations});
   };
-  if (rows.size() <= most_swept_contacts) {
-    if (!solve(rows, mobilities, twists, sweeps)) newton(next_factorisations);
-    return;
-  }
-  if (newton(first_factorisations)) return;
-  twists = free;
-  SolverLimits few = sweeps;
-  few.sweeps = sweeps_between_newton;
-  if (solve(rows, mobilities, twists, few) || newton(next_factorisations)) return;
+  if (swept(false) || newton(next_factorisations) || swept(true)) return;
+  if (newton(next_factorisations) || rows.size() <= most_swept_contacts) return;
   const std::vector<ContactRow> best = rows;
   const std::vector<Twist> best_twists = twists;
   for (ContactRow& row : rows) row.P.setZero();

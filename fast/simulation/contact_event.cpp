@@ -112,6 +112,9 @@ void resolve_island_contact(Run& run, const PairEvent& pair) {
     return merge_islands(run, pair.a, pair.b) ? void() : recheck(run, pair.a, pair.b);
   const std::optional<PairContact> contact = with_all_points(run, pair);
   if (!contact) return recheck(run, pair.a, pair.b);
+  for (const BodyId id : {pair.a, pair.b}) {
+    if (Island* island = run.islands.of(id)) island->bound().lift();
+  }
   respond(run, pair, *contact);
   run.guard.check_events(run.recorder.statistics(), run.world.now(), pair.a, pair.b);
 }

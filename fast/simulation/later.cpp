@@ -25,6 +25,15 @@ void defer_separating_pair(Run& run, BodyId a, BodyId b) {
   if (is_point || !shorter) memory.not_queried_at = run.world.now();
 }
 
+/// When two bodies that touch at one point at most will touch, if their velocities stay (s from now).
+double time_to_contact(Run& run, BodyId a, BodyId b) {
+  const BodyMotion &A = run.world.body(a), &B = run.world.body(b);
+  if (!has_closed_form(A, B)) return never;
+  const Touch touch = run.schedule.nearest_points(a, b, run.world.now());
+  const double u_n = normal_velocity(A, run.islands.state(a), B, run.islands.state(b), touch);
+  return u_n < 0 && touch.gap > 0 ? touch.gap / -u_n : never;
+}
+
 /// A time (s) within which two bodies cannot approach by more than a part of the envelope.
 double time_apart(const BodyMotion& a, const BodyMotion& b, double now, double envelope) {
   double speed = (b.path().velocity(now) - a.path().velocity(now)).lpNorm<1>();
@@ -43,8 +52,9 @@ double time_apart(const BodyMotion& a, const BodyMotion& b, double now, double e
 void recheck(Run& run, BodyId a, BodyId b) {
   Island *island_a = run.islands.of(a), *island_b = run.islands.of(b);
   if (!island_a && !island_b) return run.schedule.predict(a, b, run.world.now());
+  const double expected = time_to_contact(run, a, b);
   for (Island* island : {island_a, island_b}) {
-    if (island) island->shorten(shortest_step);
+    if (island) island->shorten(shortest_step, expected);
   }
 }
 

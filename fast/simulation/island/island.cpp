@@ -19,7 +19,7 @@ std::vector<State> Island::states_at(double time) const {
 
 void Island::begin_step(double steps, double most) {
   step_length_ = step_length(graph_, steps, most);
-  const double h = std::clamp(longest_, shortest_step * step_length_, step_length_);
+  const double h = std::clamp(bound_.longest(), shortest_step * step_length_, step_length_);
   graph_.link_parts(h);
   plan_ = plan_step(graph_, (since_ + h) - since_, step_length_);
   until_ = std::max(since_ + plan_->h, std::nextafter(since_, never));
@@ -48,9 +48,10 @@ std::optional<double> Island::end_step(double time) {
   return taken.stepped.residual;
 }
 
-bool Island::shorten(double least_share) {
+bool Island::shorten(double least_share, double expected) {
+  bound_.limit(std::max(2 * expected, shortest_step * step_length_));
   if (!plan_) return true;
-  longest_ = std::min(longest_, std::max(plan_->h / 4, least_share * step_length_));
+  bound_.shorten(std::max(plan_->h / 4, least_share * step_length_));
   return plan_->h > least_share * step_length_;
 }
 
@@ -66,7 +67,7 @@ bool Island::allows_impact() {
 
 void Island::absorb(const Island& other) {
   graph_.absorb(other.graph_);
-  longest_ = std::min(longest_, other.longest_);
+  bound_.absorb(other.bound_);
   if (other.impacts_.time > impacts_.time) impacts_ = {other.impacts_.time, 0};
   if (other.impacts_.time == impacts_.time) impacts_.count = std::max(impacts_.count, other.impacts_.count);
 }
@@ -75,7 +76,7 @@ std::vector<Island> Island::components() const {
   std::vector<Island> islands;
   for (ContactGraph& graph : graph_.components()) {
     Island& island = islands.emplace_back(std::move(graph), since_);
-    island.longest_ = longest_;
+    island.bound_ = bound_;
     island.impacts_ = impacts_;
   }
   return islands;

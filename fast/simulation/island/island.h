@@ -2,6 +2,7 @@
 #pragma once
 
 #include "fast/simulation/island/island_step.h"
+#include "fast/simulation/island/step_bound.h"
 
 namespace touchstone::fast::simulation {
 
@@ -33,11 +34,12 @@ class Island {
   /// Ends the current step at `time`: its planned end or an earlier one. Returns the residual of the step that was
   /// taken (m, contact/step.h); none if time did not advance, or if the island sleeps.
   std::optional<double> end_step(double time);
-  /// Lets steps that were shortened become longer again.
-  void lengthen() { longest_ *= 2; }
-  /// Makes the next steps shorter for a while, but not shorter than `least_share` of the longest step. Returns false if
-  /// the current step is that short already, and true if there has been no step.
-  bool shorten(double least_share);
+  /// Makes the next steps shorter for a while, but not shorter than `least_share` of the longest step, and not much
+  /// longer than `expected`, in which a contact should come (s). Returns false if the current step is as short as
+  /// `least_share` already, and true if there has been no step.
+  bool shorten(double least_share, double expected = never);
+  /// The bound that this makes.
+  StepBound& bound() { return bound_; }
 
   /// Sets the velocity of a body. Its contacts may separate, so events for those that remain are emitted again.
   void set_velocity(BodyId id, const Velocity& velocity);
@@ -58,7 +60,7 @@ class Island {
 
   ContactGraph graph_;
   double since_, until_ = 0;
-  double longest_ = never;  ///< s; temporary upper bound of the next steps
+  StepBound bound_;
   double step_length_ = 0;  ///< s; the longest step
   double margin_ = 0;
   bool waits_ = true;

@@ -207,7 +207,7 @@ void finish_step(Run& run, BodyId id) {
   const ContactPair& first = island.graph().contact_pairs().front();
   if (!run.guard.makes_progress(run.world.now(), first.a, first.b)) return;
   cut_step(run, id);
-  island.lengthen();
+  island.bound().lengthen();
 }
 
 void begin_step(Run& run, BodyId id) {

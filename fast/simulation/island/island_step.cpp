@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "fast/simulation/prediction/length.h"
 #include "model/limits.h"
@@ -10,6 +12,7 @@ namespace touchstone::fast::simulation {
 namespace {
 
 constexpr int most_halvings = 60;                // of a step, in the search for its end at a corner that comes down
+constexpr int steps_per_halving = 4;             // of these one halves the interval; the others follow the clearance
 constexpr double least_share_of_step = 0x1p-20;  // of a step: a step that short is taken even if corners overlap
 constexpr double step_tolerance = 0x1p-10;       // accuracy of a step, relative to the distance that counts as touching
 // Of distances from the origin. A gap is n·(p − q) of two points R x + c: less than 16 roundings of each, twice for the
@@ -28,16 +31,56 @@ std::vector<double> clearances(const ContactGraph& graph, const std::vector<Stat
   return all;
 }
 
-/// The least distance of a vertex above its allowed separation (m). A vertex that did not touch may come down to
-/// near/4; one that touched may sink by near/4.
-double clearance_left(const std::vector<double>& before, const std::vector<double>& after, double near) {
-  double least = never;
+/// How far the vertices of a step's contact pairs are above the separations down to which they may come (m).
+struct ClearanceLeft {
+  double least = never;   ///< a vertex that did not touch may come down to near/4; one that touched may sink by near/4
+  double coming = never;  ///< of the vertices that did not touch
+};
+
+ClearanceLeft clearance_left(const std::vector<double>& before, const std::vector<double>& after, double near) {
+  ClearanceLeft left;
   for (std::size_t i = 0; i < before.size(); ++i) {
-    const double lowest = before[i] > near ? near / 4 : std::min(0.0, before[i]) - near / 4;
-    least = std::min(least, after[i] - lowest);
+    if (before[i] > near) {
+      left.coming = std::min(left.coming, after[i] - near / 4);
+    } else {
+      left.least = std::min(left.least, after[i] - (std::min(0.0, before[i]) - near / 4));
+    }
   }
-  return least;
+  left.least = std::min(left.least, left.coming);
+  return left;
 }
+
+/// Where the clearance of the corner that comes down first vanishes, as a function of the length of the step: the root
+/// of the parabola through the three latest lengths (Muller 1956), or of the line through the two latest.
+class CornerSearch {
+ public:
+  struct Point {
+    double h = 0, left = 0;  ///< s, m
+  };
+
+  CornerSearch(const Point& first, const Point& second) : before_(first), latest_(second) {}
+
+  void add(const Point& point) {
+    earlier_ = before_;
+    before_ = std::exchange(latest_, point);
+  }
+  /// Not finite if there is none.
+  double root() const {
+    const double slope = (latest_.left - before_.left) / (latest_.h - before_.h);
+    if (earlier_) {
+      const double slope_before = (before_.left - earlier_->left) / (before_.h - earlier_->h);
+      const double bend = (slope - slope_before) / (latest_.h - earlier_->h);
+      const double at_latest = slope + bend * (latest_.h - before_.h);
+      const double square = at_latest * at_latest - 4 * bend * latest_.left;
+      if (square >= 0) return latest_.h - 2 * latest_.left / (at_latest + std::copysign(std::sqrt(square), at_latest));
+    }
+    return latest_.h - latest_.left / slope;
+  }
+
+ private:
+  std::optional<Point> earlier_;
+  Point before_, latest_;
+};
 
 std::vector<State> states_of(const ContactGraph& graph) {
   std::vector<State> states;
@@ -100,18 +143,21 @@ StepPlan plan_step(const ContactGraph& graph, double h, double longest) {
     return clearance_left(before, clearances(graph, plan.stepped.after), near);
   };
   StepPlan plan = solve_step(graph, h, longest);
+  ClearanceLeft left = clearance_left_of(plan);
+  if (left.least >= 0) return plan;
   const double enough = -near / 4;
-  double low = 0, over = clearance_left_of(plan), over_later = over, later = h;
-  if (over >= 0) return plan;
-  for (int k = 0; k < most_halvings && over < enough && plan.h > least_share_of_step * h; ++k) {
-    const double high = plan.h, secant = high - (over - enough / 2) * (later - high) / (over_later - over);
-    StepPlan shorter = solve_step(graph, secant > low && secant < high ? secant : (low + high) / 2, longest);
-    const double found = clearance_left_of(shorter);
-    if (found >= 0) {
+  double low = 0;
+  CornerSearch search({0, clearance_left(before, before, near).coming}, {plan.h, left.coming});
+  for (int k = 0; k < most_halvings && left.least < enough && plan.h > least_share_of_step * h; ++k) {
+    const double root = k % steps_per_halving == steps_per_halving - 1 ? low : search.root();
+    StepPlan shorter = solve_step(graph, root > low && root < plan.h ? root : (low + plan.h) / 2, longest);
+    const ClearanceLeft found = clearance_left_of(shorter);
+    search.add({shorter.h, found.coming});
+    if (found.least >= 0 && !(found.coming <= near / 4)) {
       low = shorter.h;
     } else {
-      later = high, over_later = over;
-      plan = std::move(shorter), over = found;
+      plan = std::move(shorter);
+      left = found;
     }
   }
   return plan;

@@ -1,5 +1,9 @@
 #include "tests/bench/simulation/piles.h"
 
+#include <Eigen/Geometry>
+#include <cmath>
+#include <numbers>
+
 #include "app/motion/scenes/build.h"
 #include "app/motion/scenes/truths.h"
 #include "properties/random.h"
@@ -29,21 +33,25 @@ app::MotionScene loses_energy(const std::string& kind, int count, std::vector<Bo
   return {scene, "energy never rises; relative to it", app::gained_energy(scene)};
 }
 
-app::MotionScene stack(int count) {
+std::vector<Body> stacked(int count) {
   std::vector<Body> bodies;
   for (int i = 0; i < count; ++i) bodies.push_back(block(Vec3::Constant(0.5), {0, 0, i + 0.5}));
-  return stands("stack", count, bodies);
+  return bodies;
 }
 
+app::MotionScene stack(int count) { return stands("stack", count, stacked(count)); }
+
 /// Each row has one cube less than the one below, and lies over the gaps between its cubes.
-app::MotionScene pyramid(int rows) {
+std::vector<Body> piled(int rows) {
   std::vector<Body> bodies;
   for (int row = 0; row < rows; ++row) {
     for (int i = 0; i < rows - row; ++i)
       bodies.push_back(block(Vec3::Constant(0.5), {(i + row / 2.0) * 1.0625, 0, row + 0.5}));
   }
-  return stands("pyramid", rows * (rows + 1) / 2, bodies);
+  return bodies;
 }
+
+app::MotionScene pyramid(int rows) { return stands("pyramid", rows * (rows + 1) / 2, piled(rows)); }
 
 /// Ten bricks a row that touch one another, each over the place where two below touch.
 app::MotionScene wall(int count) {
@@ -63,6 +71,14 @@ app::MotionScene dominoes(int count) {
   return loses_energy("dominoes", count, bodies, 0);
 }
 
+/// A ball falls upon the last of the bodies, beside its middle.
+app::MotionScene struck(const std::string& kind, std::vector<Body> bodies) {
+  const Vec3 top = bodies.back().X_WB.p_WB;
+  bodies.push_back(app::ball(0.5, top + Vec3(0.25, 0, 1.25), {{0, 0, -1}, Vec3::Zero()}));
+  bodies.insert(bodies.begin(), app::table());
+  return loses_energy(kind, static_cast<int>(bodies.size()) - 1, bodies, 0);
+}
+
 /// Balls that fall from a lattice in a room that is as wide as they need.
 app::MotionScene heap(int count) {
   properties::Random random(1, "heap", 0);
@@ -78,12 +94,37 @@ app::MotionScene heap(int count) {
   return loses_energy("heap", count, bodies, 0.25);
 }
 
+/// Balls on a table that roll in all directions and meet one another.
+app::MotionScene rolling(int count) {
+  properties::Random random(1, "rolling", 0);
+  std::vector<Body> bodies{app::table(256)};
+  for (int k = 0; k < count; ++k) {
+    const double angle = 2 * std::numbers::pi * random.unit(), radius = 0.375;
+    const Vec3 v(std::cos(angle), std::sin(angle), 0);
+    bodies.push_back(app::ball(radius, Vec3(k % 25, k / 25, radius), {v, Vec3::UnitZ().cross(v) / radius}));
+  }
+  return loses_energy("rolling", count, bodies, 0.5);
+}
+
 }  // namespace
 
 const std::vector<app::MotionScene>& piles() {
-  static const std::vector<app::MotionScene> all{stack(10),    stack(50), stack(100), stack(200),
-                                                 pyramid(8),   wall(100), wall(200),  dominoes(6),
-                                                 dominoes(24), heap(18),  heap(100)};
+  static const std::vector<app::MotionScene> all{stack(10),
+                                                 stack(50),
+                                                 stack(100),
+                                                 stack(200),
+                                                 pyramid(8),
+                                                 wall(100),
+                                                 wall(200),
+                                                 dominoes(6),
+                                                 dominoes(24),
+                                                 dominoes(100),
+                                                 heap(18),
+                                                 heap(100),
+                                                 heap(500),
+                                                 rolling(500),
+                                                 struck("struck_stack", stacked(20)),
+                                                 struck("struck_pyramid", piled(8))};
   return all;
 }
 

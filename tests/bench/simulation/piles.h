@@ -1,4 +1,4 @@
-// Piles of many bodies, one second each: what stands, what topples and what comes to rest.
+// Piles of many bodies, one second each: what stands, topples, is struck, rolls and comes to rest.
 #pragma once
 
 #include <vector>

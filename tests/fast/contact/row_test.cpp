@@ -33,6 +33,7 @@ TEST_CASE("row: an impulse changes the velocity at the contact by K P, on both b
   CHECK(twists[0].v == Vec3(0, 0, 1.5));
   CHECK(twists[0].w == Vec3(0, 0, 0));
   CHECK(relative_velocity(row, twists) == Vec3(0, 0, 1.5));
+  CHECK(row.K_n == Vec3(0, 0, 0.5));
   apply_impulse(row, x, bodies, twists);
   CHECK(twists[0].w == Vec3(0, -2, 0));
   CHECK(relative_velocity(row, twists) == Vec3(2.5, 0, 1.5));

@@ -54,6 +54,23 @@ TEST_CASE("solver: a tower with a millionfold mass on top is solved through its 
   CHECK(greatest_residual(solved(tower({1, 1, 1e6}), sweeps_alone)) > 1e-9);
 }
 
+TEST_CASE("solver: sweeps that are not patient end early where they converge slowly, and only there") {
+  SolverLimits limits;
+  limits.most_active_set_contacts = 0;
+  for (const bool is_patient : {true, false}) {
+    limits.is_patient = is_patient;
+    limits.sweeps = 10000;
+    Contacts short_tower = tower({1, 2, 4}), heavy = tower({1, 1, 1e6});
+    CHECK(solve(short_tower.rows, short_tower.bodies, short_tower.twists, limits));
+    limits.sweeps = 400;
+    CHECK_FALSE(solve(heavy.rows, heavy.bodies, heavy.twists, limits));
+    const Contacts longer = solved(tower({1, 1, 1e6}), limits);
+    limits.sweeps = 64;
+    const Contacts shorter = solved(tower({1, 1, 1e6}), limits);
+    CHECK((longer.rows[0].P == shorter.rows[0].P) == !is_patient);
+  }
+}
+
 TEST_CASE("solver: the guess does not change the result") {
   Contacts guessed = tower({1, 2, 4});
   for (ContactRow& row : guessed.rows) row.P = Vec3(1, -2, 5);

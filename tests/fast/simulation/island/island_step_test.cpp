@@ -67,6 +67,17 @@ TEST_CASE("island step: a step ends where a ball that did not touch comes down")
   CHECK(deepest(graph, plan) == 0);
 }
 
+TEST_CASE("island step: it ends where a ball comes down that falls ever faster, wherever in the step that is") {
+  for (const double height : {0x1p-10, 0x1p-7, 0x1p-4}) {
+    const IslandBodies bodies({ball(1, {0, 0, 1 + near + height}, still, {}), table()}, g);
+    const ContactGraph graph = bodies.graph(near, reach);
+    const StepPlan plan = plan_step(graph, 0.125, 0.125);
+    const double gap = near + height - 5 * plan.h * plan.h;
+    CHECK(gap >= 0);
+    CHECK(gap <= near / 2);
+  }
+}
+
 TEST_CASE("island step: how deep two bodies are at its end") {
   const IslandBodies bodies({ball(1, {0, 0, 1.0625}, {0, 0, -1}, {}), table()}, still);
   const ContactGraph graph = bodies.graph(near, reach);

@@ -49,7 +49,7 @@ TEST_CASE("island: steps become a quarter as long, down to a limit, and longer a
   island.end_step(0);
   island.begin_step(1, 100);
   CHECK(island.until() == 0.25);
-  island.lengthen();
+  island.bound().lengthen();
   island.end_step(0);
   island.begin_step(1, 100);
   CHECK(island.until() == 0.5);
@@ -58,6 +58,28 @@ TEST_CASE("island: steps become a quarter as long, down to a limit, and longer a
   island.begin_step(1, 100);
   CHECK(island.until() == 0.25);  // no shorter than a quarter of the longest
   CHECK_FALSE(island.shorten(0.25));
+}
+
+TEST_CASE("island: shortened steps grow ever faster, and at once when their contact has come") {
+  const IslandBodies drifts({ball(1, {0, 0, 50}, {1, 0, 0}, {})}, still);
+  Island island(drifts.graph(near, reach), 0);
+  const auto length = [&] {
+    island.begin_step(1, 100);
+    const double until = island.until();
+    island.end_step(0);
+    return until;
+  };
+  CHECK(length() == 1);
+  island.shorten(0x1p-20, 0x1p-13);  // twice that, since the contact should come within the step
+  CHECK(length() == 0x1p-12);
+  for (const double expected : {0x1p-11, 0x1p-9, 0x1p-5, 1.0}) {
+    island.bound().lengthen();
+    CHECK(length() == expected);
+  }
+  island.shorten(0x1p-20, 100);  // a quarter at least
+  CHECK(length() == 0.25);
+  island.bound().lift();
+  CHECK(length() == 1);
 }
 
 TEST_CASE("island: asleep nothing moves, for however long") {
