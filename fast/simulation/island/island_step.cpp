@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <utility>
 
 #include "fast/simulation/prediction/length.h"
@@ -62,14 +61,15 @@ class CornerSearch {
 
   void add(const Point& point) {
     earlier_ = before_;
+    has_three_ = true;
     before_ = std::exchange(latest_, point);
   }
   /// Not finite if there is none.
   double root() const {
     const double slope = (latest_.left - before_.left) / (latest_.h - before_.h);
-    if (earlier_) {
-      const double slope_before = (before_.left - earlier_->left) / (before_.h - earlier_->h);
-      const double bend = (slope - slope_before) / (latest_.h - earlier_->h);
+    if (has_three_) {
+      const double slope_before = (before_.left - earlier_.left) / (before_.h - earlier_.h);
+      const double bend = (slope - slope_before) / (latest_.h - earlier_.h);
       const double at_latest = slope + bend * (latest_.h - before_.h);
       const double square = at_latest * at_latest - 4 * bend * latest_.left;
       if (square >= 0) return latest_.h - 2 * latest_.left / (at_latest + std::copysign(std::sqrt(square), at_latest));
@@ -78,8 +78,8 @@ class CornerSearch {
   }
 
  private:
-  std::optional<Point> earlier_;
-  Point before_, latest_;
+  Point earlier_, before_, latest_;
+  bool has_three_ = false;
 };
 
 std::vector<State> states_of(const ContactGraph& graph) {
