@@ -10,6 +10,7 @@
 #include "reference/exact/double_double.h"
 #include "reference/exact/float.h"
 #include "reference/exact/rational.h"
+#include "reference/impulse/exact_vectors.h"
 #include "reference/impulse/impact.h"
 #include "reference/impulse/law.h"
 #include "reference/impulse/lines.h"
@@ -175,11 +176,9 @@ void set_modes(ImpulseTruth::Modes& modes, const ImpactProblem<mpq_class>& probl
   modes.reversal = modes.diverges && facts.slips && facts.rest_turns && parallel(w, leaves);
 }
 
-ExactVec3 vec_of(const Triple& a) { return {rational_of(a[0]), rational_of(a[1]), rational_of(a[2])}; }
-
 ExactVelocity after(const Body& body, const Response& response, const Triple& P) {
-  return {vec_of(plus(triple(body.velocity.v_WBcm), response.linear(P))),
-          vec_of(plus(triple(body.velocity.w_WB), response.angular(P)))};
+  return {exact_vec(plus(triple(body.velocity.v_WBcm), response.linear(P))),
+          exact_vec(plus(triple(body.velocity.w_WB), response.angular(P)))};
 }
 
 /// √(u0ᵀ K⁻¹ u0), the scale of the impact's effect.
@@ -349,8 +348,8 @@ ImpulseTruth impulse(const Scene& scene, Digits digits) {
   const Impact hit = impact(scene);
   const ImpactProblem<mpq_class> problem = problem_of(hit);
   ImpulseTruth truth;
-  truth.K_W = {vec_of(hit.K[0]), vec_of(hit.K[1]), vec_of(hit.K[2])};
-  truth.u0_W = vec_of(hit.u0);
+  truth.K_W = {exact_vec(hit.K[0]), exact_vec(hit.K[1]), exact_vec(hit.K[2])};
+  truth.u0_W = exact_vec(hit.u0);
   truth.pi = hit.pi;
   Triple P;
   if (problem.facts.separating) {
@@ -360,7 +359,7 @@ ImpulseTruth impulse(const Scene& scene, Digits digits) {
   } else {
     P = solve(truth, problem, digits);
   }
-  truth.P_A_W = vec_of(P);
+  truth.P_A_W = exact_vec(P);
   truth.after = {after(scene.bodies[0], hit.bodies[0], P), after(scene.bodies[1], hit.bodies[1], minus(Triple{}, P))};
   return truth;
 }

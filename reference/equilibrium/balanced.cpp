@@ -27,26 +27,6 @@ Triple arm(const LoadedBodies::Point& point, int body) {
   return triple(body == point.a ? point.arm_A_W : point.arm_B_W);
 }
 
-/// x with A x = b. None if A is singular.
-std::optional<RationalVector> solution(RationalMatrix A, const RationalVector& b) {
-  const std::size_t n = b.size();
-  for (std::size_t i = 0; i < n; ++i) A[i].push_back(b[i]);
-  for (std::size_t k = 0; k < n; ++k) {
-    const auto pivot = std::find_if(A.begin() + static_cast<std::ptrdiff_t>(k), A.end(),
-                                    [&](const RationalVector& row) { return sgn(row[k]) != 0; });
-    if (pivot == A.end()) return std::nullopt;
-    std::iter_swap(A.begin() + static_cast<std::ptrdiff_t>(k), pivot);
-    for (std::size_t i = 0; i < n; ++i) {
-      if (i == k || sgn(A[i][k]) == 0) continue;
-      const mpq_class factor = A[i][k] / A[k][k];
-      for (std::size_t j = k; j <= n; ++j) A[i][j] -= factor * A[k][j];
-    }
-  }
-  RationalVector x;
-  for (std::size_t i = 0; i < n; ++i) x.emplace_back(A[i][n] / A[i][i]);
-  return x;
-}
-
 /// A tree of bodies in which each is held by the points of one pair.
 class Tree {
  public:
@@ -155,7 +135,7 @@ std::optional<std::vector<ExactVec3>> balanced(const LoadedBodies& bodies, const
   const auto forces = Tree(bodies, P_A_W, inwards).forces();
   if (!forces) return std::nullopt;
   std::vector<ExactVec3> exact;
-  for (const Triple& P : *forces) exact.push_back({rational_of(P[0]), rational_of(P[1]), rational_of(P[2])});
+  for (const Triple& P : *forces) exact.push_back(exact_vec(P));
   return exact;
 }
 

@@ -6,13 +6,11 @@
 #include <vector>
 
 #include "reference/equilibrium.h"
+#include "reference/exact/dense.h"
 #include "reference/exact/linear.h"
-#include "reference/exact/rational.h"
-#include "reference/motion/plain_pose.h"
+#include "reference/impulse/exact_vectors.h"
 
 namespace touchstone::reference {
-
-inline std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 /// Force and torque about the centre of mass.
 struct ExactLoad {

@@ -5,8 +5,6 @@
 namespace touchstone::reference {
 namespace {
 
-Triple exact(const ExactVec3& v) { return {value_of(v[0]), value_of(v[1]), value_of(v[2])}; }
-
 mpq_class one_and_square(double friction) { return 1 + mpq_class(friction) * mpq_class(friction); }
 
 bool in_cone(const Triple& P, const LoadedBodies::Point& point) {
@@ -26,7 +24,7 @@ bool in_dual_cone(const Triple& u, const LoadedBodies::Point& point) {
 bool proves_standing(const LoadedBodies& bodies, const std::vector<ExactVec3>& P_A_W) {
   if (P_A_W.size() != bodies.points.size()) return false;
   std::vector<Triple> P;
-  for (const ExactVec3& each : P_A_W) P.push_back(exact(each));
+  for (const ExactVec3& each : P_A_W) P.push_back(triple(each));
   for (std::size_t k = 0; k < P.size(); ++k) {
     if (!in_cone(P[k], bodies.points[k])) return false;
   }
@@ -44,7 +42,7 @@ bool proves_falling(const LoadedBodies& bodies, const std::vector<ExactVelocity>
   for (std::size_t i = 0; i < motion.size(); ++i) {
     std::array<Triple, 2>& twist = twists.emplace_back();
     if (!bodies.loads[i]) continue;
-    twist = {exact(motion[i].v_WBcm), exact(motion[i].w_WB)};
+    twist = {triple(motion[i].v_WBcm), triple(motion[i].w_WB)};
     work += dot(triple(bodies.loads[i]->force_W), twist[0]) + dot(triple(bodies.loads[i]->torque_W), twist[1]);
   }
   if (sgn(work) <= 0) return false;

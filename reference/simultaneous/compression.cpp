@@ -4,6 +4,7 @@
 
 #include "reference/exact/linear.h"
 #include "reference/exact/rational.h"
+#include "reference/impulse/exact_vectors.h"
 #include "reference/simultaneous.h"
 #include "reference/simultaneous/complementary.h"
 #include "reference/simultaneous/contact_rows.h"
@@ -11,8 +12,6 @@
 
 namespace touchstone::reference {
 namespace {
-
-ExactVec3 exact(const Triple& v) { return {rational_of(v[0]), rational_of(v[1]), rational_of(v[2])}; }
 
 /// The sum of a region's impulses p N at x, which is all that its two bodies know of them.
 struct Wrench {
@@ -35,27 +34,22 @@ struct Wrench {
 
   RegionImpulse impulse() const {
     RegionImpulse result;
-    result.P_A_W = exact(P);
+    result.P_A_W = exact_vec(P);
     for (int i = 0; i < 3; ++i) {
       if (sgn(p) != 0) result.centre_W[i] = nearest(mpq_class(moment[static_cast<std::size_t>(i)] / p));
     }
     for (std::size_t side = 0; side < 2; ++side)
-      result.changes[side] = {exact(changes[side][0]), exact(changes[side][1])};
+      result.changes[side] = {exact_vec(changes[side][0]), exact_vec(changes[side][1])};
     return result;
   }
 };
-
-mpq_class restitution(const Scene& scene, const ContactRegion& region) {
-  const auto of = [&](int body) { return scene.bodies[static_cast<std::size_t>(body)].material.restitution; };
-  return std::min(of(region.a), of(region.b));
-}
 
 NormalContacts normal_contacts(const Scene& scene, const std::vector<ContactRegion>& regions,
                                const std::vector<ContactRow>& rows) {
   NormalContacts contacts{normal_responses(rows), normal_velocities(rows), {}};
   for (const ContactRegion& region : regions) {
     const auto moving = [&](int body) {
-      return is_fixed(scene.bodies[static_cast<std::size_t>(body)]) ? std::nullopt : std::optional(body);
+      return is_fixed(scene.bodies[index(body)]) ? std::nullopt : std::optional(body);
     };
     contacts.regions.push_back({{}, {moving(region.a), moving(region.b)}, restitution(scene, region)});
   }
@@ -85,21 +79,18 @@ std::optional<AllRounds> all_rounds(const Scene& scene, const std::vector<Contac
   const std::vector<ContactRow> rows = contact_rows(scene, regions);
   const auto done = impact_rounds(normal_contacts(scene, regions, rows));
   if (!done) return std::nullopt;
-  std::vector<std::array<Triple, 2>> velocities;
-  for (const Body& body : scene.bodies)
-    velocities.push_back({triple(body.velocity.v_WBcm), triple(body.velocity.w_WB)});
-  for (std::size_t k = 0; k < rows.size(); ++k) {
-    Wrench wrench;
-    wrench.add(rows[k], done->impulses[k]);
-    for (std::size_t side = 0; side < 2; ++side) {
-      auto& [v, w] = velocities[static_cast<std::size_t>(rows[k].bodies[side])];
-      v = plus(v, wrench.changes[side][0]);
-      w = plus(w, wrench.changes[side][1]);
-    }
-  }
   AllRounds all;
   all.impulses = summed(rows, done->impulses, regions.size());
-  for (const auto& [v, w] : velocities) all.after.push_back({exact(v), exact(w)});
+  for (const Body& body : scene.bodies)
+    all.after.push_back({exact_vec(triple(body.velocity.v_WBcm)), exact_vec(triple(body.velocity.w_WB))});
+  for (std::size_t r = 0; r < regions.size(); ++r) {
+    for (const auto& [body, change] :
+         {std::pair(regions[r].a, &all.impulses[r].changes[0]), std::pair(regions[r].b, &all.impulses[r].changes[1])}) {
+      auto& [v, w] = all.after[index(body)];
+      v = exact_vec(plus(triple(v), triple(change->v_WBcm)));
+      w = exact_vec(plus(triple(w), triple(change->w_WB)));
+    }
+  }
   all.rounds = static_cast<int>(done->rounds.size());
   all.completed = done->completed;
   return all;

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <set>
 #include <utility>
 
 #include "reference/exact/linear.h"
@@ -8,6 +9,7 @@
 #include "reference/impact_conditions.h"
 #include "reference/motion/moving_mass.h"
 #include "reference/simultaneous/complementary.h"
+#include "reference/simultaneous/components.h"
 #include "reference/simultaneous/contact_rows.h"
 #include "reference/simultaneous/simplex.h"
 #include "reference/simultaneous/symmetry.h"
@@ -17,8 +19,6 @@ namespace {
 
 using Errors = std::array<double, impact_conditions>;
 using Indices = std::vector<std::size_t>;
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 double root(const mpq_class& square) { return std::sqrt(nearest(square)); }
 
@@ -75,14 +75,6 @@ struct Exact {
       change.push_back({minus(after[i].v, before[i].v), minus(after[i].w, before[i].w)});
       fixed_ones_rest &= !is_fixed(body) || (before[i].v == Triple{} && before[i].w == Triple{});
     }
-  }
-
-  const Body& body(int i) const { return reported.before.bodies[index(i)]; }
-  double friction(const ContactRegion& region) const {
-    return std::min(body(region.a).material.friction, body(region.b).material.friction);
-  }
-  double restitution(const ContactRegion& region) const {
-    return std::min(body(region.a).material.restitution, body(region.b).material.restitution);
   }
 
   /// N·u after at a corner.
@@ -150,7 +142,7 @@ double cone_error(const Exact& exact) {
   for (std::size_t k = 0; k < exact.impulses.size(); ++k) {
     const Triple P = triple(exact.reported.impulses[k].P_A_W), &N = exact.impulses[k].impact.N;
     const mpq_class square = dot(P, P), p = dot(P, N), n = dot(N, N);
-    const double mu = exact.friction(exact.reported.regions[exact.reported.impulses[k].region]);
+    const double mu = friction(exact.reported.before, exact.reported.regions[exact.reported.impulses[k].region]);
     if (sgn(p) < 0) worst = std::max(worst, std::sqrt(quotient(p * p / n, square)));
     if (!std::isfinite(mu) || sgn(p) < 0) continue;
     const mpq_class across = square - p * p / n;
@@ -202,51 +194,33 @@ double approach_left(const Exact& exact) {
 }
 
 bool is_frictionless(const Exact& exact, const Indices& regions) {
-  return std::ranges::all_of(regions, [&](std::size_t r) { return exact.friction(exact.reported.regions[r]) == 0; });
+  return std::ranges::all_of(
+      regions, [&](std::size_t r) { return friction(exact.reported.before, exact.reported.regions[r]) == 0; });
 }
 
-/// Regions, and the bodies that move which they connect.
+/// Regions, the bodies that move which they connect, and their corners.
 struct Connected {
   Indices regions, bodies, rows;
 };
 
 std::vector<Connected> connected(const Exact& exact) {
+  std::vector<MovingPair> pairs;
+  const auto moving = [&](int body) { return exact.weights[index(body)].moves() ? std::optional(body) : std::nullopt; };
+  for (const ContactRegion& region : exact.reported.regions) pairs.push_back({moving(region.a), moving(region.b)});
   std::vector<Connected> all;
-  for (std::size_t r = 0; r < exact.reported.regions.size(); ++r) {
-    Connected joined;
-    joined.regions.push_back(r);
-    for (const int i : {exact.reported.regions[r].a, exact.reported.regions[r].b}) {
-      if (exact.weights[index(i)].moves()) joined.bodies.push_back(index(i));
-    }
-    std::vector<Connected> apart;
-    for (Connected& other : all) {
-      if (std::ranges::any_of(other.bodies, [&](std::size_t i) { return std::ranges::count(joined.bodies, i) > 0; })) {
-        joined.regions.insert(joined.regions.end(), other.regions.begin(), other.regions.end());
-        for (const std::size_t i : other.bodies) {
-          if (std::ranges::count(joined.bodies, i) == 0) joined.bodies.push_back(i);
-        }
-      } else {
-        apart.push_back(std::move(other));
+  for (Indices& regions : components(pairs, all_of(pairs.size()))) {
+    std::set<std::size_t> bodies;
+    for (const std::size_t r : regions) {
+      for (const std::optional<int>& body : pairs[r]) {
+        if (body) bodies.insert(index(*body));
       }
     }
-    apart.push_back(std::move(joined));
-    all = std::move(apart);
-  }
-  for (Connected& each : all) {
+    Connected& each = all.emplace_back(Connected{std::move(regions), {bodies.begin(), bodies.end()}, {}});
     for (std::size_t k = 0; k < exact.corners.size(); ++k) {
-      if (std::ranges::count(each.regions, exact.corners[k].region) > 0) each.rows.push_back(k);
+      if (std::ranges::binary_search(each.regions, exact.corners[k].region)) each.rows.push_back(k);
     }
   }
   return all;
-}
-
-RationalMatrix part(const RationalMatrix& K, const Indices& rows) {
-  RationalMatrix some;
-  for (const std::size_t i : rows) {
-    RationalVector& line = some.emplace_back();
-    for (const std::size_t j : rows) line.push_back(K[i][j]);
-  }
-  return some;
 }
 
 double& at(Errors& errors, ImpactCondition condition) { return errors[static_cast<std::size_t>(condition)]; }
@@ -278,8 +252,9 @@ void check_connected(const Exact& exact, const Connected& part_of, const Rationa
     worst = std::max(worst,
                      std::sqrt(quotient(exact.twice_energy(exact.change, part_of.bodies), mpq_class(before + after))));
   }
-  const bool elastic = std::ranges::all_of(
-      part_of.regions, [&](std::size_t r) { return exact.restitution(exact.reported.regions[r]) == 1; });
+  const bool elastic = std::ranges::all_of(part_of.regions, [&](std::size_t r) {
+    return restitution(exact.reported.before, exact.reported.regions[r]) == 1;
+  });
   if (!elastic || !exact.fixed_ones_rest || !is_frictionless(exact, part_of.regions)) return;
   if (before == after || sgn(least_on_simplex(part(K, part_of.rows))) == 0) return;  // 0: impulses cancel (Gordan)
   double& worst = at(errors, ImpactCondition::elastic);

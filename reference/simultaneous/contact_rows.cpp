@@ -1,5 +1,7 @@
 #include "reference/simultaneous/contact_rows.h"
 
+#include <algorithm>
+
 #include "reference/exact/linear.h"
 
 namespace touchstone::reference {
@@ -7,7 +9,7 @@ namespace {
 
 ContactRow row_of(const Scene& scene, const ContactRegion& pair, std::size_t region, const Vec3& point_W) {
   Scene two;
-  two.bodies = {scene.bodies[static_cast<std::size_t>(pair.a)], scene.bodies[static_cast<std::size_t>(pair.b)]};
+  two.bodies = {scene.bodies[index(pair.a)], scene.bodies[index(pair.b)]};
   two.contact.emplace();
   two.contact->p_WC = point_W;
   two.contact->nhat_BA_W = pair.nhat_BA_W;
@@ -15,6 +17,15 @@ ContactRow row_of(const Scene& scene, const ContactRegion& pair, std::size_t reg
 }
 
 }  // namespace
+
+double restitution(const Scene& scene, const ContactRegion& region) {
+  return std::min(scene.bodies[index(region.a)].material.restitution,
+                  scene.bodies[index(region.b)].material.restitution);
+}
+
+double friction(const Scene& scene, const ContactRegion& region) {
+  return std::min(scene.bodies[index(region.a)].material.friction, scene.bodies[index(region.b)].material.friction);
+}
 
 std::vector<ContactRow> contact_rows(const Scene& scene, const std::vector<ContactRegion>& regions) {
   std::vector<ContactRow> rows;

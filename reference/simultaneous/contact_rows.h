@@ -20,6 +20,10 @@ struct ContactRow {
   Impact impact;
 };
 
+/// Of a pair it is the lesser one.
+double restitution(const Scene& scene, const ContactRegion& region);
+double friction(const Scene& scene, const ContactRegion& region);
+
 /// Throws what `impulse` throws.
 std::vector<ContactRow> contact_rows(const Scene& scene, const std::vector<ContactRegion>& regions);
 

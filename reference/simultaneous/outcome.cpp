@@ -12,7 +12,8 @@
 #include "reference/exact/linear.h"
 #include "reference/exact/rational.h"
 #include "reference/impulse.h"
-#include "reference/motion/plain_pose.h"
+#include "reference/impulse/exact_vectors.h"
+#include "reference/simultaneous/contact_rows.h"
 
 namespace touchstone::reference {
 namespace {
@@ -21,22 +22,12 @@ Vec3 rounded(const ExactVec3& v) { return {v[0].nearest(), v[1].nearest(), v[2].
 
 Vec3 rounded(const Triple& v) { return {nearest(v[0]), nearest(v[1]), nearest(v[2])}; }
 
-Triple exact(const ExactVec3& v) { return {value_of(v[0]), value_of(v[1]), value_of(v[2])}; }
-
-const Body& body(const Scene& scene, int i) { return scene.bodies[static_cast<std::size_t>(i)]; }
+const Body& body(const Scene& scene, int i) { return scene.bodies[index(i)]; }
 
 Scene pair_of(const Scene& scene, int a, int b) {
   Scene pair;
   pair.bodies = {body(scene, a), body(scene, b)};
   return pair;
-}
-
-double restitution(const Scene& scene, const ContactRegion& region) {
-  return std::min(body(scene, region.a).material.restitution, body(scene, region.b).material.restitution);
-}
-
-double friction(const Scene& scene, const ContactRegion& region) {
-  return std::min(body(scene, region.a).material.friction, body(scene, region.b).material.friction);
 }
 
 Event event_of(const Scene& then, double time, const ContactRegion& region, const Vec3& p_WC, const Vec3& P_A_W,
@@ -105,7 +96,7 @@ ImpactOutcome together(const Scene& then, double time, const std::vector<Contact
   ImpactOutcome outcome;
   for (std::size_t k = 0; k < regions.size(); ++k) {
     const RegionImpulse& impulse = rounds->impulses[k];
-    const Triple P = exact(impulse.P_A_W);
+    const Triple P = triple(impulse.P_A_W);
     if (P == Triple{}) continue;
     const std::array<int, 2> ends = {regions[k].a, regions[k].b};
     std::array<Velocity, 2> after;
@@ -114,8 +105,8 @@ ImpactOutcome together(const Scene& then, double time, const std::vector<Contact
       const auto now =
           velocities.try_emplace(ends[side], std::array<Triple, 2>{triple(before.v_WBcm), triple(before.w_WB)});
       auto& [v, w] = now.first->second;
-      v = plus(v, exact(impulse.changes[side].v_WBcm));
-      w = plus(w, exact(impulse.changes[side].w_WB));
+      v = plus(v, triple(impulse.changes[side].v_WBcm));
+      w = plus(w, triple(impulse.changes[side].w_WB));
       after[side] = {rounded(v), rounded(w)};
     }
     outcome.events.push_back(event_of(then, time, regions[k], impulse.centre_W, rounded(P), after));
@@ -138,7 +129,7 @@ std::vector<ContactRegion> acting_regions(const Scene& then, double time, int a,
     connected.insert(connected.end(), {i, j});
   };
   ask(a, b);
-  const auto has_started = [&](int j) { return then.motion->start_times[static_cast<std::size_t>(j)] <= time; };
+  const auto has_started = [&](int j) { return then.motion->start_times[index(j)] <= time; };
   for (std::size_t k = 0; k < connected.size(); ++k) {
     const int i = connected[k];
     if (std::holds_alternative<Fixed>(body(then, i).mass)) continue;

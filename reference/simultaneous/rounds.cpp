@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "reference/simultaneous/complementary.h"
+#include "reference/simultaneous/components.h"
 #include "reference/simultaneous/lemke.h"
 
 namespace touchstone::reference {
@@ -32,10 +33,7 @@ struct Component {
         u.push_back(contacts.u[point]);
       }
     }
-    for (const std::size_t i : points) {
-      RationalVector& row = K.emplace_back();
-      for (const std::size_t j : points) row.push_back(contacts.K[i][j]);
-    }
+    K = part(contacts.K, points);
   }
 
   bool has_unlike_restitution() const {
@@ -45,30 +43,15 @@ struct Component {
 
 /// The regions that approach, by components that share moving bodies.
 std::vector<Indices> approaching_components(const NormalContacts& contacts) {
-  std::vector<Indices> components;
-  const auto share_a_body = [&](std::size_t r, std::size_t other) {
-    for (const std::optional<int>& body : contacts.regions[r].moving) {
-      if (body && std::ranges::count(contacts.regions[other].moving, body) > 0) return true;
-    }
-    return false;
-  };
+  std::vector<MovingPair> pairs;
+  Indices approaching;
   for (std::size_t r = 0; r < contacts.regions.size(); ++r) {
-    const Indices& points = contacts.regions[r].points;
-    if (std::ranges::none_of(points, [&](std::size_t i) { return sgn(contacts.u[i]) < 0; })) continue;
-    Indices joined = {r};
-    std::vector<Indices> apart;
-    for (Indices& component : components) {
-      if (std::ranges::any_of(component, [&](std::size_t other) { return share_a_body(r, other); })) {
-        joined.insert(joined.end(), component.begin(), component.end());
-      } else {
-        apart.push_back(std::move(component));
-      }
-    }
-    std::ranges::sort(joined);
-    apart.push_back(std::move(joined));
-    components = std::move(apart);
+    const Region& region = contacts.regions[r];
+    pairs.push_back(region.moving);
+    if (std::ranges::any_of(region.points, [&](std::size_t i) { return sgn(contacts.u[i]) < 0; }))
+      approaching.push_back(r);
   }
-  return components;
+  return components(pairs, approaching);
 }
 
 /// Of all impulses ≥ 0 with the effect of p, those with the least sum of the regions' energies. The conditions for this

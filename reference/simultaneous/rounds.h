@@ -1,12 +1,12 @@
 // The law of docs/design/simultaneous.md without friction, in normal velocities and impulses: all that it depends on.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <optional>
 #include <vector>
 
 #include "reference/exact/dense.h"
+#include "reference/simultaneous/components.h"
 
 namespace touchstone::reference {
 
@@ -14,7 +14,7 @@ namespace touchstone::reference {
 struct NormalContacts {
   struct Region {
     std::vector<std::size_t> points;
-    std::array<std::optional<int>, 2> moving;  ///< its bodies, none if fixed: regions that share one act together
+    MovingPair moving;  ///< regions that share a body act together
     mpq_class restitution;
   };
   RationalMatrix K;

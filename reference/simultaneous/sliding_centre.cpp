@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <cmath>
 
 #include "reference/exact/linear.h"
@@ -28,8 +27,7 @@ std::optional<Vec3> sliding_centre(const Scene& scene, const ContactRegion& regi
   for (const ContactRow& row : rows) {
     if (across(row.impact.u0, N) != slip) return std::nullopt;
   }
-  const auto of = [&](int body) { return scene.bodies[static_cast<std::size_t>(body)].material.friction; };
-  const double mu = std::min(of(region.a), of(region.b)), speed = length(slip);
+  const double mu = friction(scene, region), speed = length(slip);
   if (speed == 0 || !std::isfinite(mu)) return std::nullopt;
   const Triple along = minus(N, scaled(mpq_class(mpq_class(mu) * mpq_class(length(N)) / mpq_class(speed)), slip));
   RationalMatrix K;

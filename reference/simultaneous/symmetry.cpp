@@ -4,10 +4,10 @@
 #include <utility>
 #include <variant>
 
+#include "reference/exact/dense.h"
+
 namespace touchstone::reference {
 namespace {
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 /// x ↦ x or 2c − x, coordinate by coordinate.
 struct Reflection {
