@@ -78,6 +78,7 @@ TrialPlan plan_of(const RunOptions& options) {
   plan.jobs = options.jobs > 0 ? options.jobs : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   plan.limits = limits_of(options.time_limit, plan.effort.trajectories.time_factor);
   plan.first_failure = options.pass.first_failure;
+  plan.profiled = !options.files.out.empty();
   return plan;
 }
 

@@ -28,112 +28,100 @@ std::optional<Interval> up_to(const std::optional<double>& most) {
   return most ? std::optional(Interval{0, *most}) : std::nullopt;
 }
 
-std::optional<Interval> longest(const Domain& domain) {
-  return domain.lengths ? std::optional(Interval{0, domain.lengths->hi}) : std::nullopt;
-}
-
-std::optional<Interval> thinnest(const Domain& domain) {
-  return domain.lengths ? std::optional(Interval{domain.lengths->lo, infinity}) : std::nullopt;
-}
-
-std::optional<Interval> reach(const Domain& domain) { return up_to(domain.reach); }
-std::optional<Interval> aspect(const Domain& domain) { return up_to(domain.aspect); }
-std::optional<Interval> vertices(const Domain& domain) { return up_to(domain.vertices); }
-std::optional<Interval> ratio_of_masses(const Domain& domain) { return up_to(domain.mass_ratio); }
-std::optional<Interval> speed(const Domain& domain) { return up_to(domain.speed); }
-std::optional<Interval> spin(const Domain& domain) { return up_to(domain.angular_speed); }
-
-/// Indices of `atlas_axes`.
-enum AxisIndex {
-  gap_axis,
-  length_axis,
-  thickness_axis,
-  reach_axis,
-  aspect_axis,
-  vertices_axis,
-  mass_axis,
-  slip_axis,
-  friction_axis,
-  speed_axis,
-  spin_axis
-};
-
 /// m: the exact distance of a scene of `distance`, the exact depth of one of `penetration`.
-std::optional<double> gap_of(const Scene& scene, const std::string& query) {
-  if (query == "distance") return oracle::truth::distance(scene).distance.lo;
-  if (query != "penetration") return std::nullopt;
-  const double margin = oracle::judge::margin(scene).lo;
+std::optional<double> gap(const SizedScene& asked) {
+  if (asked.query == "distance") return oracle::truth::distance(asked.scene).distance.lo;
+  if (asked.query != "penetration") return std::nullopt;
+  const double margin = oracle::judge::margin(asked.scene).lo;
   return std::isfinite(margin) ? std::optional(margin) : std::nullopt;
+}
+
+std::optional<double> gap_over_scale(const SizedScene& asked) {
+  const std::optional<double> found = gap(asked);
+  return found ? std::optional(*found / asked.sizes.reach) : std::nullopt;
 }
 
 int class_of(const AtlasAxis& axis, double value) {
   return static_cast<int>(std::ranges::lower_bound(axis.edges, value) - axis.edges.begin());
 }
 
-/// The places of one scene, as they are found.
-class Places {
- public:
-  void add(AxisIndex axis, double value) {
-    if (!std::isnan(value)) found_.emplace_back(axis, class_of(atlas_axes()[static_cast<std::size_t>(axis)], value));
-  }
-
-  std::vector<AtlasPlace> take() { return std::move(found_); }
-
- private:
-  std::vector<AtlasPlace> found_;
-};
-
-bool asks_about_motion(const std::string& query) {
-  return query == "impulse" || query == "time_of_impact" || is_simulated(query);
+bool asks_about_motion(const SizedScene& asked) {
+  return asked.query == "impulse" || asked.query == "time_of_impact" || is_simulated(asked.query);
 }
 
-double greatest_friction(const Scene& scene) {
+std::optional<double> of_motion(const SizedScene& asked, double value) {
+  return asks_about_motion(asked) ? std::optional(value) : std::nullopt;
+}
+
+std::optional<double> slip(const SizedScene& asked) {
+  if (!asks_about_motion(asked) || !asked.scene.contact) return std::nullopt;
+  return static_cast<double>(oracle::impact(asked.scene).u_t().norm());
+}
+
+std::optional<double> friction(const SizedScene& asked) {
+  if (!asks_about_motion(asked)) return std::nullopt;
+  if (asked.scene.contact) return asked.scene.contact->friction;
+  if (!is_simulated(asked.query)) return std::nullopt;
   double greatest = 0;
-  for (const Body& body : scene.bodies) greatest = std::max(greatest, body.material.friction);
+  for (const Body& body : asked.scene.bodies) greatest = std::max(greatest, body.material.friction);
   return greatest;
 }
 
-void add_motion(Places& places, const Scene& scene, const oracle::SceneSizes& sizes, const std::string& query) {
-  places.add(speed_axis, sizes.speed);
-  places.add(spin_axis, sizes.angular_speed);
-  places.add(mass_axis, oracle::mass_ratio(scene));
-  if (scene.contact) {
-    places.add(slip_axis, static_cast<double>(oracle::impact(scene).u_t().norm()));
-    places.add(friction_axis, scene.contact->friction);
-  } else if (is_simulated(query)) {
-    places.add(friction_axis, greatest_friction(scene));
-  }
+std::optional<double> mass_ratio(const SizedScene& asked) {
+  return asks_about_motion(asked) ? std::optional(oracle::mass_ratio(asked.scene)) : std::nullopt;
 }
 
 }  // namespace
 
 const std::vector<AtlasAxis>& atlas_axes() {
   static const std::vector<AtlasAxis> all = {
-      {"gap", "1", "exact distance, or exact depth, over the scene's scale", gaps, nullptr},
-      {"length", "m", "length of the longest body", decades, longest},
-      {"thickness", "m", "thickness of the thinnest body", decades, thinnest},
-      {"reach", "m", "largest coordinate of any point of a body", decades, reach},
-      {"aspect", "1", "length over thickness of the most slender body", ratios, aspect},
-      {"vertices", "1", "vertices of the largest polytope", {0, 4, 8, 16, 32, 64, 128, 256, 512}, vertices},
-      {"mass ratio", "1", "greatest mass over least mass", ratios, ratio_of_masses},
-      {"slip", "m/s", "speed of the contact point of A along B", speeds, nullptr},
-      {"friction", "1", "coefficient of the contact, or the largest of a body", {0, 0.01, 0.1, 0.3, 1, 10}, nullptr},
-      {"speed", "m/s", "largest speed of a centre of mass at the start", speeds, speed},
-      {"spin", "rad/s", "largest angular speed at the start", speeds, spin}};
+      {"gap", "1", "exact distance, or exact depth, over the scene's scale", gaps, gap_over_scale, nullptr},
+      {"length", "m", "length of the longest body", decades,
+       [](const SizedScene& asked) { return std::optional(asked.sizes.lengths.hi); },
+       [](const Domain& domain) { return domain.lengths ? up_to(domain.lengths->hi) : std::nullopt; }},
+      {"thickness", "m", "thickness of the thinnest body", decades,
+       [](const SizedScene& asked) { return std::optional(asked.sizes.lengths.lo); },
+       [](const Domain& domain) {
+         return domain.lengths ? std::optional(Interval{domain.lengths->lo, infinity}) : std::nullopt;
+       }},
+      {"reach", "m", "largest coordinate of any point of a body", decades,
+       [](const SizedScene& asked) { return std::optional(asked.sizes.reach); },
+       [](const Domain& domain) { return up_to(domain.reach); }},
+      {"aspect", "1", "length over thickness of the most slender body", ratios,
+       [](const SizedScene& asked) { return std::optional(asked.sizes.aspect); },
+       [](const Domain& domain) { return up_to(domain.aspect); }},
+      {"vertices",
+       "1",
+       "vertices of the largest polytope",
+       {0, 4, 8, 16, 32, 64, 128, 256, 512},
+       [](const SizedScene& asked) { return std::optional<double>(asked.sizes.vertices); },
+       [](const Domain& domain) { return up_to(domain.vertices); }},
+      {"mass ratio", "1", "greatest mass over least mass", ratios, mass_ratio,
+       [](const Domain& domain) { return up_to(domain.mass_ratio); }},
+      {"slip", "m/s", "speed of the contact point of A along B", speeds, slip, nullptr},
+      {"friction",
+       "1",
+       "coefficient of the contact, or the largest of a body",
+       {0, 0.01, 0.1, 0.3, 1, 10},
+       friction,
+       nullptr},
+      {"speed", "m/s", "largest speed of a centre of mass at the start", speeds,
+       [](const SizedScene& asked) { return of_motion(asked, asked.sizes.speed); },
+       [](const Domain& domain) { return up_to(domain.speed); }},
+      {"spin", "rad/s", "largest angular speed at the start", speeds,
+       [](const SizedScene& asked) { return of_motion(asked, asked.sizes.angular_speed); },
+       [](const Domain& domain) { return up_to(domain.angular_speed); }}};
   return all;
 }
 
 std::vector<AtlasPlace> places_of(const Scene& scene, const std::string& query) {
-  const oracle::SceneSizes sizes = oracle::sizes_of(scene);
-  Places places;
-  if (const auto gap = gap_of(scene, query)) places.add(gap_axis, *gap / sizes.reach);
-  places.add(length_axis, sizes.lengths.hi);
-  places.add(thickness_axis, sizes.lengths.lo);
-  places.add(reach_axis, sizes.reach);
-  places.add(aspect_axis, sizes.aspect);
-  places.add(vertices_axis, sizes.vertices);
-  if (asks_about_motion(query)) add_motion(places, scene, sizes, query);
-  return places.take();
+  const SizedScene asked{scene, query, oracle::sizes_of(scene)};
+  std::vector<AtlasPlace> places;
+  for (std::size_t axis = 0; axis < atlas_axes().size(); ++axis) {
+    const std::optional<double> value = atlas_axes()[axis].value(asked);
+    if (value && !std::isnan(*value)) places.emplace_back(axis, class_of(atlas_axes()[axis], *value));
+  }
+  return places;
 }
 
 void SceneOutcome::add(const oracle::Finding& finding) {

@@ -12,12 +12,20 @@
 
 namespace touchstone::app {
 
+/// A completed scene of a query.
+struct SizedScene {
+  const Scene& scene;
+  const std::string& query;
+  oracle::SceneSizes sizes;
+};
+
 /// A size of scenes, in classes.
 struct AtlasAxis {
   std::string name;           ///< "aspect"
   std::string unit;           ///< "m"; "1" of a ratio
   std::string says;           ///< what is measured
   std::vector<double> edges;  ///< ascending; class k holds the values above edge k − 1 and up to edge k
+  std::optional<double> (*value)(const SizedScene&);           ///< none: the axis means nothing for this scene
   std::optional<Interval> (*declared)(const oracle::Domain&);  ///< the range on a subject's card; null: no card has one
 };
 

@@ -39,7 +39,7 @@ struct Ledger {
   std::map<std::string, long> scenes;                          ///< query -> number of scenes
   std::vector<std::string> empty_classes;                      ///< "distance: edge-edge"
   MeshCounts meshes;
-  std::map<std::string, QueryProfile> profiles;  ///< by query
+  std::map<std::string, QueryProfile> profiles;  ///< by query; empty unless the plan wants them
 };
 
 }  // namespace touchstone::app

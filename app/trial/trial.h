@@ -22,6 +22,7 @@ struct TrialPlan {
   int jobs = 1;
   oracle::PipeLimits limits;
   bool first_failure = false;  ///< stop at the first failing scene, and do not make it smaller
+  bool profiled = false;       ///< fill the profiles of the ledger, for a report
 };
 
 /// A unit of work is a chunk of one query's scenes. The subjects start each unit afresh, and all subjects are asked

@@ -99,6 +99,7 @@ std::vector<QueryTrial> trials(const TrialPlan& plan, const MeshSet& meshes) {
     if (all.empty() || all.back().name != property.query) {
       all.push_back({property.query,
                      exact_questions(plan, property.query),
+                     plan.profiled,
                      {},
                      Questions(property.query, plan.effort, plan.seed, meshes)});
     }
@@ -146,9 +147,12 @@ UnitResult run_unit(const QueryTrial& query, const Unit& unit, const TestedSubje
     if (question.counts_for_classes) {
       for (const std::string& name : properties::classes_of(scene, query.name)) ++result.classes[name];
     }
-    result.profile.left_out.add(scene, query.name);
-    result.profile.times.plans.measure(scene, query.name);
-    const std::vector<AtlasPlace> places = places_of(scene, query.name);
+    std::vector<AtlasPlace> places;
+    if (query.profiled) {
+      result.profile.left_out.add(scene, query.name);
+      result.profile.times.plans.measure(scene, query.name);
+      places = places_of(scene, query.name);
+    }
     for (const TestedSubject& subject : tested) {
       ask_all(question, query, subject, *subjects[subject.index], places, result, example);
     }

@@ -30,6 +30,7 @@ struct Unit {
 struct QueryTrial {
   std::string name;
   std::size_t exact_questions = 0;  ///< subjects that compute exactly are asked those with a lower number only
+  bool profiled = false;            ///< as in the plan
   std::vector<const properties::Property*> properties;
   Questions questions;
 };

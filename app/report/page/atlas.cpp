@@ -95,14 +95,12 @@ std::string axis_table(const AxisTable& table, const std::string& query) {
   if (classes.size() < least_classes) return "";
   const AtlasAxis& axis = table.about();
   const std::string unit = axis.unit == "1" ? "" : ", " + axis.unit;
-  std::string html = fmt::format(
-      "<details><summary>{0}{1}: {2}</summary><div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"{3} by "
-      "{0}\"><table class=\"atlas\"><thead><tr><th scope=\"col\">{0}{1}</th>",
-      axis.name, unit, escaped(axis.says), query);
+  std::string html = fmt::format("<table class=\"atlas\"><thead><tr><th scope=\"col\">{}{}</th>", axis.name, unit);
   for (const int k : classes) html += fmt::format("<th scope=\"col\">{}</th>", head_of(axis, k));
   html += "</tr></thead><tbody>";
   for (const TestedSubject& subject : table.ledger.subjects) html += atlas_row(table, classes, subject);
-  return html + "</tbody></table></div></details>";
+  return fmt::format("<details><summary>{}{}: {}</summary>{}</details>", axis.name, unit, escaped(axis.says),
+                     scrolling(query + " by " + axis.name, html + "</tbody></table>"));
 }
 
 std::string query_atlas(const Ledger& ledger, const std::string& query, const QueryProfile& profile) {
@@ -121,8 +119,8 @@ std::string atlas(const Ledger& ledger) {
       "<p>Each query’s scenes by one size at a time, in classes named by their upper edge: on how many scenes any "
       "property fails, of those that the subject answered; below, the largest error of any answer over what rounding "
       "explains (1× and less: within it). The stronger the colour, the larger the share. Classes beyond the <b>domain "
-      "that a "
-      "subject declares</b> are hatched, and a class that its limit divides has a dashed edge. <span class=\"soft\">A "
+      "that a subject declares</b> are hatched, and a class that its limit divides has a dashed edge. <span "
+      "class=\"soft\">A "
       "scene that is extreme in one size is often so in others: a column shows where a subject fails, not why. For "
       "programs: <a href=\"atlas.csv\">atlas.csv</a>, by the command of this report.</span></p>";
   for (const ResultMatrix::Properties& properties : ledger.results.by_query()) {

@@ -56,14 +56,13 @@ std::string distribution(const properties::Property& property, const std::vector
   const auto first = static_cast<std::size_t>(std::ranges::find_if(all, used) - all.begin());
   std::size_t last = all.size() - 1;
   while (last > first && all[last] == 0) --last;
-  std::string html = fmt::format(
-      "<details><summary>{}, in {}: {}</summary><div class=\"scroll\" tabindex=\"0\" role=\"region\" "
-      "aria-label=\"Errors of {}\"><table><thead><tr><th scope=\"col\">subject</th>",
-      escaped(property.id), escaped(rows.front()->errors.unit), escaped(property.says), escaped(property.id));
-  for (std::size_t c = first; c <= last; ++c) html += fmt::format("<th scope=\"col\">{}</th>", heading(c));
-  html += "<th scope=\"col\">largest</th></tr></thead><tbody>";
-  for (const Row* row : rows) html += row_of(*row, first, last);
-  return html + "</tbody></table></div></details>";
+  std::string table = "<table><thead><tr><th scope=\"col\">subject</th>";
+  for (std::size_t c = first; c <= last; ++c) table += fmt::format("<th scope=\"col\">{}</th>", heading(c));
+  table += "<th scope=\"col\">largest</th></tr></thead><tbody>";
+  for (const Row* row : rows) table += row_of(*row, first, last);
+  return fmt::format("<details><summary>{}, in {}: {}</summary>{}</details>", escaped(property.id),
+                     escaped(rows.front()->errors.unit), escaped(property.says),
+                     scrolling("Errors of " + property.id, table + "</tbody></table>"));
 }
 
 }  // namespace

@@ -33,10 +33,11 @@ std::string left_out(const Ledger& ledger) {
   if (rows.empty()) return "<p>No scene of this report has a plan.</p>";
   return "<p>Parts of <code>fast</code> that a scene of this report does not need, so that they are left out; the last "
          "column says why, for the first such scene. <code>touchstone plan SCENE</code> prints it for one "
-         "scene.</p><div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"What is left out\"><table "
-         "class=\"left-out\"><thead><tr><th scope=\"col\">left out</th><th scope=\"col\">on</th><th "
-         "scope=\"col\">why, once</th></tr></thead><tbody>" +
-         rows + "</tbody></table></div>";
+         "scene.</p>" +
+         scrolling("What is left out",
+                   "<table class=\"left-out\"><thead><tr><th scope=\"col\">left out</th><th scope=\"col\">on</th><th "
+                   "scope=\"col\">why, once</th></tr></thead><tbody>" +
+                       rows + "</tbody></table>");
 }
 
 }  // namespace touchstone::app::page

@@ -65,18 +65,18 @@ std::string row_of(const Ledger& ledger, const TestedSubject& subject) {
 }  // namespace
 
 std::string matrix(const Ledger& ledger) {
-  std::string html =
-      "<p>Properties that hold, of those that the subject answers; then the share of its answers that fail. The letter "
-      "is the <a href=\"#table\">worst grade</a> of any answer; the darker, the more properties hold. – : the subject "
-      "does not offer the query.</p><div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"Properties that "
-      "hold\"><table class=\"matrix\"><thead><tr><th scope=\"col\">subject</th><th scope=\"col\">all</th>";
+  std::string table = "<table class=\"matrix\"><thead><tr><th scope=\"col\">subject</th><th scope=\"col\">all</th>";
   for (const ResultMatrix::Properties& properties : ledger.results.by_query()) {
     const std::string& query = properties.front()->query;
-    html += fmt::format("<th scope=\"col\"><a href=\"#{}\">{}</a></th>", table_anchor(query), breakable(query));
+    table += fmt::format("<th scope=\"col\"><a href=\"#{}\">{}</a></th>", table_anchor(query), breakable(query));
   }
-  html += "</tr></thead><tbody>";
-  for (const TestedSubject& subject : ledger.subjects) html += row_of(ledger, subject);
-  return html + "</tbody></table></div>";
+  table += "</tr></thead><tbody>";
+  for (const TestedSubject& subject : ledger.subjects) table += row_of(ledger, subject);
+  return "<p>Properties that hold, of those that the subject answers; then the share of its answers that fail. The "
+         "letter is the <a href=\"#table\">worst grade</a> of any answer; the darker, the more properties hold. – : "
+         "the "
+         "subject does not offer the query.</p>" +
+         scrolling("Properties that hold", table + "</tbody></table>");
 }
 
 }  // namespace touchstone::app::page

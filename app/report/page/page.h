@@ -64,6 +64,9 @@ std::string breakable(const std::string& name);
 /// An entry of a <dl>; empty if the text is empty.
 std::string definition(const std::string& term, const std::string& html);
 
+/// What may be wider than the screen, as a region of its own that scrolls and that the keyboard reaches.
+std::string scrolling(const std::string& label, const std::string& html);
+
 /// "1 scene", "2 scenes"
 std::string plural(long count, const std::string& noun);
 

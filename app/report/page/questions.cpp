@@ -35,16 +35,15 @@ std::string about_classes(const Ledger& ledger) {
                          ? "<p>There were scenes of every class.</p>"
                          : fmt::format("<p><b>Classes without any scene:</b> {}.</p>",
                                        escaped(fmt::format("{}", fmt::join(ledger.empty_classes, "; "))));
-  html +=
-      "<details><summary>Scenes of each class</summary><div class=\"scroll\" tabindex=\"0\" role=\"region\" "
-      "aria-label=\"Scenes of each class\"><table><tbody>";
+  std::string table = "<table><tbody>";
   for (const auto& [query, classes] : ledger.classes) {
-    html += fmt::format("<tr class=\"query\"><th scope=\"rowgroup\">{}</th><td></td></tr>", escaped(query));
+    table += fmt::format("<tr class=\"query\"><th scope=\"rowgroup\">{}</th><td></td></tr>", escaped(query));
     for (const auto& [name, count] : classes) {
-      html += fmt::format("<tr><th scope=\"row\">{}</th><td>{}</td></tr>", escaped(name), count);
+      table += fmt::format("<tr><th scope=\"row\">{}</th><td>{}</td></tr>", escaped(name), count);
     }
   }
-  return html + "</tbody></table></div></details>";
+  return html + "<details><summary>Scenes of each class</summary>" +
+         scrolling("Scenes of each class", table + "</tbody></table>") + "</details>";
 }
 
 }  // namespace

@@ -165,12 +165,10 @@ std::string plot(const std::string& query, const std::vector<Point>& points) {
       "y=\"{2}\" text-anchor=\"middle\" transform=\"rotate(-90 13 {2})\">{3}</text>",
       (axes.left + axes.right) / 2, axes.bottom + below - 8, middle,
       escaped(axis_title(shown.front()->row->errors.unit)));
-  return fmt::format(
-      "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"Plot of {0}\"><svg class=\"plot\" "
-      "role=\"group\" "
-      "aria-label=\"{0}: error against CPU time; the table below has the numbers\" viewBox=\"0 0 {1} {2}\">{3}</svg>"
-      "</div>",
-      query, width, axes.bottom + below, svg);
+  return scrolling("Plot of " + query,
+                   fmt::format("<svg class=\"plot\" role=\"group\" aria-label=\"{}: error against CPU time; the table "
+                               "below has the numbers\" viewBox=\"0 0 {} {}\">{}</svg>",
+                               query, width, axes.bottom + below, svg));
 }
 
 std::string share_cell(long some, long all) {
@@ -195,18 +193,17 @@ std::string number_row(const Point& point) {
 }
 
 std::string numbers(const std::string& query, const std::vector<Point>& points) {
-  std::string html = fmt::format(
-      "<details><summary>The numbers, and what was left out</summary><div class=\"scroll\" tabindex=\"0\" "
-      "role=\"region\" aria-label=\"Error and time of {}\"><table><thead><tr><th scope=\"col\">subject</th><th "
-      "scope=\"col\">CPU time, median</th><th scope=\"col\">of eight tenths</th><th scope=\"col\">error, median at "
-      "most</th><th scope=\"col\">largest</th><th scope=\"col\">answers with an error’s size</th>",
-      query);
+  std::string html =
+      "<table><thead><tr><th scope=\"col\">subject</th><th scope=\"col\">CPU time, median</th><th scope=\"col\">of "
+      "eight tenths</th><th scope=\"col\">error, median at most</th><th scope=\"col\">largest</th><th "
+      "scope=\"col\">answers with an error’s size</th>";
   for (const char* left_out : {"abstains", "broken", "outside", "beyond its domain", "not asked"}) {
     html += fmt::format("<th scope=\"col\">{}</th>", left_out);
   }
   html += "</tr></thead><tbody>";
   for (const Point& point : points) html += number_row(point);
-  return html + "</tbody></table></div></details>";
+  return "<details><summary>The numbers, and what was left out</summary>" +
+         scrolling("Error and time of " + query, html + "</tbody></table>") + "</details>";
 }
 
 std::string undrawn(const std::vector<Point>& points) {
@@ -252,11 +249,10 @@ std::string speed(const Ledger& ledger) {
   std::string html = fmt::format(
       "<p>A dot is the largest error of a subject’s answers, the end of its line the median one (rounded up to a power "
       "of two); hollow: single precision, whose errors are shown in the same unit. Further left is faster, further "
-      "down "
-      "is more accurate. {} The times are of one run on one machine, perhaps beside other work: they are in "
+      "down is more accurate. {} The times are of one run on one machine, perhaps beside other work: they are in "
       "<a href=\"report.timing.json\">report.timing.json</a>, and no verdict depends on them. <span "
-      "class=\"soft\">Made "
-      "by the command of this report; <code>touchstone bench distance</code> measures without JSON.</span></p>",
+      "class=\"soft\">Made by the command of this report; <code>touchstone bench distance</code> measures without "
+      "JSON.</span></p>",
       escaped(time_contents));
   for (const ResultMatrix::Properties& properties : ledger.results.by_query()) {
     const auto profile = ledger.profiles.find(properties.front()->query);

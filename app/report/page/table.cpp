@@ -92,12 +92,11 @@ std::string table(const Ledger& ledger, const Properties& properties) {
                                  query, plural(ledger.scenes.at(query), "scene"), answering,
                                  plural(static_cast<long>(answers.size()), "subject"));
   if (answering > 0) {
-    html += fmt::format(
-        "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"Properties of {}\"><table "
-        "class=\"by-subject\"><thead>{}</thead><tbody>",
-        query, head_row(ledger, answers));
-    for (const properties::Property* property : properties) html += property_row(ledger, *property, answers);
-    html += "</tbody></table></div>";
+    std::string rows;
+    for (const properties::Property* property : properties) rows += property_row(ledger, *property, answers);
+    html += scrolling("Properties of " + query,
+                      fmt::format("<table class=\"by-subject\"><thead>{}</thead><tbody>{}</tbody></table>",
+                                  head_row(ledger, answers), rows));
   }
   return html + silent_subjects(ledger, answers) + "</section>";
 }

@@ -54,6 +54,11 @@ std::string breakable(const std::string& name) {
   return html;
 }
 
+std::string scrolling(const std::string& label, const std::string& html) {
+  return fmt::format("<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"{}\">{}</div>", escaped(label),
+                     html);
+}
+
 std::string definition(const std::string& term, const std::string& html) {
   return html.empty() ? "" : fmt::format("<dt>{}</dt><dd>{}</dd>", term, html);
 }

@@ -5,30 +5,12 @@ import csv
 import io
 import os
 import pathlib
+import shlex
 import unittest
 
 from browser import SHOTS, folder_and_browser
 from program import *
 
-# Distances of fast, twice as large where a hull has more than 6 vertices, beyond what its card declares.
-MINE = """
-import json, subprocess, sys
-def large(scene):
-    return any(len(body["shape"].get("vertices", [])) > 6 for body in scene["bodies"])
-with subprocess.Popen([sys.argv[1]], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True) as fast:
-    for line in sys.stdin:
-        message = json.loads(line)
-        fast.stdin.write(line)
-        fast.stdin.flush()
-        if message["op"] == "stop":
-            break
-        answer = json.loads(fast.stdout.readline())
-        if "card" in answer:
-            answer["card"].update(name="mine", answers=["distance"], knows_touching=False, domain={"vertices": 6})
-        elif "distance" in answer.get("result", ()):
-            answer["result"] = {"distance": answer["result"]["distance"] * (2 if large(message["scene"]) else 1)}
-        print(json.dumps(answer), flush=True)
-"""
 FAST = pathlib.Path(os.environ["TOUCHSTONE_SUBJECTS"]) / "touchstone-subject-fast"
 QUERIES = ["broad_phase", "distance", "impulse"]
 
@@ -37,11 +19,13 @@ class Profile(Test):
     @classmethod
     def setUpClass(cls):
         cls.runs, cls.browser = folder_and_browser(cls)
-        (cls.runs / "mine.py").write_text(MINE)
+        # Twice the distance where a hull has more than 6 vertices, beyond what the card declares.
+        mine = shlex.join(["/usr/bin/python3", str(SOURCE / "tests/app/larger_distances.py"), str(FAST),
+                           json.dumps({"domain": {"vertices": 6}})])
         write_meshes(cls.runs / "meshes")
         subprocess.run([PROGRAM, "report", "--cases", "100", "--meshes", "meshes", "--queries", ",".join(QUERIES),
                         "--out", "R", "--subjects", "fast,bullet.float,libccd.gjk", "--subjects", "inproc:reference",
-                        "--subjects", f"exec:/usr/bin/python3 {cls.runs}/mine.py {FAST}", "--skip-adapter-check"],
+                        "--subjects", "exec:" + mine, "--skip-adapter-check"],
                        cwd=cls.runs, check=True, capture_output=True, timeout=300)
         cls.report, cls.timing = (json.loads((cls.runs / "R" / name).read_text())
                                   for name in ("report.json", "report.timing.json"))

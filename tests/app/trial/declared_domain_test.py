@@ -1,38 +1,16 @@
 """A card declares a domain and a tolerance of distances: inside it is judged by them, outside it is asked too, and counted
 apart. An adapter's snippets are in the cases and on the page."""
 
+import json
 import os
 import pathlib
+import shlex
 import unittest
 
 from program import *
 
-# Answers as fast does, but makes distances larger by a factor, where a hull has more than 6 vertices by 2.
-ENGINE_OF = """
-import json, subprocess, sys
-def large(scene):
-    return any(len(body["shape"].get("vertices", [])) > 6 for body in scene["bodies"])
-with subprocess.Popen(["FAST"], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True) as fast:
-    for line in sys.stdin:
-        message = json.loads(line)
-        if message["op"] == "reproduce":
-            print(json.dumps({"seq": message["seq"], "snippet": "ask <me> about %d bodies" % len(message["scene"]["bodies"])}),
-                  flush=True)
-            continue
-        fast.stdin.write(line)
-        fast.stdin.flush()
-        if message["op"] == "stop":
-            break
-        answer = json.loads(fast.stdout.readline())
-        if "card" in answer:
-            answer["card"].update(name="mine", answers=["distance"], knows_touching=False, reproduces=["distance"])
-            answer["card"].update(DECLARED)
-        elif "distance" in answer.get("result", ()):
-            factor = 2 if large(message["scene"]) else FACTOR
-            answer["result"] = {"distance": answer["result"]["distance"] * factor}
-        print(json.dumps(answer), flush=True)
-"""
 FAST = pathlib.Path(os.environ["TOUCHSTONE_SUBJECTS"]) / "touchstone-subject-fast"
+LARGER_DISTANCES = SOURCE / "tests/app/larger_distances.py"
 
 
 def most_vertices(scene):
@@ -41,8 +19,8 @@ def most_vertices(scene):
 
 class DeclaredDomain(Test):
     def engine(self, declared, factor=1):
-        text = ENGINE_OF.replace("FAST", str(FAST)).replace("DECLARED", repr(declared)).replace("FACTOR", str(factor))
-        return "exec:/usr/bin/python3 " + str(self.folder / self.file("mine.py", text))
+        words = ["/usr/bin/python3", str(LARGER_DISTANCES), str(FAST), json.dumps(declared), str(factor)]
+        return "exec:" + shlex.join(words)
 
     def checked(self, declared, factor=1, code=0):
         said = self.succeeds("check", "--subjects", self.engine(declared, factor), "--properties", "distance.value", "--cases", 60,
