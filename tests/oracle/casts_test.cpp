@@ -1,9 +1,8 @@
 // Each adapter that answers time_of_impact, on motions with known answers. The bound is loose, since engines' errors
 // are for the properties to detect.
-#include <algorithm>
-
 #include "oracle/process/pipe.h"
 #include "tests/catch.h"
+#include "tests/oracle/built_subjects.h"
 
 namespace touchstone::oracle {
 namespace {
@@ -27,9 +26,9 @@ Scene motion_scene(Body A, Body B, double time) {
 
 void expect(const Scene& scene, std::optional<double> time, const std::string& passed_over = "") {
   int answered = 0;
-  for (const std::string& name : subjects_beside(TOUCHSTONE_SUBJECTS)) {
-    const std::unique_ptr<Subject> subject = connect(name, TOUCHSTONE_SUBJECTS);
-    if (std::ranges::count(subject->card().answers, "time_of_impact") == 0 || name == passed_over) continue;
+  for (const auto& subject : answering("time_of_impact")) {
+    const std::string& name = subject->card().name;
+    if (name == passed_over) continue;
     CAPTURE(name);
     const Answer<TimeOfImpact> answer = subject->time_of_impact(scene);
     if (std::holds_alternative<Abstains>(answer)) continue;

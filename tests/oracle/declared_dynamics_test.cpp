@@ -6,6 +6,7 @@
 #include "oracle/process/pipe.h"
 #include "oracle/rotation.h"
 #include "tests/catch.h"
+#include "tests/oracle/built_subjects.h"
 
 namespace touchstone::oracle {
 namespace {
@@ -13,12 +14,8 @@ namespace {
 /// The built subjects that answer a query and declare something.
 template <class Declares>
 std::vector<std::unique_ptr<Subject>> declaring(const std::string& query, const Declares& declares) {
-  std::vector<std::unique_ptr<Subject>> subjects;
-  for (const std::string& name : subjects_beside(TOUCHSTONE_SUBJECTS)) {
-    std::unique_ptr<Subject> subject = connect(name, TOUCHSTONE_SUBJECTS);
-    const Card& card = subject->card();
-    if (std::ranges::count(card.answers, query) > 0 && declares(card.dynamics)) subjects.push_back(std::move(subject));
-  }
+  std::vector<std::unique_ptr<Subject>> subjects = answering(query);
+  std::erase_if(subjects, [&](const auto& subject) { return !declares(subject->card().dynamics); });
   return subjects;
 }
 

@@ -1,10 +1,9 @@
 // Each adapter that steps a simulation, on motions with known answers: units, frames, which point a velocity refers to,
 // how the materials of a pair combine. The bound is loose, since engines' steps are long and their errors are for the
 // properties to detect.
-#include <algorithm>
-
 #include "oracle/process/pipe.h"
 #include "tests/catch.h"
+#include "tests/oracle/built_subjects.h"
 
 namespace touchstone::oracle {
 namespace {
@@ -38,9 +37,9 @@ Scene motion_scene(std::vector<Body> bodies, const Vec3& gravity, double time) {
 
 void expect(const Scene& scene, const Vec3& p_WB, const Velocity& velocity, const std::string& passed_over = "") {
   int answered = 0;
-  for (const std::string& name : subjects_beside(TOUCHSTONE_SUBJECTS)) {
-    const std::unique_ptr<Subject> subject = connect(name, TOUCHSTONE_SUBJECTS);
-    if (std::ranges::count(subject->card().answers, "simulation") == 0 || name == passed_over) continue;
+  for (const auto& subject : answering("simulation")) {
+    const std::string& name = subject->card().name;
+    if (name == passed_over) continue;
     CAPTURE(name);
     const Answer<Trajectory> answer = subject->simulation(scene);
     if (std::holds_alternative<Abstains>(answer)) continue;

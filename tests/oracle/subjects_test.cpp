@@ -1,10 +1,10 @@
 // Each adapter on scenes with obvious answers: units, frames, half extents, the direction of a normal. A mistake here
 // would blame an engine unjustly. Engines' errors are for the properties to detect, so the bound is a loose 1e-5.
-#include <algorithm>
 #include <limits>
 
 #include "oracle/process/pipe.h"
 #include "tests/catch.h"
+#include "tests/oracle/built_subjects.h"
 
 namespace touchstone::oracle {
 namespace {
@@ -32,16 +32,6 @@ Scene pair(Body A, Body B) {
 Scene swapped(Scene scene) {
   std::swap(scene.bodies[0], scene.bodies[1]);
   return scene;
-}
-
-/// The built subjects that answer a query.
-std::vector<std::unique_ptr<Subject>> answering(const std::string& query) {
-  std::vector<std::unique_ptr<Subject>> subjects;
-  for (const std::string& name : subjects_beside(TOUCHSTONE_SUBJECTS)) {
-    std::unique_ptr<Subject> subject = connect(name, TOUCHSTONE_SUBJECTS);
-    if (std::ranges::count(subject->card().answers, query) > 0) subjects.push_back(std::move(subject));
-  }
-  return subjects;
 }
 
 bool near(double a, double b) { return std::abs(a - b) <= 1e-5; }
