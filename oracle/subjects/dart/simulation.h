@@ -1,0 +1,14 @@
+// DART's rigid-body simulation.
+#pragma once
+
+#include <memory>
+
+#include "oracle/subject.h"
+
+namespace touchstone::oracle::subjects {
+
+/// dart::simulation::World in steps of at most `dt` (s). Balls, boxes and compounds of these; a hull would be a mesh of
+/// assimp.
+std::unique_ptr<Subject> make_dart_simulation(double dt = 1.0 / 256);
+
+}  // namespace touchstone::oracle::subjects
