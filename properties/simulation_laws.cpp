@@ -216,7 +216,8 @@ Real stepped(const TrajectoryCase& asked, const std::vector<ImpactBody>& bodies,
   return mass * g * ((asked.stepping->order > 1 ? 0 : g * h * seconds / 2) + tolerance::way_of_step(asked.scene, h));
 }
 
-// Judges the energy gain between consecutive samples, and if `kept` its loss too.
+// Judges the energy gain between consecutive samples, and if `kept` its loss too. A subject whose slower approaches do
+// not bounce may lose the energy of any of these, so its loss is not judged.
 Finding energy_between_samples(const TrajectoryCase& asked, bool kept) {
   std::vector<ImpactBody> bodies = bodies_at(asked.scene, first_states(asked.scene));
   Sum<Real> before = energy_of(asked, bodies);
@@ -232,6 +233,10 @@ Finding energy_between_samples(const TrajectoryCase& asked, bool kept) {
     const double since = sample == 0 ? start_of_all(asked.scene) : asked.time(sample - 1);
     allowed.bound +=
         static_cast<double>(2 * (off * size + lifted) + stepped(asked, bodies, asked.time(sample) - since));
+    if (kept && asked.dynamics.restitution_threshold > 0 && -gain > allowed.bound) {
+      return judge::outside("a loss that approaches slower than the " +
+                            oracle::words::text(asked.dynamics.restitution_threshold) + " m/s that bounce explain");
+    }
     const Real error = kept ? std::abs(gain) : std::max<Real>(0, gain);
     const auto text_of_sum = [](const Sum<Real>& sum) {
       return oracle::words::text(static_cast<double>(sum.value)) + " J";

@@ -25,6 +25,7 @@ struct TrajectoryCase {
   double end;                                       ///< s; the trajectory is complete until then
   const std::optional<oracle::Stepping>& stepping;  ///< as the subject's card declares it
   const oracle::DistanceTolerance& distances;       ///< likewise
+  const oracle::Dynamics& dynamics;                 ///< likewise
 
   bool is_fixed(std::size_t body) const { return std::holds_alternative<Fixed>(scene.bodies[body].mass); }
   /// The number of complete sample times.
@@ -44,7 +45,8 @@ oracle::Finding of_trajectory(const Scene& scene, oracle::Subject& subject, Judg
       if (!fault_in_form(scene, said).empty())
         return oracle::judge::outside("not a trajectory; see simulation.ordered");
       return judge_it(TrajectoryCase{scene, subject.card().precision, said, complete_until(scene, said),
-                                     subject.card().stepping, subject.card().distance_tolerance});
+                                     subject.card().stepping, subject.card().distance_tolerance,
+                                     subject.card().dynamics});
     });
   });
 }

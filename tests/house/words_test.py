@@ -66,7 +66,7 @@ RETIRED_IDENTIFIERS = {
 # Files in which a word keeps its place: (files, words, why).
 EXCEPTIONS = [
     (r"docs/reports/.*|CHANGELOG\.md", None, "records of what was run and changed, with the words of their time"),
-    (r"oracle/subjects/(ode|simbody)/.*", "joint joints", "the engines' own type for a contact"),
+    (r"oracle/subjects/(dart|ode|simbody)/.*", "joint joints", "the engines' own type for a contact, or of a body"),
     (r"docs/design/generators\.md", "films flights", "groups of families, named by their pinned ids"),
 ]
 

@@ -367,6 +367,24 @@ TEST_CASE("simulation: a declared order and step explain their errors, and no ot
   CHECK(of_falling_by_steps(oracle::Stepping{1.0 / 64, 2}) == Outcome::fails);
 }
 
+/// `speed` (m/s): of the ball after its impact, and at the end. Before it, it has 8 m/s.
+oracle::Finding of_elastic_impact(double speed, double threshold) {
+  Trajectory said = turned_back();
+  said.events.reset();
+  said.states[1][0].velocity.v_WBcm.z() = speed;
+  tests::FixedSubject subject;
+  subject.introduced.dynamics.restitution_threshold = threshold;
+  subject.said_simulation = said;
+  return properties::find("simulation.elastic_energy").check(wall(), subject);
+}
+
+TEST_CASE("simulation: approaches that are declared not to bounce explain a loss of energy, and no gain") {
+  CHECK(of_elastic_impact(7.9, 0).defect == Defect::wrong_energy);
+  CHECK(of_elastic_impact(7.9, 0.1).outcome == Outcome::outside);
+  CHECK(of_elastic_impact(8.1, 0.1).defect == Defect::wrong_energy);
+  CHECK(of_elastic_impact(8, 0.1).outcome == Outcome::holds);
+}
+
 TEST_CASE("simulation: each wrong part is found by its own property") {
   Trajectory said = turned_back();
   said.states[1][0].X_WB.p_WB.x() += 1e-12;
