@@ -12,6 +12,11 @@ const card = {
   about: "PxGjkQuery.proximityInfo, sweep and overlap of ConvexGeomSupport without margin; PxMassProperties of a "
     + "geometry; PxGeometryQuery.computeGeomBounds; hulls cooked with planeTolerance 0",
   homepage, domain,
+  deviations: [{
+    clause: "TS-TIME-OF-IMPACT-5",
+    what: "a sweep counts shapes that touch or overlap at its start as hit at 0, whether they approach or part",
+    link: "https://nvidia-omniverse.github.io/PhysX/physx/5.6.0/_api_build/structPxSweepHit.html",
+  }],
 };
 
 const withSupport = (body, use) => withGeometry(body.shape, (geometry) =>
