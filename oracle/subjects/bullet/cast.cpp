@@ -53,7 +53,8 @@ class BulletCast : public Subject {
       const bool hit = algorithm_ == "continuous" ? along(btContinuousConvexCollision(A.get(), B.get(), &simplex, &epa))
                        : algorithm_ == "subsimplex" ? along(btSubsimplexConvexCast(A.get(), B.get(), &simplex))
                                                     : along(btGjkConvexCast(A.get(), B.get(), &simplex));
-      return hit ? std::optional<double>(result.m_fraction) : std::nullopt;
+      // A fraction above 1 is a hit after the end of the way. The casts leave it to their callers, as Bullet's own do.
+      return hit && result.m_fraction <= 1 ? std::optional<double>(result.m_fraction) : std::nullopt;
     });
   }
 
