@@ -31,8 +31,9 @@ struct Stepping {
   bool operator==(const Stepping&) const = default;
 };
 
-/// Which box of a body it answers: the least one, or the turned one about a hull or compound in the body's own axes.
-enum class BoxKind { tight, of_turned_box };
+/// Which box of a body it answers: the least one; the turned one about a hull or compound in the body's own axes; or
+/// one between the least and that of the ball about the body's box in its own axes.
+enum class BoxKind { tight, of_turned_box, of_ball };
 
 /// A subject's description of itself.
 struct Card {

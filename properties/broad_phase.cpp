@@ -6,6 +6,7 @@
 #include <iterator>
 #include <utility>
 
+#include "model/infinity.h"
 #include "model/sequence.h"
 #include "oracle/judge/words.h"
 #include "oracle/tolerance/tolerance.h"
@@ -98,8 +99,9 @@ struct Change {
   std::function<Pair(const Pair&)> renamed = same;
 };
 
-// Two answers about the same set of pairs may differ only in free pairs: separate pairs within the reach of one of the
-// two scenes.
+// Two answers about the same set of pairs may differ only in free pairs: those whose least boxes are apart, and whose
+// declared boxes touch within rounding or are apart by no more than the reach of one of the two scenes. Boxes that are
+// only declared to be at most those of balls may overlap in one answer and not in the other.
 Finding pairs_kept(const Scene& before, const std::optional<Scene>& moved, Subject& subject, Defect defect,
                    const Change& change = {}) {
   return of_moved(moved, subject, [&](const Scene& after) {
@@ -111,11 +113,15 @@ Finding pairs_kept(const Scene& before, const std::optional<Scene>& moved, Subje
         const PairSet got = as_set(second, after);
         PairSet differ = without(expected, got);
         std::ranges::copy(without(got, expected), std::back_inserter(differ));
+        if (differ.empty()) return judge::holds();
         const double free = std::max(change.times * reach(before, subject.card()), reach(after, subject.card()));
+        const double rounding = free - std::max(change.times, 1.0) * subject.card().broad_phase_margin;
+        const double least = subject.card().boxes == oracle::BoxKind::of_ball ? -infinity : -rounding;
+        const Scene declared = boxed(after, subject.card().boxes);
         double furthest = 0;
         std::erase_if(differ, [&](const Pair& pair) {
-          const double g = gap(after, pair).nearest();
-          const bool is_free = g > 0 && g <= free;
+          const double g = gap(declared, pair).nearest();
+          const bool is_free = gap(after, pair).sign() > 0 && g >= least && g <= free;
           if (!is_free) furthest = std::max(furthest, std::abs(g));
           return is_free;
         });

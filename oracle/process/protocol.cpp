@@ -30,7 +30,8 @@ constexpr Words<Request::Op, 4> ops = {{{Request::Op::start, "start"},
                                         {Request::Op::reproduce, "reproduce"},
                                         {Request::Op::stop, "stop"}}};
 
-constexpr Words<BoxKind, 2> box_kinds = {{{BoxKind::tight, "tight"}, {BoxKind::of_turned_box, "of_turned_box"}}};
+constexpr Words<BoxKind, 3> box_kinds = {
+    {{BoxKind::tight, "tight"}, {BoxKind::of_turned_box, "of_turned_box"}, {BoxKind::of_ball, "of_ball"}}};
 constexpr Words<Combine, 5> combinations = {{{Combine::min, "min"},
                                              {Combine::max, "max"},
                                              {Combine::product, "product"},

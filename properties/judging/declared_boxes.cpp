@@ -44,11 +44,30 @@ Polytope box_about(const Compound& compound) {
   return box_from(lo, hi);
 }
 
+Polytope box_about(const Box& box) { return as_polytope(box); }
+Polytope box_about(const Sphere& sphere) { return as_polytope(Box{Vec3::Constant(sphere.radius)}); }
+
+// The factor covers the rounding of the radius and of the centre, of a few ulps each.
+Compound ball_about(const Polytope& box) {
+  const Vec3 &lo = box.vertices.front(), &hi = box.vertices.back();
+  const Vec3 centre = lo / 2 + hi / 2;
+  double radius = 0;
+  for (const Vec3& v : box.vertices) radius = std::max(radius, (v - centre).norm());
+  Part ball;
+  ball.X_BP.p_WB = centre;
+  ball.shape = Sphere{radius * (1 + 0x1p-49)};
+  return {{ball}};
+}
+
 }  // namespace
 
 Scene boxed(Scene scene, oracle::BoxKind kind) {
   if (kind == oracle::BoxKind::tight) return scene;
   for (Body& body : scene.bodies) {
+    if (kind == oracle::BoxKind::of_ball) {
+      body.shape = ball_about(std::visit([](const auto& shape) { return box_about(shape); }, body.shape));
+      continue;
+    }
     if (const Polytope* hull = std::get_if<Polytope>(&body.shape)) body.shape = Shape(box_about(*hull));
     if (const Compound* compound = std::get_if<Compound>(&body.shape)) body.shape = Shape(box_about(*compound));
   }

@@ -57,6 +57,29 @@ TEST_CASE("broad_phase.adds_none: none further apart than rounding and the margi
   CHECK(properties::find("broad_phase.adds_none").check(scene, subject).outcome == Outcome::fails);
 }
 
+/// Reports its pair in the world as it is given, and no pair in the turned one.
+struct OfOneFrame : tests::FixedSubject {
+  Answer<PairSet> broad_phase(const Scene& scene) override {
+    return scene.bodies[1].X_WB.p_WB.x() > 0 ? PairSet{{0, 1}} : PairSet{};
+  }
+};
+
+TEST_CASE("broad_phase.turned: a pair is free where the boxes that a subject declares touch within rounding") {
+  Scene scene;
+  scene.bodies.resize(2);
+  scene.bodies[0].shape = Polytope{{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}}, {}};
+  scene.bodies[0].X_WB.q_WB = {2, 0, 0, 1};  // it reaches to 4/5 in x, and the turned box about it to 3/5 + 4/5
+  scene.bodies[1].shape = Sphere{1};
+  scene.bodies[1].X_WB.p_WB.x() = 2.4;
+  OfOneFrame subject;
+  const auto outcome = [&] { return properties::find("broad_phase.turned").check(scene, subject).outcome; };
+  CHECK(outcome() == Outcome::fails);
+  subject.introduced.boxes = oracle::BoxKind::of_turned_box;
+  CHECK(outcome() == Outcome::holds);
+  scene.bodies[1].X_WB.p_WB.x() = 2.25;  // the declared boxes overlap, the least ones do not
+  CHECK(outcome() == Outcome::fails);
+}
+
 TEST_CASE("broad_phase.well_formed: i < j of bodies, sorted, each once") {
   CHECK(judged("broad_phase.well_formed", touching, PairSet{{0, 1}}).outcome == Outcome::holds);
   for (const PairSet& bad :

@@ -85,6 +85,7 @@ std::string declared(const oracle::Card& card) {
         d.absolute, d.relative, d.slop, d.margin);
   }
   if (card.boxes == oracle::BoxKind::of_turned_box) html += "<p>Its boxes are those of turned local boxes</p>";
+  if (card.boxes == oracle::BoxKind::of_ball) html += "<p>Its boxes are at most those of balls about local boxes</p>";
   html += line_of("Declared precision of parts", protocol::json_of(card.precision_of));
   html += line_of("Declared dynamics", protocol::json_of(card.dynamics));
   if (card.stepping)
