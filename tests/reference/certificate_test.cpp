@@ -62,8 +62,9 @@ TEST_CASE("certificate: a certificate that is tampered with is refused") {
     CHECK(check(c, scene) != "");
   }
   SECTION("a vertex that is not there") {
-    c.pairs[0].second = GENERATE(-1, 8);
-    CHECK(check(c, scene) != "");
+    const int index = GENERATE(-1, 8);
+    (GENERATE(true, false) ? c.pairs[0].first : c.pairs[0].second) = index;
+    CHECK(check(c, scene) == "it names a vertex that is not there");
   }
   SECTION("another weight") {
     c.weights[0] += Rational(0x1p-1000);
@@ -99,6 +100,66 @@ TEST_CASE("certificate: a common point on the boundary is no proof of an overlap
   c.cores = Verdict::overlapping;
   c.direction = {};
   CHECK(check(c, scene) == "the pairs lie in a plane, so the common point may be on the boundary");
+}
+
+// Each of these meets every condition but one.
+TEST_CASE("certificate: weights that do not add up to 1 prove no distance, and no common point") {
+  const Scene scene = scene_of(Verdict::separated);
+  Certificate half = distance(scene).certificate;
+  for (Rational& weight : half.weights) weight /= 2;
+  for (Rational* x : {&half.direction.x, &half.direction.y, &half.direction.z}) *x /= 2;
+  CHECK(check(half, scene) == "the weights do not add up to 1");
+
+  const Scene common = scene_of(Verdict::overlapping);
+  Certificate twice = distance(common).certificate;
+  for (Rational& weight : twice.weights) weight *= 2;
+  CHECK(check(twice, common) == "the weights do not add up to 1");
+}
+
+TEST_CASE("certificate: pairs of weight 0 do not make a common point an overlap") {
+  const Scene scene = scene_of(Verdict::touching);
+  Certificate c = distance(scene).certificate;
+  c.cores = Verdict::overlapping;
+  c.direction = {};
+  for (int vertex = 0; vertex < 8; ++vertex) {
+    c.pairs.emplace_back(vertex, 0);
+    c.weights.emplace_back(0);
+  }
+  CHECK(check(c, scene) == "a weight is 0, so 0 may lie on the boundary");
+}
+
+TEST_CASE("certificate: a plane through the bodies does not keep them apart") {
+  const Scene scene = scene_of(Verdict::touching);
+  Certificate c = distance(scene).certificate;
+  c.direction = {c.direction.x, c.direction.y + c.direction.z, c.direction.z};
+  CHECK(check(c, scene) == "the plane does not keep the bodies apart");
+}
+
+TEST_CASE("certificate: parts of a compound stand where their poses and the body's put them") {
+  const Quaternion turn{2, 1, 0, 0}, other_turn{3, 1, -2, 1};
+  const auto scene_with = [&](const Pose& part) {
+    Compound compound{{{Pose{{-4, 0, 0}, {}}, Sphere{1}}, {part, Box{Vec3(1, 2, 0.5)}}}};
+    return pair(body(std::move(compound), {1, 0, 0}, turn), body(Box{Vec3(1, 1, 1)}, {3, 2, 6}, other_turn));
+  };
+  const Scene scene = scene_with({{2, 1, 0}, other_turn});
+  const Certificate c = distance(scene).certificate;
+  REQUIRE(c.cores == Verdict::separated);
+  REQUIRE(c.part_A == 1);
+  CHECK(check(c, scene) == "");
+  CHECK(check(c, scene_with({{2, 1, 0}, turn})) != "");
+  CHECK(check(c, scene_with({{2, 1, 0x1p-1000}, other_turn})) != "");
+  for (const int part : {-1, 2}) {
+    Certificate elsewhere = c;
+    elsewhere.part_A = part;
+    CHECK(check(elsewhere, scene) == "it names a part that is not there");
+  }
+}
+
+TEST_CASE("certificate: one body has no pair") {
+  Scene scene = scene_of(Verdict::separated);
+  const Certificate c = distance(scene).certificate;
+  scene.bodies.pop_back();
+  CHECK(check(c, scene) == "the scene has no two bodies");
 }
 
 TEST_CASE("certificate: a direction that is not the least is no proof of a distance") {
