@@ -15,6 +15,7 @@ const Polytope tetrahedron{{{0, 0, 0}, {2, 0, 0}, {0, 3, 0}, {0, 0, 4}}, {}};
 const Polytope octahedron{{{1, 0, 0}, {-1, 0, 0}, {0, 2, 0}, {0, -2, 0}, {0, 0, 1}, {0, 0, -1}}, {}};
 const Polytope wedge{{{3, 1, 1}, {5, 1, 1}, {3, 2, 1}, {3, 1, 4}, {5, 2, 3}}, {}};  // off its origin, without symmetry
 const Polytope needle{{{0, 0, 0}, {1024, 1, 0}, {1024, 0, 1}, {1025, 1, 1}}, {}};
+const Polytope nearly_level{{{-0.5, 0, 0}, {0.5, 0, 0x1p-41}, {0, 1, 4}, {0, -1, 4}}, {}};
 const Quaternion about_x{2, 1, 0, 0};  // cos = 3/5, sin = 4/5
 const Quaternion about_y{2, 0, 1, 0};
 const Quaternion skew{3, 1, -2, 1};
@@ -85,6 +86,9 @@ std::vector<Scene> build_impacts() {
   const Body ball = moving(heavy(body(Sphere{1}, {0, 0, 1}), 1, Vec3::Constant(0.5)), {3, 1, -1}, {0, 0, 0});
   const Body other_ball = moving(dense(body(Sphere{1}, {0, 0, -1}), 1), {1, 0, 2}, {0, 1, 0});
   const Body slow_ball = moving(heavy(body(Sphere{1}, {0, 0, 1}), 1, Vec3::Constant(0.5)), {0.25, 0, -0.25}, {0, 0, 0});
+  const Body dropped = moving(heavy(body(Sphere{1}, {0, 0, 1}), 1, Vec3::Constant(0.5)), {0, 0, -1}, {0, 0, 0});
+  const Body spinning = moving(heavy(body(Sphere{1}, {0, 0, 1}), 1, Vec3::Constant(0.5)), {0, 0, -1}, {0, 4, 0});
+  const Body parting = moving(heavy(body(Sphere{1}, {0, 0, 1}), 1, Vec3::Constant(0.5)), {1, 0, 4}, {0, 0, 0});
   const Body falling = moving(heavy(body(cube, {2, 0, 1}), 1, {2, 3, 4}), {0, 0, -1}, {0, 0, 0});
   return {
       impact("a ball that skids", ball, ground, {0, 0, 0}, Law::poisson, 0.5, 0.125),
@@ -102,6 +106,10 @@ std::vector<Scene> build_impacts() {
       impact("boxes that stay together", left, right, between, Law::newton, 0, 0.5),
       impact("boxes by Newton's law", left, right, between, Law::newton, 0.5, 0.125),
       impact("a box that sticks from the start", falling, ground, {0, 0, 0}, Law::poisson, 0.5, 4),
+      impact("a ball that falls and stays", dropped, ground, {0, 0, 0}, Law::poisson, 0, 0.5),
+      impact("a ball that falls, grips and rolls", spinning, ground, {0, 0, 0}, Law::poisson, 0, 2),
+      impact("balls that part", parting, other_ball, {0, 0, 0}, Law::poisson, 0.5, 0.5),
+      impact("an elastic ball without friction", dropped, ground, {0, 0, 0}, Law::poisson, 1, 0),
       impact("boxes that part", right, left, between, Law::poisson, 0.5, 0.5),
   };
 }
@@ -159,6 +167,8 @@ std::vector<Scene> build() {
                 {{3, at(4.5, 0, 0)}},
                 {{3, at(8, 0, 0)}, {0, at(0, 0, 0)}},
                 {{3, at(8, 0, 2)}, {1, at(6, 0, 2)}}}),
+      sequence("cubes that come within 2^-41 of each other", {cube, cube},
+               {{{0, at(0, 0, 0)}, {1, at(4, 0, 0)}}, {{1, at(0.5, 0.5, 2 + 0x1p-41)}}, {{1, at(0, 5, 0)}}}),
       under({-2.5, -2.5, 1, 6, 6, 1, 0},
             pair("cubes with sides through centres, one on the other", body(cube, {0, 0, 0}), body(cube, {1, 0, 2}))),
       under({-3, -3, 0.5, 14, 12, 0, -1},
@@ -172,6 +182,8 @@ std::vector<Scene> build() {
       under({-2.25, -2.25, 0.5, 9, 9, 0, 0},
             pair("diamonds, one on the other", body(octahedron, {0, 0, 0}), body(octahedron, {0, 0, 2}))),
       many("a needle", {dense(body(needle, {1, 2, 3}, about_x), 2)}),
+      pair("cubes 2^-41 apart", body(cube, {0, 0, 0}), body(cube, {0.5, 0.5, 2 + 0x1p-41})),
+      pair("an edge that rises by 2^-41 over a cube", body(nearly_level, {0, 0, 2}), body(cube, {0, 0, 0})),
   };
 }
 

@@ -78,6 +78,52 @@ Lies remembers() {
   });
 }
 
+// Lies by a few times what two answers may differ by, in each answer but its first.
+Lies slightly_fickle() {
+  const auto asked = std::make_shared<int>(0);
+  const auto later = [asked](const auto& lie) {
+    return [asked, lie](Subject&, const Scene& scene, auto& said) {
+      if (++*asked > 1) lie(scene, said);
+    };
+  };
+  Lies lies;
+  lies.mass = later([](const Scene& scene, Masses& said) {
+    for (std::size_t i = 0; i < said.size(); ++i) {
+      if (!said[i]) continue;
+      double arm = 0;
+      for (const Vec3& corner : corners(scene.bodies[i])) arm = std::max(arm, corner.norm());
+      said[i]->mass *= 1 + 66 * rounding;
+      said[i]->p_BBcm.x() += 144 * rounding * arm;
+      said[i]->I_BBcm_B(0, 0) += 480 * rounding * said[i]->mass * arm * arm;
+    }
+  });
+  lies.bounds = later([](const Scene& scene, Bounds& said) {
+    for (Aabb& box : said) box.hi.x() += 1250 * rounding_of_length(scene);
+  });
+  lies.distance = later([](const Scene& scene, Distance& said) {
+    if (said.distance > 0) *said.distance += 1500 * rounding_of_length(scene);
+  });
+  lies.penetration = later([](const Scene& scene, Penetration& said) {
+    if (said.depth > 0) *said.depth += 1500 * rounding_of_length(scene);
+  });
+  lies.impulse = later([](const Scene& scene, Impulse& said) {
+    for (std::size_t i = 0; i < 2; ++i) {
+      const Velocity& before = scene.bodies[i].velocity;
+      Velocity& after = said.after[i];
+      after.v_WBcm += 6000 * rounding * (after.v_WBcm - before.v_WBcm);
+      after.w_WB += 6000 * rounding * (after.w_WB - before.w_WB);
+    }
+  });
+  lies.time_of_impact = later([](const Scene& scene, TimeOfImpact& said) {
+    const double speed = (scene.bodies[0].velocity.v_WBcm - scene.bodies[1].velocity.v_WBcm).norm();
+    Scene at_origin = scene;  // translating the world makes the lie no greater
+    at_origin.bodies[1].X_WB.p_WB -= at_origin.bodies[0].X_WB.p_WB;
+    at_origin.bodies[0].X_WB.p_WB.setZero();
+    if (said.time && speed > 0) *said.time += 16000 * rounding_of_length(at_origin) / speed;
+  });
+  return lies;
+}
+
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 Lies not_a_number() {
@@ -227,6 +273,8 @@ std::vector<Canary> canaries_about_anything() {
       lying("canary.first_vertex", "lets the first vertex in the list leak into the answer", first_vertex),
       lying("canary.counter", "changes every second answer by one bit", counter),
       lying("canary.remembers", "answers otherwise once another scene was asked", remembers),
+      lying("canary.slightly_fickle", "is off by a few times what rounding explains, in each answer but its first",
+            slightly_fickle),
       lying("canary.nan", "answers NaN", not_a_number),
       lying("canary.throws", "throws", breaks),
   };

@@ -62,6 +62,10 @@ void neighbours(Subject&, const Scene& scene, Bounds& said) {
   for (Aabb& box : said) box.hi.x() += 1e-12 * scene.bodies.front().X_WB.p_WB.cwiseAbs().sum();
 }
 
+void slightly_wide(Subject&, const Scene& scene, Bounds& said) {
+  for (Aabb& box : said) box.hi.x() += 832 * rounding_of_length(scene);
+}
+
 void phantom(Subject&, const Scene& scene, PairSet& said) {
   if (scene.bodies.size() < 2 || (!said.empty() && said.front() == std::pair(0, 1))) return;
   said.insert(said.begin(), {0, 1});
@@ -100,6 +104,8 @@ std::vector<Canary> canaries_about_boxes() {
                  }); }),
       lying("canary.box_of_neighbours", "lets the first body's place leak into every box",
             [] { return boxes(neighbours); }),
+      lying("canary.slightly_wide", "makes each box wider by four times what rounding explains",
+            [] { return boxes(slightly_wide); }),
       lying("canary.open_intervals", "misses pairs whose boxes only touch", [] { return pairs_where(overlap_inside); }),
       lying("canary.two_axes_only", "compares boxes on x and y alone", [] { return pairs_where(overlap_in_plane); }),
       lying("canary.last_body_lost", "never compares the last body", [] { return pairs(last_body_lost); }),

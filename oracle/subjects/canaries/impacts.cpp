@@ -42,6 +42,9 @@ void strike(Impulse& said, const Scene& scene, const Impact& impact, const Point
   said.P_A_W = on_A.cast<double>();
 }
 
+// Of what a careful computation of an ordinary impact may be wrong by, 3 to 6 times.
+constexpr double few_thousand = 4000 * rounding;
+
 Point impulse_of(const Impulse& said) { return said.P_A_W.value_or(Vec3::Zero()).cast<Real>(); }
 
 Point normal_part(const Point& P, const Impact& impact) { return impact.nhat_BA_W.dot(P) * impact.nhat_BA_W; }
@@ -117,6 +120,20 @@ Point sticky(const Point& P, const Impact& impact, const Contact&) {
 Point inverse_mass_alone(const Point& P, const Impact& impact, const Contact& contact) {
   if (P.isZero(0)) return P;
   return -(1 + contact.restitution) * impact.u_n() * impact.least_mass() * impact.nhat_BA_W;
+}
+
+// Pulls separating bodies by a few thousand roundings of the impulse that would hold them together.
+Point slightly_sticky(const Point& P, const Impact& impact, const Contact&) {
+  if (!(impact.u_n() > 0)) return P;
+  return -3 * few_thousand * impact.u_n() / impact.K_nn() * impact.nhat_BA_W;
+}
+
+Point slightly_rough(const Point& P, const Impact& impact, const Contact&) {
+  return P + few_thousand * (P - normal_part(P, impact));
+}
+
+void slightly_one_sided(std::size_t body, const Scene&, Velocity& change) {
+  if (body == 0) change.v_WBcm *= 1 + 100 * rounding;
 }
 
 Point friction_by_compression(const Point& P, const Impact& impact, const Contact& contact) {
@@ -225,6 +242,43 @@ std::vector<Canary> canaries_about_impacts() {
             }),
       lying("canary.boasts_of_its_impulse", "states an impulse that is off by 1e-9, and no error",
             [] { return impacts(boasts_of_its_impulse); }),
+      lying("canary.slightly_strong", "makes the impulse greater by a few thousand roundings",
+            [] {
+              return with_impulse(
+                  [](const Point& P, const Impact&, const Contact&) { return Point((1 + few_thousand) * P); });
+            }),
+      lying("canary.slightly_weak", "makes the impulse smaller by a few thousand roundings",
+            [] {
+              return with_impulse(
+                  [](const Point& P, const Impact&, const Contact&) { return Point((1 - few_thousand) * P); });
+            }),
+      lying("canary.slightly_rough", "makes friction greater by a few thousand roundings",
+            [] { return with_impulse(slightly_rough); }),
+      lying("canary.slightly_sticky", "pulls parting bodies back by a few thousand roundings",
+            [] { return with_impulse(slightly_sticky); }),
+      lying("canary.slightly_one_sided", "makes the change of A's velocity greater by 100 roundings",
+            [] { return with_changes(slightly_one_sided); }),
+      lying("canary.slightly_misstated", "states an impulse that is greater by a few thousand roundings",
+            [] {
+              return impacts([](Subject&, const Scene&, Impulse& said) {
+                if (said.P_A_W) *said.P_A_W *= 1 + few_thousand;
+              });
+            }),
+      lying("canary.slightly_boastful", "states an impulse that is greater by 20 roundings, and its error as it was",
+            [] {
+              return impacts([](Subject&, const Scene&, Impulse& said) {
+                if (said.P_A_W) *said.P_A_W *= 1 + 20 * rounding;
+              });
+            }),
+      lying("canary.slight_drag", "slows every body by a few thousand roundings",
+            [] {
+              return impacts([](Subject&, const Scene&, Impulse& said) {
+                for (Velocity& V : said.after) {
+                  V.v_WBcm *= 1 - 3 * few_thousand;
+                  V.w_WB *= 1 - 3 * few_thousand;
+                }
+              });
+            }),
       lying("canary.shrugs", "calls every impact ambiguous",
             [] { return impacts([](Subject&, const Scene&, Impulse& said) { said.ambiguous = 0; }); }),
       lying("canary.bodies_stop", "brings both bodies to rest",

@@ -1,5 +1,6 @@
 #include "oracle/subjects/canaries/lie.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "model/box_vertices.h"
@@ -115,6 +116,16 @@ Lies distances(Lie<Distance> lie) {
   Lies lies;
   lies.distance = std::move(lie);
   return lies;
+}
+
+double rounding_of_length(const Scene& scene) {
+  double scale = 0;
+  for (const Body& body : scene.bodies) {
+    double radius = 0;
+    for (const Vec3& corner : corners(body)) radius = std::max(radius, corner.norm());
+    scale = std::max(scale, body.X_WB.p_WB.cwiseAbs().maxCoeff() + radius);
+  }
+  return rounding * scale;
 }
 
 double distance_by(Subject& truthful, const Scene& scene) {

@@ -48,6 +48,12 @@ std::vector<Canary> canaries_about_simulations();
 std::vector<Canary> canaries_about_constraints();
 std::vector<Canary> canaries_about_anything();
 
+/// The unit in which slight lies count: 2⁻⁵³ for numbers, and for lengths of a scene 2⁻⁵³ of its scale. A slight lie is
+/// a few times as great as what a property allows a subject that computes in doubles (docs/spec/allowances.md). These
+/// units are not those of oracle/tolerance, so an allowance that becomes wider leaves the lie as it is.
+inline constexpr double rounding = 0x1p-53;
+double rounding_of_length(const Scene& scene);
+
 /// Lies about distances alone.
 Lies distances(Lie<Distance> lie);
 

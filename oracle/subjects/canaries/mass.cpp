@@ -1,5 +1,6 @@
 // Canaries that lie about mass, centre of mass and inertia.
 #include <Eigen/Geometry>
+#include <algorithm>
 
 #include "oracle/rotation.h"
 #include "oracle/subjects/canaries/lie.h"
@@ -45,6 +46,25 @@ void covariance(const Body&, MassProperties& said) {
   said.I_BBcm_B = Mat3(said.I_BBcm_B.trace() / 2 * Mat3::Identity()) - said.I_BBcm_B;
 }
 
+double greatest_arm(const Body& body) {
+  double greatest = 0;
+  for (const Vec3& corner : corners(body)) greatest = std::max(greatest, corner.norm());
+  return greatest;
+}
+
+// Of a box, 4 times what may be wrong.
+void slightly_wrong(const Body& body, MassProperties& said) {
+  const double arm = greatest_arm(body);
+  said.mass *= 1 + 44 * rounding;
+  said.p_BBcm.x() += 96 * rounding * arm;
+  said.I_BBcm_B(0, 0) += 320 * rounding * said.mass * arm * arm;
+}
+
+void slightly_lopsided(const Body& body, MassProperties& said) {
+  const double arm = greatest_arm(body);
+  said.I_BBcm_B(1, 0) += 3000 * rounding * said.mass * arm * arm;
+}
+
 void density_ignored(const Body& body, MassProperties& said) {
   if (const Density* density = std::get_if<Density>(&body.mass)) {
     said.mass /= density->value;
@@ -67,6 +87,10 @@ std::vector<Canary> canaries_about_mass() {
       lying("canary.covariance", "gives ∫ r rᵀ dm for the inertia", [] { return each(covariance); }),
       lying("canary.negative_mass", "sees every solid inside out",
             [] { return each([](const Body&, MassProperties& said) { said.mass = -said.mass; }); }),
+      lying("canary.slightly_wrong_mass", "is wrong by four times what rounding explains of a box",
+            [] { return each(slightly_wrong); }),
+      lying("canary.slightly_lopsided", "has an inertia that is not symmetric, by a few thousand roundings",
+            [] { return each(slightly_lopsided); }),
   };
 }
 

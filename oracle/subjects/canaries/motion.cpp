@@ -115,6 +115,17 @@ void wide(Subject&, const Scene& scene, TimeOfImpact& said) {
   if (said.enclosure) said.enclosure = Interval{start_of(scene), scene.motion->sample_times.back()};
 }
 
+// s: in which two bodies that start as these do move one rounding of a length relative to each other.
+double rounding_of_time(const Scene& scene) {
+  const double speed = (scene.bodies[0].velocity.v_WBcm - scene.bodies[1].velocity.v_WBcm).norm();
+  return speed > 0 ? rounding_of_length(scene) / speed : 0;
+}
+
+// Twice as wide as the enclosure of a careful subject may be.
+void slightly_wide_enclosure(Subject&, const Scene& scene, TimeOfImpact& said) {
+  if (said.time) said.enclosure = Interval{*said.time - 8000 * rounding_of_time(scene), *said.time};
+}
+
 double mass_of(const Body& body) {
   const auto* density = std::get_if<Density>(&body.mass);
   return density != nullptr ? density->value : 0;
@@ -160,6 +171,12 @@ std::vector<Canary> canaries_about_motion() {
             [] { return meetings(touching_at_start_ignored); }),
       lying("canary.ahead_is_hit", "reports a hit of all bodies that approach", [] { return meetings(ahead_is_hit); }),
       lying("canary.shrugs_at_flights", "decides no time of impact", [] { return meetings(shrugs); }),
+      lying("canary.slightly_early", "is early by a few thousand roundings",
+            [] { return with_time([](double t, const Scene& s) { return t - 4000 * rounding_of_time(s); }); }),
+      lying("canary.slightly_late", "is late by a few thousand roundings",
+            [] { return with_time([](double t, const Scene& s) { return t + 2400 * rounding_of_time(s); }); }),
+      lying("canary.slightly_wide_meeting", "gives an enclosure that begins 8000 roundings too early",
+            [] { return meetings(slightly_wide_enclosure); }),
       lying("canary.wide_meeting", "gives the whole motion as the enclosure of the time of impact",
             [] { return meetings(wide); }),
   };

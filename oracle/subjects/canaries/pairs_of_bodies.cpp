@@ -68,6 +68,18 @@ void wide_enclosure(Subject&, const Scene&, Distance& said) {
   if (said.distance) said.enclosure = Interval{0, 2 * *said.distance};
 }
 
+// Four times what may be wrong, and a witness point of A as far off as is seen there and in the distance of both.
+void slightly_far(Subject&, const Scene& scene, Distance& said) {
+  const double unit = rounding_of_length(scene);
+  if (!said.distance || said.verdict == Verdict::overlapping) return;
+  const double said_distance = *said.distance;
+  *said.distance += 1000 * unit;
+  said.enclosure = Interval{std::max(0.0, said_distance - 1000 * unit), said_distance + 1000 * unit};
+  if (!said.p_WCa || !said.p_WCb) return;
+  const Vec3 to_B = *said.p_WCb - *said.p_WCa;
+  if (to_B.norm() > 0) *said.p_WCa += 600 * unit * to_B.normalized();
+}
+
 struct Solid {
   std::vector<Vec3> vertices;
   std::vector<Vec3> normals;
@@ -119,6 +131,12 @@ void shallow(Subject&, const Scene&, Penetration& said) {
   if (said.depth) *said.depth *= 1 - 1e-6;
 }
 
+// Moving A by this depth leaves 2.3 times the depth that may remain.
+void slightly_shallow(Subject&, const Scene& scene, Penetration& said) {
+  if (said.verdict == Verdict::overlapping && said.depth) *said.depth -= 1400 * rounding_of_length(scene);
+  if (said.nhat_BA_W) *said.nhat_BA_W *= 1 + 416 * rounding;
+}
+
 void depth_when_apart(Subject& truthful, const Scene& scene, Penetration& said) {
   if (said.verdict == Verdict::separated) said.depth = -distance_by(truthful, scene);
 }
@@ -153,10 +171,16 @@ std::vector<Canary> canaries_about_pairs_of_bodies() {
             [] { return distances(narrow_enclosure); }),
       lying("canary.wide_enclosure", "claims an enclosure from 0 to twice the distance",
             [] { return distances(wide_enclosure); }),
+      lying("canary.slightly_far", "makes distances too great by four times what rounding explains",
+            [] { return distances(slightly_far); }),
       lying("canary.face_normals_only", "takes the least depth over face normals, forgetting pairs of edges",
             [] { return penetrations(face_normals_only); }),
       lying("canary.shallow", "makes every depth too small by one part in a million",
             [] { return penetrations(shallow); }),
+      lying("canary.slightly_shallow",
+            "makes depths too small, and directions too long, by a few times what rounding "
+            "explains",
+            [] { return penetrations(slightly_shallow); }),
       lying("canary.depth_when_apart", "answers minus the distance for the depth of separated bodies",
             [] { return penetrations(depth_when_apart); }),
       lying("canary.normal_flipped", "points from A to B", [] { return penetrations(normal_flipped); }),

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 #include <map>
+#include <memory>
 #include <set>
 
 #include "model/sequence.h"
@@ -161,6 +162,38 @@ void frame_left_out(Subject&, const Scene&, PairHistory& said) {
   });
 }
 
+// Adds the pairs whose boxes are apart by less than about three times what is granted.
+void add_near(const FrameBoxes& boxes, double near, PairSet& pairs) {
+  for (const auto& [i, a] : boxes) {
+    for (const auto& [j, b] : boxes) {
+      const double gap = std::max((a.lo - b.hi).maxCoeff(), (b.lo - a.hi).maxCoeff());
+      if (i < j && gap > 0 && gap <= near) pairs.emplace_back(i, j);
+    }
+  }
+  std::ranges::sort(pairs);
+  pairs.erase(std::ranges::unique(pairs).begin(), pairs.end());
+}
+
+Lies slightly_generous(int truthful_answers) {
+  const auto asked = std::make_shared<int>(0);
+  constexpr double near = 1300;
+  Lies lies;
+  lies.broad_phase = [=](Subject& truthful, const Scene& scene, PairSet& said) {
+    if (++*asked <= truthful_answers) return;
+    with(truthful.bounds(scene), [&](const Bounds& all) {
+      FrameBoxes boxes;
+      for (std::size_t i = 0; i < all.size(); ++i) boxes[static_cast<int>(i)] = all[i];
+      add_near(boxes, near * rounding_of_length(scene), said);
+    });
+  };
+  lies.pair_history = [=](Subject& truthful, const Scene& sequence, PairHistory& said) {
+    if (++*asked <= truthful_answers) return;
+    const std::vector<FrameBoxes> boxes = boxes_of(truthful, sequence);
+    for (std::size_t f = 0; f < said.size(); ++f) add_near(boxes[f], near * rounding, said[f].pairs);
+  };
+  return lies;
+}
+
 }  // namespace
 
 std::vector<Canary> canaries_about_sequences() {
@@ -180,6 +213,10 @@ std::vector<Canary> canaries_about_sequences() {
       lying("canary.a_frame_late", "reports the pairs of the frame before", [] { return sequences(a_frame_late); }),
       lying("canary.frame_left_out", "has no entry for a frame in which nothing changes",
             [] { return sequences(frame_left_out); }),
+      lying("canary.slightly_generous", "reports pairs whose boxes are apart by three times what is granted",
+            [] { return slightly_generous(0); }),
+      lying("canary.slightly_generous_later", "reports such pairs in each answer but its first",
+            [] { return slightly_generous(1); }),
   };
 }
 
