@@ -78,6 +78,17 @@ TEST_CASE("contact graph: a fixed body connects no others") {
   CHECK(one[0].contact_pairs().size() == 3);
 }
 
+TEST_CASE("contact graph: balls that touch are connected, whatever place the table has among the bodies") {
+  const Body first = ball_at(0, 0), second = ball_at(2, 0), other = ball_at(20, 0);
+  for (const auto& all :
+       {std::vector<Body>{first, table(), second, other}, std::vector<Body>{first, second, table(), other}}) {
+    const std::vector<ContactGraph> graphs = IslandBodies(all, still).graph(near, reach).components();
+    REQUIRE(graphs.size() == 2);
+    CHECK(ids(graphs[0]) == std::vector<BodyId>{0, 1, 2});
+    CHECK(ids(graphs[1]).size() == 2);
+  }
+}
+
 TEST_CASE("contact graph: absorbs another one without a body or pair twice") {
   const IslandBodies bodies({table(), ball_at(0, 0), ball_at(9, 0)}, still);
   std::vector<ContactGraph> parts = bodies.graph(near, reach).components();
