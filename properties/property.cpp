@@ -26,12 +26,26 @@ Property in_its_precision(Property property) {
 
 std::vector<Property> join() {
   std::vector<Property> joined;
-  for (const auto& query :
-       {mass_properties, bounds_properties, broad_phase_properties, broad_phase_sequence_properties,
-        distance_properties, penetration_properties, pixel_properties, impulse_properties, impulse_law_properties,
-        time_of_impact_properties, simulation_properties, simulation_lockstep_properties, simulation_meeting_properties,
-        simulation_law_properties, simulation_scene_properties, simulation_causality_properties,
-        simulation_face_properties, simulation_together_properties, constraint_properties}) {
+  for (const auto& query : {mass_properties,
+                            bounds_properties,
+                            broad_phase_properties,
+                            broad_phase_sequence_properties,
+                            distance_properties,
+                            penetration_properties,
+                            pixel_properties,
+                            impulse_properties,
+                            impulse_law_properties,
+                            time_of_impact_properties,
+                            simulation_properties,
+                            simulation_lockstep_properties,
+                            simulation_meeting_properties,
+                            simulation_law_properties,
+                            simulation_scene_properties,
+                            simulation_causality_properties,
+                            simulation_face_properties,
+                            simulation_carrier_properties,
+                            simulation_together_properties,
+                            constraint_properties}) {
     for (Property& property : query()) joined.push_back(in_its_precision(std::move(property)));
   }
   return joined;

@@ -25,6 +25,7 @@ std::vector<Property> simulation_law_properties();
 std::vector<Property> simulation_scene_properties();
 std::vector<Property> simulation_causality_properties();
 std::vector<Property> simulation_face_properties();
+std::vector<Property> simulation_carrier_properties();
 std::vector<Property> simulation_together_properties();
 std::vector<Property> constraint_properties();
 

@@ -111,10 +111,10 @@ Scene ties(Random& random) {
   return run(random, std::move(bodies), motion_until(3, 2));
 }
 
-/// Ten to twenty pairs of balls that collide, not always centrally, within 2^-5 s.
+/// Ten to thirty pairs of balls that collide, not always centrally, within 2^-5 s.
 Scene crowd(Random& random) {
   std::vector<Body> bodies;
-  const int pairs = random.between(10, 20);
+  const int pairs = random.between(10, 30);
   for (int n = 0; n < pairs; ++n) {
     const Vec3 middle = 8 * Vec3(n % 2, (n / 2) % 4, n / 8);
     const double impact = 0.5 + std::ldexp(random.below(16), -9);
@@ -389,6 +389,36 @@ std::vector<Body> dropped(Random& random) {
   return bodies;
 }
 
+/// A body that slides over a longer box which moves: a fixed one, or one on a table without friction that it drags
+/// along. All that moves does so along one line through the middle of the box.
+Scene on_a_carrier(Random& random) {
+  const Vec3 line = random.pick<Vec3>({Vec3::UnitX(), Vec3::UnitY(), Vec3(1, 1, 0), Vec3(2, -1, 0)});
+  const bool is_ball = random.one_in(3), on_ice = !random.one_in(3);
+  const double mu = random.pick({0.25, 0.5}), e = on_ice || !is_ball ? 0 : random.pick({0.0, 0.5});
+  Body carrier = with_mass(random, at_rest(Box{Vec3(8, 6, 0.5)}));
+  carrier.X_WB = {{0, 0, 0.5}, {random.whole(2, 3), 0, 0, random.whole(-1, 1)}};
+  carrier.velocity.v_WBcm = random.whole(-2, 2) * line;
+  Body rider = is_ball ? at_rest(Sphere{1}) : at_rest(Box{Vec3(1, random.pick({0.75, 1.5}), 0.5)});
+  rider = with_mass(random, std::move(rider));
+  const double along = 0.5 * random.whole(-2, 2), speed = random.whole(-3, 3);
+  rider.X_WB.p_WB = along * line + Vec3(0, 0, is_ball ? 2.0 : 1.5);
+  if (!is_ball) rider.X_WB.q_WB = {random.whole(1, 3), 0, 0, random.whole(-1, 1)};
+  rider.velocity.v_WBcm = carrier.velocity.v_WBcm + speed * line;
+  if (is_ball) rider.velocity.w_WB = random.whole(-2, 2) * Vec3(-line.y(), line.x(), 0);
+  carrier.material = rider.material = {e, mu};
+  std::vector<Body> bodies = {std::move(rider)};
+  if (on_ice) {
+    Body table = fixed(at_rest(Box{Vec3(256, 256, 2)}, {{0, 0, -2}, {}}));
+    table.material = {0, 0};
+    bodies.push_back(std::move(table));
+    bodies.push_back(std::move(carrier));
+  } else {
+    bodies.push_back(fixed(std::move(carrier)));
+  }
+  if (random.one_in(2)) std::ranges::reverse(bodies);
+  return run(random, std::move(bodies), motion_until(1, 8), {0, 0, -8});
+}
+
 /// Bodies on a level table without friction, which may rub on each other.
 Scene on_ice(Random& random) {
   std::vector<Body> bodies = random.pick<Bodies>({sliders, on_another, dropped})(random);
@@ -425,7 +455,7 @@ std::vector<Family> run_families() {
       {"runs.on_a_table", "solids thrown onto a table", queries, true, on_a_table},
       {"runs.cradle", "equal balls in a row, with gaps", queries, true, cradle},
       {"runs.ties", "pairs that collide at the same time", queries, true, ties},
-      {"runs.crowd", "20 to 40 balls that collide in pairs within 2^-5 s", queries, true, crowd},
+      {"runs.crowd", "20 to 60 balls that collide in pairs within 2^-5 s", queries, true, crowd},
       {"runs.one_impact", "two elastic, smooth bodies that collide once", queries, true, one_impact},
       {"runs.tops", "bodies whose moments differ, turning", queries, true, tops},
       {"runs.pushed", "forces that begin and change", queries, true, pushed},
@@ -440,6 +470,7 @@ std::vector<Family> run_families() {
        touching},
       {"runs.on_ice", "bodies that slide, fall and rub on each other on a table without friction", queries, true,
        on_ice},
+      {"runs.carried", "bodies that slide on a box that moves, fixed or on ice", queries, true, on_a_carrier},
       {"runs.far_apart", "two bodies that start 2^4 to 2^60 sizes apart", queries, false, far_apart},
   };
 }

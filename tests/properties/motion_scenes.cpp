@@ -126,6 +126,11 @@ std::vector<Scene> build_runs() {
       {with(floor_box, 1, 0.25), with(moving(body(Sphere{1}, {0, 0, 1 + 0x1p-18}), {2, 0, 0}, {0, 0, 64}), 1, 0.25)},
       {0.03125, 0.0625}, down);
   spinning.motion->envelope = 0x1p-17;
+  Scene carried = scene_of("a ball that slides on a box which moves, in bounces within the envelope",
+                           {with(moving(floor_box, {1, -0.5, 0}), 1, 0.25),
+                            with(moving(body(Sphere{1}, {0, 0, 1 + 0x1p-18}), {3, 0.5, 0}), 1, 1)},
+                           {0.03125, 0.0625}, down);
+  carried.motion->envelope = 0x1p-17;
   return {
       scene_of("balls that rub",
                {with(moving(body(Sphere{1}, {0, 0, 0}), {3, 0, 0}, {0, 0, 4}), 0.5, 0.25),
@@ -172,6 +177,7 @@ std::vector<Scene> build_runs() {
       scene_of("a polytope that lands on a face",
                {with(floor_box, 1, 0), with(moving(body(as_polytope(cube), {0, 0, 2}), {0, 0, -2}), 0.5, 0)},
                {0.25, 0.75}, still),
+      carried,
       scene_of("a ball from 2^24 radii away", {at(0, 0, 0), moving(at(0x1p24, 1, 0), {-0x1p25, 0, 0})}, {0.25, 1},
                still),
   };

@@ -9,6 +9,7 @@
 #include "model/limits.h"
 #include "oracle/subjects/touchstone/fast.h"
 #include "oracle/truth/truth.h"
+#include "properties/property.h"
 #include "tests/catch.h"
 #include "tests/properties/scenes/drawn.h"
 
@@ -147,4 +148,14 @@ TEST_CASE("drawn motions: runs.on_ice has bodies that rest or slide on each othe
   CHECK(scenes_with(Event::Kind::impact, false) >= 12);
   CHECK(scenes_with(Event::Kind::contact, true) >= 30);
   CHECK(scenes_with(Event::Kind::impact, true) >= 6);
+}
+
+TEST_CASE("drawn motions: runs.carried has riders that slip until they stick, on boxes that move, fixed or on ice") {
+  const std::vector<Scene> scenes = drawn("runs.carried", draws);
+  const auto subject = oracle::subjects::make_fast();
+  const properties::Property& law = properties::find("simulation.carried");
+  const auto judged = [&](const Scene& scene) { return law.check(scene, *subject).outcome == oracle::Outcome::holds; };
+  const auto has_free_box = [](const Scene& scene) { return scene.bodies.size() == 3; };
+  CHECK(count(scenes, [&](const Scene& s) { return has_free_box(s) && judged(s); }) >= 30);
+  CHECK(count(scenes, [&](const Scene& s) { return !has_free_box(s) && judged(s); }) >= 15);
 }
