@@ -72,6 +72,18 @@ TEST_CASE("manifold: two edges that cross touch in one point, two that are paral
   check_places(A, along, {{0, 0, std::sqrt(2.0)}, {1, 0, std::sqrt(2.0)}});
 }
 
+TEST_CASE("manifold: a corner touches a corner or an edge where the corner is") {
+  const Polytope octahedron{{x, -x, y, -y, z, -z},
+                            {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}}};
+  const Posed below(octahedron, Vec3(0.25, 0, 0)), on_corner(octahedron, Vec3(0.25, 0, 2));
+  check_places(on_corner, below, {{0.25, 0, 1}});
+  const double height = std::sqrt(2.0);
+  const Posed edge_below(cube(), Vec3::Zero(), eighth_turn(x)), on_edge(octahedron, Vec3(0.5, 0, height + 1));
+  check_places(on_edge, edge_below, {{0.5, 0, height}});
+  const Posed edge_above(cube(), Vec3(0, 0, height + 1), eighth_turn(x));
+  check_places(edge_above, below, {{0.25, 0, 1}});
+}
+
 TEST_CASE("manifold: a ball touches with its centre as a point with a radius") {
   const Posed ball(Sphere{0.5}, Vec3(1, 2, 1.5)), B(plate(), Vec3::Zero());
   check_places(ball, B, {{1, 2, 1}});
