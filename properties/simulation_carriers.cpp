@@ -48,15 +48,15 @@ struct Stand {
   Real height() const { return half.z(); }
 };
 
-/// A rider on a carrier. The carrier is fixed and moves, or is free on a table without friction.
+/// An upper body on a carrier. The carrier is fixed and moves, or is free on a table without friction.
 struct Ride {
-  std::size_t rider = 0, carrier = 0;
+  std::size_t upper = 0, carrier = 0;
   std::optional<std::size_t> table;
-  Track of_rider, of_carrier;
+  Track of_upper, of_carrier;
   Real slip_ends = 0;  ///< s
-  Real friction = 0;   ///< μ between rider and carrier
-  Real ratio = 0;      ///< mass of the rider over that of the carrier; 0 for a fixed one
-  Real speeds = 0;     ///< m/s: the slip, and what the rider's spin moves its lowest point by
+  Real friction = 0;   ///< μ between both
+  Real ratio = 0;      ///< mass of the upper body over that of the carrier; 0 for a fixed one
+  Real speeds = 0;     ///< m/s: the slip, and what the upper body's spin moves its lowest point by
 };
 
 bool turns_about_z(const Quaternion& q) { return q.x == 0 && q.y == 0; }
@@ -98,11 +98,11 @@ std::optional<Ride> roles(const Scene& scene) {
   if (order.size() < 2 || order.size() > 3) return std::nullopt;
   std::ranges::sort(order, [&](std::size_t i, std::size_t j) { return height(i) > height(j); });
   Ride ride;
-  ride.rider = order[0];
+  ride.upper = order[0];
   ride.carrier = order[1];
   if (order.size() == 3) ride.table = order[2];
   const bool fixed_carrier = is_fixed(scene.bodies[ride.carrier]);
-  if (is_fixed(scene.bodies[ride.rider]) || fixed_carrier == ride.table.has_value()) return std::nullopt;
+  if (is_fixed(scene.bodies[ride.upper]) || fixed_carrier == ride.table.has_value()) return std::nullopt;
   if (ride.table && (!is_fixed(scene.bodies[*ride.table]) || scene.bodies[*ride.table].velocity != Velocity{})) {
     return std::nullopt;
   }
@@ -124,25 +124,25 @@ Material material_of(const Body& a, const Body& b) {
   return {std::min(a.material.restitution, b.material.restitution), std::min(a.material.friction, b.material.friction)};
 }
 
-// The rider slips with the velocity of its lowest point relative to the carrier. Friction, μ m g against the slip, acts
-// on both in its direction, which therefore stays: slip falls at the rate μ g (1 + λ + m/M), λ = m r²/I for a ball and
-// 0 for a box that does not turn, and m/M the ratio of the masses, 0 for a fixed carrier.
+// The upper body slips with the velocity of its lowest point relative to the carrier. Friction, μ m g against the slip,
+// acts on both in its direction, which therefore stays: slip falls at the rate μ g (1 + λ + m/M), λ = m r²/I for a ball
+// and 0 for a box that does not turn, and m/M the ratio of the masses, 0 for a fixed carrier.
 //
 // On ice the carrier must not turn: the line of friction passes over its centre of mass.
 std::optional<Ride> ride_of(const Scene& scene, oracle::Precision precision) {
   std::optional<Ride> ride = roles(scene);
   const Vec3& g = scene.gravity;
   if (!ride || g.x() != 0 || g.y() != 0 || !(g.z() < 0)) return std::nullopt;
-  const Body &rider = scene.bodies[ride->rider], &carrier = scene.bodies[ride->carrier];
-  const std::optional<Stand> base = base_of(rider), under = base_of(carrier);
-  if (!base || !under || under->ball || rider.velocity.v_WBcm.z() != 0) return std::nullopt;
+  const Body &upper = scene.bodies[ride->upper], &carrier = scene.bodies[ride->carrier];
+  const std::optional<Stand> base = base_of(upper), under = base_of(carrier);
+  if (!base || !under || under->ball || upper.velocity.v_WBcm.z() != 0) return std::nullopt;
   if (!carrier.velocity.w_WB.isZero(0) || carrier.velocity.v_WBcm.z() != 0) return std::nullopt;
-  const oracle::ImpactBody facts = oracle::impact_body(scene, ride->rider, rider.X_WB.p_WB);
+  const oracle::ImpactBody facts = oracle::impact_body(scene, ride->upper, upper.X_WB.p_WB);
   const oracle::ImpactBody below = oracle::impact_body(scene, ride->carrier, carrier.X_WB.p_WB);
   if (!facts.p_BcmC_W.isZero(0) || !below.p_BcmC_W.isZero(0)) return std::nullopt;
-  const Material material = material_of(rider, carrier);
+  const Material material = material_of(upper, carrier);
   const Real slack = tolerance::distance(scene, precision), press = -g.z(), h = base->height();
-  if (!rests_on(scene, rider, *base, carrier, slack)) return std::nullopt;
+  if (!rests_on(scene, upper, *base, carrier, slack)) return std::nullopt;
   Real lambda = 0;
   if (base->ball) {
     if (facts.moments[2] - facts.moments[0] > little * facts.moments[2]) return std::nullopt;
@@ -160,29 +160,29 @@ std::optional<Ride> ride_of(const Scene& scene, oracle::Precision precision) {
     ride->ratio = facts.mass / below.mass;
   }
   ride->friction = material.friction;
-  ride->of_rider = {rider.X_WB.p_WB.cast<Real>(), facts.v_WBcm, Point::Zero()};
+  ride->of_upper = {upper.X_WB.p_WB.cast<Real>(), facts.v_WBcm, Point::Zero()};
   ride->of_carrier = {carrier.X_WB.p_WB.cast<Real>(), below.v_WBcm, Point::Zero()};
   Point slip = facts.v_WBcm - below.v_WBcm;
   if (base->ball) slip -= h * facts.w_WB.cross(Point::UnitZ());
   ride->speeds = slip.norm() + (facts.v_WBcm - below.v_WBcm).norm() + h * facts.w_WB.norm();
   if (slip.norm() <= little * ride->speeds || material.friction == 0) return ride;
   const Point sigma = slip.normalized();
-  const Point off = ride->of_rider.p - ride->of_carrier.p, apart = ride->of_rider.v - ride->of_carrier.v;
+  const Point off = ride->of_upper.p - ride->of_carrier.p, apart = ride->of_upper.v - ride->of_carrier.v;
   const auto beside = [&](const Point& x) { return std::abs(x.x() * sigma.y() - x.y() * sigma.x()); };
   if (ride->table && (beside(off) > little * off.norm() || beside(apart) > little * ride->speeds)) return std::nullopt;
-  ride->of_rider.a = -ride->friction * press * sigma;
-  ride->of_carrier.a = -ride->ratio * ride->of_rider.a;
+  ride->of_upper.a = -ride->friction * press * sigma;
+  ride->of_carrier.a = -ride->ratio * ride->of_upper.a;
   ride->slip_ends = slip.norm() / (ride->friction * press * (1 + lambda + ride->ratio));
   return ride;
 }
 
-// Until then the rider is above the carrier's top with all of its base, and the carrier above the table's. On ice the
-// point at which the table's push acts has to be below the carrier: from its middle it is at most by the rider's place
-// and μ times the height at which friction acts, weighed by the masses.
+// Until then the upper body is above the carrier's top with all of its base, and the carrier above the table's. On ice
+// the point at which the table's push acts has to be below the carrier: from its middle it is at most by the upper
+// body's place and μ times the height at which friction acts, weighed by the masses.
 bool stays(const Scene& scene, const Ride& ride, Real time) {
-  const Body &rider = scene.bodies[ride.rider], &carrier = scene.bodies[ride.carrier];
-  const Track off = ride.of_rider - ride.of_carrier;
-  const Stand base = *base_of(rider);
+  const Body &upper = scene.bodies[ride.upper], &carrier = scene.bodies[ride.carrier];
+  const Track off = ride.of_upper - ride.of_carrier;
+  const Stand base = *base_of(upper);
   const Real reach = base.ball ? 0 : base.half.head<2>().norm();
   const Real share = greatest_share(carrier, off, time, ride.slip_ends, reach);
   if (share > 1 - 0x1p-10L) return false;
@@ -195,13 +195,13 @@ bool stays(const Scene& scene, const Ride& ride, Real time) {
   return greatest_share(table, from_table, time, ride.slip_ends, half.head<2>().norm()) <= 1 - 0x1p-10L;
 }
 
-// m/s: how much the rider's velocity may differ if it bounces within the envelope, with speeds up to b = √(2 g ε); on a
-// carrier that itself bounces, up to 2b. Whatever bounces there are, the normal impulses per mass up to a time add up
-// to g t within twice that, and friction to μ times it. Friction stops when slip does, so this is the error of the
+// m/s: how much the upper body's velocity may differ if it bounces within the envelope, with speeds up to b = √(2 g ε);
+// on a carrier that itself bounces, up to 2b. Whatever bounces there are, the normal impulses per mass up to a time add
+// up to g t within twice that, and friction to μ times it. Friction stops when slip does, so this is the error of the
 // velocity. The contact point is within ε of where it should be, which changes the lever of friction by ε/height.
-Real freedom_of_rider(const Scene& scene, const Ride& ride) {
+Real freedom_of_upper(const Scene& scene, const Ride& ride) {
   const Real eps = envelope(scene), bounce = std::sqrt(-2 * static_cast<Real>(scene.gravity.z()) * eps);
-  const Real height = base_of(scene.bodies[ride.rider])->height();
+  const Real height = base_of(scene.bodies[ride.upper])->height();
   return (ride.table ? 4 : 2) * ride.friction * bounce + 2 * eps / height * ride.speeds;
 }
 
@@ -209,15 +209,15 @@ Real freedom_of_rider(const Scene& scene, const Ride& ride) {
 // adapters (docs/design/simulation.md).
 constexpr Real longest_step = 1.0L / 256;
 
-// The carrier gets the rider's impulses, over its own mass.
+// The carrier gets the upper body's impulses, over its own mass.
 Finding follows(const TrajectoryCase& asked, const Ride& ride, bool of_carrier, std::size_t sample) {
   const Scene& scene = asked.scene;
-  const std::size_t index = of_carrier ? ride.carrier : ride.rider;
-  const Track& track = of_carrier ? ride.of_carrier : ride.of_rider;
+  const std::size_t index = of_carrier ? ride.carrier : ride.upper;
+  const Track& track = of_carrier ? ride.of_carrier : ride.of_upper;
   const Real time = asked.time(sample), g = -scene.gravity.z();
-  const Real speed = ride.of_rider.v.norm() + ride.of_carrier.v.norm() + ride.speeds + g * time;
+  const Real speed = ride.of_upper.v.norm() + ride.of_carrier.v.norm() + ride.speeds + g * time;
   const Real rounding = 64 * oracle::unit_roundoff(asked.precision) * (1 + ride.friction) * speed;
-  const Real dv = (of_carrier ? ride.ratio : 1) * freedom_of_rider(scene, ride) + rounding;
+  const Real dv = (of_carrier ? ride.ratio : 1) * freedom_of_upper(scene, ride) + rounding;
   const State& said = asked.said.states[sample][index];
   Point v = said.velocity.v_WBcm.cast<Real>() - track.velocity(time, ride.slip_ends);
   Point p = said.X_WB.p_WB.cast<Real>() - track.place(time, ride.slip_ends);

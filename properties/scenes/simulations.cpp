@@ -398,15 +398,15 @@ Scene on_a_carrier(Random& random) {
   Body carrier = with_mass(random, at_rest(Box{Vec3(8, 6, 0.5)}));
   carrier.X_WB = {{0, 0, 0.5}, {random.whole(2, 3), 0, 0, random.whole(-1, 1)}};
   carrier.velocity.v_WBcm = random.whole(-2, 2) * line;
-  Body rider = is_ball ? at_rest(Sphere{1}) : at_rest(Box{Vec3(1, random.pick({0.75, 1.5}), 0.5)});
-  rider = with_mass(random, std::move(rider));
+  Body upper = is_ball ? at_rest(Sphere{1}) : at_rest(Box{Vec3(1, random.pick({0.75, 1.5}), 0.5)});
+  upper = with_mass(random, std::move(upper));
   const double along = 0.5 * random.whole(-2, 2), speed = random.whole(-3, 3);
-  rider.X_WB.p_WB = along * line + Vec3(0, 0, is_ball ? 2.0 : 1.5);
-  if (!is_ball) rider.X_WB.q_WB = {random.whole(1, 3), 0, 0, random.whole(-1, 1)};
-  rider.velocity.v_WBcm = carrier.velocity.v_WBcm + speed * line;
-  if (is_ball) rider.velocity.w_WB = random.whole(-2, 2) * Vec3(-line.y(), line.x(), 0);
-  carrier.material = rider.material = {e, mu};
-  std::vector<Body> bodies = {std::move(rider)};
+  upper.X_WB.p_WB = along * line + Vec3(0, 0, is_ball ? 2.0 : 1.5);
+  if (!is_ball) upper.X_WB.q_WB = {random.whole(1, 3), 0, 0, random.whole(-1, 1)};
+  upper.velocity.v_WBcm = carrier.velocity.v_WBcm + speed * line;
+  if (is_ball) upper.velocity.w_WB = random.whole(-2, 2) * Vec3(-line.y(), line.x(), 0);
+  carrier.material = upper.material = {e, mu};
+  std::vector<Body> bodies = {std::move(upper)};
   if (on_ice) {
     Body table = fixed(at_rest(Box{Vec3(256, 256, 2)}, {{0, 0, -2}, {}}));
     table.material = {0, 0};

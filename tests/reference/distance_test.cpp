@@ -1,6 +1,8 @@
 #include "reference/distance.h"
 
+#include <cmath>
 #include <limits>
+#include <utility>
 
 #include "reference/agreement.h"
 #include "tests/catch.h"
@@ -277,6 +279,45 @@ TEST_CASE("distance: a tied pair on which the pricing of CGAL's Polytope_distanc
   const Polytope B = convex_hull({Vec3(1, 0, 1), Vec3(3, 3, -2), Vec3(-3, 1, -3), Vec3(-1, 0, 3), Vec3(-3, -2, -2),
                                   Vec3(2, 2, 1), Vec3(-3, 1, 2), Vec3(-3, -2, 3), Vec3(2, -3, -2)});
   agreed(pair(body(A, Vec3(-1, -1, -1), {-1, -3, 3, -3}), body(B, Vec3(-2, 2, 4), {0, -2, -3, 1})));
+}
+
+// The gaps are √(n² + 1) − r − s and n − t − s. As √(n² + 1) = n + 1/(2n) − 1/(8n³) + 1/(16n⁵) − ..., partial sums of
+// the series are in turn too great and too small. No certificate shows which of two parts is nearer.
+TEST_CASE("distance: of two balls of a compound whose gaps nearly tie, the nearer one is found") {
+  for (const double n : {0x1p3, 0x1p10, 0x1p20, 0x1p25}) {
+    const double above = 0.5 / n, below = above - 0.125 / n / n / n, t = 0.5 / n;
+    const auto nearer = [&](double r, bool exchanged) {
+      Compound both{{{Pose{Vec3(n, 1, 0), {}}, Sphere{r}}, {Pose{Vec3(0, 0, n), {}}, Sphere{t}}}};
+      if (exchanged) std::swap(both.parts[0], both.parts[1]);
+      return agreed(pair(body(both), body(Sphere{0.25})));
+    };
+    CAPTURE(n);
+    REQUIRE(Rational(t) + Rational(below) == Rational(t + below));
+    CHECK(nearer(t + above, false).part_A == 0);
+    CHECK(nearer(t + above, true).part_A == 1);
+    CHECK(nearer(t + below, false).part_A == 1);
+    CHECK(nearer(t + below, true).part_A == 0);
+    CHECK(nearer(t + above, false).distance.lo <= n - t - 0.25);
+    CHECK(nearer(t + below, false).distance == (Rational(n) - Rational(t) - Rational(0.25)).enclosure());
+  }
+}
+
+TEST_CASE("distance: of balls the enclosure is two neighbours, whatever cancels") {
+  for (const double r : {1.0, 0x1p20, 0x1p26}) {
+    for (const double off : {0x1p-26, 0x1p-10, 1.0}) {
+      CAPTURE(r, off);
+      const Interval gap = distance(pair(body(Sphere{r}, Vec3(r, off, 0)), body(Sphere{0x1p-60}))).distance;
+      const Rational x = Rational(r) * Rational(r) + Rational(off) * Rational(off), R = Rational(r) + Rational(0x1p-60);
+      const Rational lo = Rational(gap.lo) + R, hi = Rational(gap.hi) + R;
+      if (gap == Interval{0, 0}) {
+        CHECK(x <= R * R);
+        continue;
+      }
+      CHECK(lo * lo <= x);
+      CHECK(hi * hi >= x);
+      CHECK((gap.lo == gap.hi || std::nextafter(gap.lo, 1.0) == gap.hi));
+    }
+  }
 }
 
 TEST_CASE("distance: a point's distance to a body") {

@@ -150,7 +150,7 @@ TEST_CASE("drawn motions: runs.on_ice has bodies that rest or slide on each othe
   CHECK(scenes_with(Event::Kind::impact, true) >= 6);
 }
 
-TEST_CASE("drawn motions: runs.carried has riders that slip until they stick, on boxes that move, fixed or on ice") {
+TEST_CASE("drawn motions: runs.carried has bodies that slip until they stick, on boxes that move, fixed or on ice") {
   const std::vector<Scene> scenes = drawn("runs.carried", draws);
   const auto subject = oracle::subjects::make_fast();
   const properties::Property& law = properties::find("simulation.carried");
