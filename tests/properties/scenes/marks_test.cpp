@@ -144,3 +144,42 @@ TEST_CASE("marks: on generic scenes what is slow runs seldom") {
   CHECK(of(impulse, Mark::impulse_phase) <= 8 * of(impulse, Mark::impulse_curve));
   CHECK(of(impulse, Mark::impulse_scaled) == 0);
 }
+
+namespace {
+
+/// What fast took to solve contacts in steps, over the first scenes of a family.
+struct Solved {
+  std::int64_t steps = 0, unconverged = 0;
+};
+
+Solved contact_steps(const std::string& family, std::uint64_t scenes) {
+  const auto subject = oracle::subjects::make_fast();
+  Solved sum;
+  for (std::uint64_t i = 0; i < scenes; ++i) {
+    const Scene scene = properties::draw(properties::find_family(family), 1, i);
+    const auto answer = subject->simulation(scene);
+    const auto* said = std::get_if<Trajectory>(&answer);
+    REQUIRE(said != nullptr);
+    if (!said->contact_solver) continue;
+    sum.steps += said->contact_solver->steps;
+    sum.unconverged += said->contact_solver->unconverged;
+  }
+  return sum;
+}
+
+}  // namespace
+
+// A step that is shorter than it could be, or that is solved again and again, changes no answer either. The limits are
+// regression pins, a quarter to a half above what was counted.
+TEST_CASE("marks: contacts are solved in no more steps than the motion needs, and what rests takes none") {
+  const Solved carried = contact_steps("runs.carried", 12), on_ice = contact_steps("runs.on_ice", 12);
+  CHECK(carried.steps <= 3400);
+  CHECK(carried.unconverged <= 4);
+  CHECK(on_ice.steps <= 3900);
+  CHECK(on_ice.unconverged <= 18);
+  const Solved over_edges = contact_steps("tables.overhangs", 12);
+  CHECK(over_edges.steps <= 2700);
+  CHECK(over_edges.unconverged == 0);
+  CHECK(contact_steps("tables.stack", 12).steps == 0);
+  CHECK(contact_steps("runs.at_rest", 12).steps == 0);
+}
