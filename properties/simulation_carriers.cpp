@@ -217,7 +217,9 @@ Finding follows(const TrajectoryCase& asked, const Ride& ride, bool of_carrier, 
   const Real time = asked.time(sample), g = -scene.gravity.z();
   const Real speed = ride.of_upper.v.norm() + ride.of_carrier.v.norm() + ride.speeds + g * time;
   const Real rounding = 64 * oracle::unit_roundoff(asked.precision) * (1 + ride.friction) * speed;
-  const Real dv = (of_carrier ? ride.ratio : 1) * freedom_of_upper(scene, ride) + rounding;
+  // A step changes the velocity at once, at one of its ends.
+  const Real in_a_step = (asked.stepping ? asked.stepping->step : 0) * track.a.norm();
+  const Real dv = (of_carrier ? ride.ratio : 1) * freedom_of_upper(scene, ride) + rounding + in_a_step;
   const State& said = asked.said.states[sample][index];
   Point v = said.velocity.v_WBcm.cast<Real>() - track.velocity(time, ride.slip_ends);
   Point p = said.X_WB.p_WB.cast<Real>() - track.place(time, ride.slip_ends);
