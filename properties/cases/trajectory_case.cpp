@@ -3,10 +3,12 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <tuple>
 #include <utility>
 
+#include "model/limits.h"
 #include "oracle/judge/words.h"
 #include "oracle/tolerance/motion.h"
 #include "oracle/tolerance/precision.h"
@@ -136,6 +138,35 @@ bool is_held_before(const TrajectoryCase& asked, const std::vector<Segment>& seg
   });
 }
 
+/// Whether two bodies in contact at C approach at C or elsewhere in their contact region. The region is in the convex
+/// hull of A's vertices near the plane through C, and in that of B's, and u_n is affine over it; so it does not
+/// approach if u_n ≥ 0 at all vertices of one of the two. Vertices count as near within four envelopes: the bodies are
+/// within one of each other, C is within one of both, and the rest leaves room for rounding. A ball has no such
+/// vertices.
+bool region_approaches(const Scene& pair, double envelope) {
+  constexpr oracle::Real infinite = std::numeric_limits<oracle::Real>::infinity();
+  const oracle::Impact impact = oracle::impact(pair);
+  if (impact.u_n() < 0) return true;
+  const oracle::Point C = pair.contact->p_WC.cast<oracle::Real>();
+  const oracle::Point spin = impact.bodies[0].w_WB - impact.bodies[1].w_WB;
+  oracle::Real bound = -infinite;  // of u_n over the region
+  for (std::size_t k = 0; k < 2; ++k) {
+    oracle::Real least = infinite;
+    for (int part = 0;; ++part) {
+      const oracle::Points vertices = oracle::world_points(pair.bodies[k], part);
+      if (vertices.empty()) break;
+      for (const oracle::Point& vertex : vertices) {
+        const oracle::Point off = vertex - C;
+        const bool is_near = std::abs(impact.nhat_BA_W.dot(off)) <= 4 * envelope;
+        if (is_near) least = std::min(least, impact.nhat_BA_W.dot(impact.u + spin.cross(off)));
+      }
+    }
+    if (least == infinite) return false;
+    bound = std::max(bound, least);
+  }
+  return bound < 0;
+}
+
 /// Whether the contact of `impact` approaches before `event`, which is at the same time and not later.
 bool approaches_before(const TrajectoryCase& asked, const Timeline& timeline, const Event& impact, std::size_t event) {
   Scene pair;
@@ -145,7 +176,7 @@ bool approaches_before(const TrajectoryCase& asked, const Timeline& timeline, co
     pair.bodies.back().X_WB = after->X_WB;
     pair.bodies.back().velocity = velocity_before(asked, timeline, body, event);
   }
-  return oracle::impact(pair).u_n() < 0;
+  return region_approaches(pair, envelope(asked.scene));
 }
 
 std::string text(const Pose& pose) {

@@ -123,7 +123,11 @@ std::optional<CollisionSchedule::Search> CollisionSchedule::search_of(BodyId id_
   const bool is_point = has_closed_form(a, b);
   if (!is_point) from = std::max(from, now);
   from = std::max({from, a.path().since, b.path().since});
-  Search search{from, frame_end_, world_->envelope(), {from}};
+  // Bodies that touch at the end of the motion provably overlap only later: so their search takes the whole frame, and
+  // a motion that ends earlier has the same events until then.
+  const double whole_frame = std::max(frame_end_, static_cast<double>(statistics_->frames) * frame_);
+  const bool takes_whole = !is_point && !a.needs_restart(whole_frame) && !b.needs_restart(whole_frame);
+  Search search{from, takes_whole ? whole_frame : frame_end_, world_->envelope(), {from}};
   const Island* const island_of[] = {islands_->of(id_a), islands_->of(id_b)};
   if (island_of[0] || island_of[1]) {
     const PairMemory& remembered = memory(id_a, id_b);
