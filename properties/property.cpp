@@ -45,6 +45,7 @@ std::vector<Property> join() {
                             simulation_face_properties,
                             simulation_carrier_properties,
                             simulation_together_properties,
+                            simulation_instant_properties,
                             constraint_properties}) {
     for (Property& property : query()) joined.push_back(in_its_precision(std::move(property)));
   }

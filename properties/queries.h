@@ -27,6 +27,7 @@ std::vector<Property> simulation_causality_properties();
 std::vector<Property> simulation_face_properties();
 std::vector<Property> simulation_carrier_properties();
 std::vector<Property> simulation_together_properties();
+std::vector<Property> simulation_instant_properties();
 std::vector<Property> constraint_properties();
 
 }  // namespace touchstone::properties

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 
 #include "model/answers.h"
 #include "oracle/subject.h"
@@ -16,6 +17,10 @@ double impulse(const Scene& scene, const Impact& impact, const std::array<Veloci
 /// √J, in the same norm: effect of errors of what the impact is computed from. `arms` (m) bounds those of p_BcmC_W of A
 /// and B, `u` (m/s) that of the velocity at C.
 double of_input(const Scene& scene, const Impact& impact, const std::array<double, 2>& arms, double u);
+
+/// J: error of the kinetic energy after impacts at one time, by the solution for their impulses. `norms` (√J): √(Pᵀ K
+/// P) of each impulse, as if its contact were the only one.
+double solved_together(std::span<const Real> norms, Precision precision);
 
 /// N s: |Σ m v' − Σ m v|, after an impulse of magnitude |P|.
 double momentum(const Scene& scene, const Impact& impact, const std::array<Velocity, 2>& after, Real impulse,

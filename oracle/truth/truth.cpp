@@ -76,6 +76,10 @@ const reference::ImpulseTruth& impulse(const Scene& scene) {
   return memory.of(scene, [](const Scene& s) { return reference::impulse(s, reference::Digits::some); });
 }
 
+std::array<double, reference::impact_conditions> impact_condition_errors(const reference::ReportedImpacts& reported) {
+  return reference::condition_errors(reported);
+}
+
 const ConstraintOrWhy& constraint(const Scene& scene) {
   thread_local Memory<ConstraintOrWhy> memory;
   return memory.of(scene, [](const Scene& s) -> ConstraintOrWhy {

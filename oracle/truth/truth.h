@@ -3,6 +3,7 @@
 // Properties and generators use the reference only through this header; it has plain values and exact value types only.
 #pragma once
 
+#include <array>
 #include <string>
 #include <variant>
 #include <vector>
@@ -13,6 +14,7 @@
 #include "reference/broad_phase.h"
 #include "reference/constraint.h"
 #include "reference/distance.h"
+#include "reference/impact_conditions.h"
 #include "reference/impulse.h"
 #include "reference/mass.h"
 #include "reference/penetration.h"
@@ -35,6 +37,9 @@ const reference::DistanceTruth& distance(const Scene& scene);
 const reference::PenetrationTruth& penetration(const Scene& scene);
 /// Computed to `some` digits for every subject, so a scene's truth does not depend on the subject.
 const reference::ImpulseTruth& impulse(const Scene& scene);
+
+/// See reference/impact_conditions.h. Not cached.
+std::array<double, reference::impact_conditions> impact_condition_errors(const reference::ReportedImpacts& reported);
 
 /// A trajectory consists of many ballistic motions, and several properties judge it: more of these are cached. A
 /// choice: enough for the events of most scenes that are drawn.

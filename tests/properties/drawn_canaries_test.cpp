@@ -68,6 +68,7 @@ const std::vector<Caught> caught = {
     {"canary.one_pair_first", "simulation.together_renumbered", "runs.together", 1},
     {"canary.leans", "simulation.together_mirrored", "runs.together", 1},
     {"canary.sticky_together", "simulation.together_pushes", "runs.together", 0},
+    {"canary.damped_together", "simulation.together_energy", "runs.together", 0},
     {"canary.endless_table", "constraint.contacts", "tables.falls", 0},
     {"canary.hollow_ball", "constraint.velocity", "tables.slope", 0},
     {"canary.frictionless_table", "constraint.velocity", "tables.slides", 0},

@@ -357,21 +357,34 @@ void leans(Event& event, const Scene&) {
   event.after_a.velocity.v_WBcm.x() += std::abs(event.after_a.velocity.v_WBcm.x()) / 64;
 }
 
+bool is_beside_another_impact(const Trajectory& said, const Event& event) {
+  const auto acts_with = [&](const Event& other) {
+    const bool shares = event.a == other.a || event.a == other.b || event.b == other.a || event.b == other.b;
+    return &other != &event && other.time == event.time && other.kind == Event::Kind::impact && shares;
+  };
+  return event.kind == Event::Kind::impact && std::ranges::any_of(*said.events, acts_with);
+}
+
 // Impulses at one time on one body are reported with a millionth of friction too much.
 void sticky_together(Subject&, const Scene& scene, Trajectory& said) {
   if (!said.events) return;
   for (Event& event : *said.events) {
-    const auto acts_with = [&](const Event& other) {
-      const bool shares = event.a == other.a || event.a == other.b || event.b == other.a || event.b == other.b;
-      return &other != &event && other.time == event.time && other.kind == Event::Kind::impact && shares;
-    };
-    if (event.kind != Event::Kind::impact || std::ranges::none_of(*said.events, acts_with)) continue;
+    if (!is_beside_another_impact(said, event)) continue;
     const double mu = std::min(scene.bodies[static_cast<std::size_t>(event.a)].material.friction,
                                scene.bodies[static_cast<std::size_t>(event.b)].material.friction);
     const Vec3& n = event.nhat_BA_W;
     const double P_n = event.P_A_W.dot(n);
     event.P_A_W = P_n * n + (1 + 1e-6) * mu * P_n * n.unitOrthogonal() + 1e-6 * P_n * n.unitOrthogonal();
   }
+}
+
+// Where impacts are at one time on one body, restitution is a thousandth too small.
+void damped_together(Subject& truthful, const Scene& scene, Trajectory& said) {
+  const auto is_beside = [&](const Event& event) { return is_beside_another_impact(said, event); };
+  if (!said.events || std::ranges::none_of(*said.events, is_beside)) return;
+  Scene other = scene;
+  for (Body& body : other.bodies) body.material.restitution *= 0.999;
+  with(truthful.simulation(other), [&](const Trajectory& answer) { said = answer; });
 }
 
 }  // namespace
@@ -451,6 +464,8 @@ std::vector<Canary> canaries_about_simulations() {
             [] { return first_impact_with(leans); }),
       lying("canary.sticky_together", "reports impulses that act together with a millionth of friction too much",
             [] { return runs(sticky_together); }),
+      lying("canary.damped_together", "has a thousandth less restitution where impacts act together",
+            [] { return runs(damped_together); }),
       lying("canary.last_sample", "moves all bodies by a nanometre in the last sample alone",
             [] { return runs(last_sample); }),
   };
