@@ -61,6 +61,9 @@ void add(std::vector<Instant>& instants, std::size_t event, const std::vector<in
   instants.push_back(std::move(all));
 }
 
+/// A choice: the cost of exact numbers grows with the cube of the number of impacts.
+constexpr std::size_t most_impacts = 24;
+
 /// Those of several events, of which all are impacts.
 std::vector<Instant> instants_of_impacts(const TrajectoryCase& asked) {
   const std::vector<Event>& events = *asked.said.events;
@@ -75,7 +78,8 @@ std::vector<Instant> instants_of_impacts(const TrajectoryCase& asked) {
   all.insert(all.end(), now.begin(), now.end());
   std::erase_if(all, [&](const Instant& instant) {
     const auto is_impact = [&](std::size_t e) { return events[e].kind == Event::Kind::impact; };
-    return instant.events.size() < 2 || !std::ranges::all_of(instant.events, is_impact);
+    return instant.events.size() < 2 || instant.events.size() > most_impacts ||
+           !std::ranges::all_of(instant.events, is_impact);
   });
   return all;
 }
@@ -86,15 +90,15 @@ class ReportedInstant {
   /// None if a body is not in ballistic motion before.
   static std::optional<ReportedInstant> of(const TrajectoryCase& asked, const Timeline& timeline,
                                            const Instant& instant) {
-    ReportedInstant it(asked, instant);
+    ReportedInstant it(asked);
     for (const std::size_t e : instant.events) {
       const Event& event = (*asked.said.events)[e];
       const std::vector<Segment> segments = segments_into(timeline, asked.said, e);
-      for (const auto& [segment, after] : {std::pair(&segments[0], &event.after_a), {&segments[1], &event.after_b}}) {
-        const bool is_first = !it.index(segment->body);
-        if (is_first && !segment->ballistic) return std::nullopt;
-        if (is_first) it.add_body(*segment, event.time, *after);
-        it.reported_.after[*it.index(segment->body)] = after->velocity;
+      for (std::size_t side = 0; side < 2; ++side) {
+        const Segment& segment = segments[side];
+        if (it.index(segment.body)) continue;
+        if (!segment.ballistic) return std::nullopt;
+        it.add_body(segment, event.time, (side == 0 ? event.after_a : event.after_b).X_WB);
       }
       it.add_impulse(event);
     }
@@ -129,7 +133,7 @@ class ReportedInstant {
   }
 
  private:
-  ReportedInstant(const TrajectoryCase& asked, const Instant&) : asked_(&asked) {
+  explicit ReportedInstant(const TrajectoryCase& asked) : asked_(&asked) {
     reported_.before.motion = asked.scene.motion;
   }
 
@@ -152,10 +156,10 @@ class ReportedInstant {
     return sum;
   }
 
-  void add_body(const Segment& segment, double time, const State& after) {
+  void add_body(const Segment& segment, double time, const Pose& X_WB) {
     const Scene alone = segment_scene(asked_->scene, {segment}, time);
     Body body = alone.bodies.front();
-    body.X_WB = after.X_WB;
+    body.X_WB = X_WB;
     body.velocity = oracle::ballistic_state(alone, 0, time).velocity;
     ids_.push_back(segment.body);
     reported_.before.bodies.push_back(body);
@@ -175,14 +179,16 @@ class ReportedInstant {
     reported_.impulses.push_back({reported_.regions.size() - 1, event.p_WC, event.P_A_W});
     Scene pair;
     pair.bodies = {reported_.before.bodies[a], reported_.before.bodies[b]};
-    pair.bodies[0].velocity = event.after_a.velocity;
-    pair.bodies[1].velocity = event.after_b.velocity;
+    pair.bodies[0].velocity = reported_.after[a];
+    pair.bodies[1].velocity = reported_.after[b];
     pair.contact = Contact{event.p_WC, event.nhat_BA_W, Law::poisson, 0, 0};
-    terms_.push_back(energy(pair, 0));
-    terms_.push_back(energy(pair, 1));
     impacts_.push_back(oracle::impact(pair));
     const oracle::Point P = event.P_A_W.cast<Real>();
     energy_norms_.push_back(std::sqrt(std::max<Real>(0, P.dot(impacts_.back().K * P))));
+    pair.bodies[0].velocity = reported_.after[a] = event.after_a.velocity;
+    pair.bodies[1].velocity = reported_.after[b] = event.after_b.velocity;
+    terms_.push_back(energy(pair, 0));
+    terms_.push_back(energy(pair, 1));
   }
 
   /// 1: of a body's energy, from the errors of its mass and moments, and of the turn by q into its axes and back.

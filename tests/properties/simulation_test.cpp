@@ -70,6 +70,7 @@ void spin(Trajectory& said, double error) { last(said).velocity.w_WB.x() += erro
 void time(Trajectory& said, double error) { event_of(said).time += error; }
 void place_after(Trajectory& said, double error) { event_of(said).after_a.X_WB.p_WB.x() += error; }
 void speed_after(Trajectory& said, double error) { event_of(said).after_a.velocity.v_WBcm.x() += error; }
+void speed_of_other_after(Trajectory& said, double error) { event_of(said).after_b.velocity.v_WBcm.x() += error; }
 void spin_after(Trajectory& said, double error) { event_of(said).after_a.velocity.w_WB.x() += error; }
 void contact_point(Trajectory& said, double error) { event_of(said).p_WC.z() += error; }
 void last_speed(Trajectory& said, double error) { said.states.back().back().velocity.v_WBcm.z() += error; }
@@ -104,6 +105,7 @@ const std::vector<Beyond> beyond = {
     {"together_renumbered", "a ball that hits two at one time", 0x1p-6, speed, true},
     {"together_mirrored", "a ball that hits two at one time", 0x1p-6, speed, true},
     {"together_relabelled", "a polytope that lands on a face", 0x1p-6, last_speed, true},
+    {"together_energy", "a ball that hits two at one time", 3e-11, speed_of_other_after},
     {"slides", "balls that bounce within the envelope: one slides, one stays", 0.125, slides_faster},
     {"turns", "a ball that spins about the vertical and slides, in bounces within the envelope", 0x1p-8, turns_further},
 };
