@@ -113,7 +113,7 @@ class ReportedInstant {
     return energy(bodies);
   }
 
-  /// Whether rounding leaves each impact its digits.
+  /// Whether rounding leaves each impact its digits, at the velocities before all of them.
   bool is_in_range() const {
     return std::ranges::all_of(
         impacts_, [&](const oracle::Impact& impact) { return tolerance::impact_in_range(impact, asked_->precision); });
@@ -179,8 +179,6 @@ class ReportedInstant {
     reported_.impulses.push_back({reported_.regions.size() - 1, event.p_WC, event.P_A_W});
     Scene pair;
     pair.bodies = {reported_.before.bodies[a], reported_.before.bodies[b]};
-    pair.bodies[0].velocity = reported_.after[a];
-    pair.bodies[1].velocity = reported_.after[b];
     pair.contact = Contact{event.p_WC, event.nhat_BA_W, Law::poisson, 0, 0};
     impacts_.push_back(oracle::impact(pair));
     const oracle::Point P = event.P_A_W.cast<Real>();
