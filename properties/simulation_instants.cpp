@@ -208,7 +208,7 @@ class ReportedInstant {
 };
 
 /// Whether bodies can be clamped: convex bodies, of which at most one is fixed, can all move apart at once, along the
-/// lines from one point of the fixed one to their centres of mass.
+/// lines from a point inside the fixed one to points inside them.
 bool can_be_clamped(const Scene& scene) {
   const auto is_convex = [](const Body& body) { return !std::holds_alternative<Compound>(body.shape); };
   return std::ranges::count_if(scene.bodies, is_fixed) > 1 || !std::ranges::all_of(scene.bodies, is_convex);
