@@ -248,7 +248,7 @@ std::vector<Property> simulation_instant_properties() {
   return {
       {"simulation.together_energy",
        "simulation",
-       {"TS-SIMULATION-34"},
+       {"TS-SIMULATION-35"},
        "impacts at one time never increase the energy of their bodies, and elastic ones without friction keep it",
        together_energy},
   };
