@@ -236,7 +236,8 @@ Finding together_energy(const Scene& scene, Subject& subject) {
                            [&] { return oracle::words::text(static_cast<double>(before)) + law; }));
       };
       if (worse(worst, judged(ImpactCondition::energy, " J, as before, or less"))) return worst;
-      if (!can_be_clamped(scene) && worse(worst, judged(ImpactCondition::elastic, " J, as before"))) return worst;
+      const bool is_kept = !can_be_clamped(scene) && asked.dynamics.restitution_threshold == 0;
+      if (is_kept && worse(worst, judged(ImpactCondition::elastic, " J, as before"))) return worst;
     }
     return worst;
   });
