@@ -57,7 +57,7 @@ Finding of_boxes(const Scene& scene, Subject& subject, JudgeIt&& judge_it) {
   return of_scene(scene, subject, [&] { return given_boxes(scene, subject, judge_it); });
 }
 
-std::string text(const ExactBox& exact) {
+std::string text_of_box(const ExactBox& exact) {
   const auto nearest = [](const std::array<Rational, 3>& p) {
     return Vec3(p[0].nearest(), p[1].nearest(), p[2].nearest());
   };
@@ -93,7 +93,7 @@ Finding worst_side(const Scene& scene, const Scene& bodies, Subject& subject, do
     return judge::at_most(
         most.enclosure().hi, judge::in_ulps(scene, subject.card(), allowed), defect,
         [&] { return "bodies[" + std::to_string(at) + "]: " + words::text(said[at]); },
-        [&] { return text(exact[at]) + " (nearest doubles)"; });
+        [&] { return text_of_box(exact[at]) + " (nearest doubles)"; });
   });
 }
 

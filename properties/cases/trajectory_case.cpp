@@ -179,7 +179,7 @@ bool approaches_before(const TrajectoryCase& asked, const Timeline& timeline, co
   return region_approaches(pair, envelope(asked.scene));
 }
 
-std::string text(const Pose& pose) {
+std::string pose_text(const Pose& pose) {
   const Quaternion& q = pose.q_WB;
   return "p = " + words::text(pose.p_WB) + ", q = (" + words::text(q.w) + ", " + words::text(q.x) + ", " +
          words::text(q.y) + ", " + words::text(q.z) + ")";
@@ -217,7 +217,7 @@ oracle::Finding check_pose(const TrajectoryCase& asked, const Scene& ballistic_s
   return counted(decisive,
                  oracle::judge::at_most(
                      displacement(body, said, expected), in_ulps_of_place(asked, allowed), oracle::Defect::wrong_motion,
-                     [&] { return text(said); }, [&] { return text(expected); }));
+                     [&] { return pose_text(said); }, [&] { return pose_text(expected); }));
 }
 
 oracle::Finding check_state(const TrajectoryCase& asked, const Scene& ballistic_scene, std::size_t k, double time,
