@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <variant>
+#include <vector>
 
 #include "model/answers.h"
 #include "model/scene.h"
@@ -17,6 +18,19 @@ inline bool has_compound(const Scene& scene) {
 }
 
 inline const Abstains no_compounds{"no query for unions of convex parts"};
+
+/// A shape that is no compound is its only part.
+inline std::vector<Part> parts_of(const Shape& shape) {
+  if (const auto* sphere = std::get_if<Sphere>(&shape)) return {{{}, *sphere}};
+  if (const auto* box = std::get_if<Box>(&shape)) return {{{}, *box}};
+  if (const auto* polytope = std::get_if<Polytope>(&shape)) return {{{}, *polytope}};
+  return std::get<Compound>(shape).parts;
+}
+
+inline bool has_hull(const Body& body) {
+  return std::ranges::any_of(parts_of(body.shape),
+                             [](const Part& part) { return std::holds_alternative<Polytope>(part.shape); });
+}
 
 inline Distance apart(double distance, const Vec3& p_WCa, const Vec3& p_WCb) {
   Distance said;

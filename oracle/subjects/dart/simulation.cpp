@@ -35,18 +35,6 @@ struct MakeShape {
   dynamics::ShapePtr operator()(const auto&) const { return nullptr; }  // declined earlier
 };
 
-std::vector<Part> parts_of(const Shape& shape) {
-  if (const auto* sphere = std::get_if<Sphere>(&shape)) return {{{}, *sphere}};
-  if (const auto* box = std::get_if<Box>(&shape)) return {{{}, *box}};
-  if (const auto* polytope = std::get_if<Polytope>(&shape)) return {{{}, *polytope}};
-  return std::get<Compound>(shape).parts;
-}
-
-bool has_hull(const Body& body) {
-  return std::ranges::any_of(parts_of(body.shape),
-                             [](const Part& part) { return std::holds_alternative<Polytope>(part.shape); });
-}
-
 dynamics::Inertia inertia(const Body& body) {
   if (const auto* given = std::get_if<MassProperties>(&body.mass)) return {given->mass, given->p_BBcm, given->I_BBcm_B};
   const double mass = std::get<Density>(body.mass).value * volume(body.shape);

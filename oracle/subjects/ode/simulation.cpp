@@ -23,18 +23,6 @@ struct MakeGeom {
   dGeomID operator()(const auto& round_or_box) const { return geom(space, round_or_box); }
 };
 
-std::vector<Part> parts_of(const Shape& shape) {
-  if (const auto* sphere = std::get_if<Sphere>(&shape)) return {{{}, *sphere}};
-  if (const auto* box = std::get_if<Box>(&shape)) return {{{}, *box}};
-  if (const auto* polytope = std::get_if<Polytope>(&shape)) return {{{}, *polytope}};
-  return std::get<Compound>(shape).parts;
-}
-
-bool has_hull(const Body& body) {
-  return std::ranges::any_of(parts_of(body.shape),
-                             [](const Part& part) { return std::holds_alternative<Polytope>(part.shape); });
-}
-
 class World : public SimulationWorld {
  public:
   World(const Scene& scene, Stepper stepper) : scene_(scene), stepper_(stepper) {
