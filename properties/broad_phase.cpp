@@ -6,7 +6,6 @@
 #include <iterator>
 #include <utility>
 
-#include "model/infinity.h"
 #include "model/sequence.h"
 #include "oracle/judge/words.h"
 #include "oracle/tolerance/tolerance.h"
@@ -99,9 +98,8 @@ struct Change {
   std::function<Pair(const Pair&)> renamed = same;
 };
 
-// Two answers about the same set of pairs may differ only in free pairs: those whose least boxes are apart, and whose
-// declared boxes touch within rounding or are apart by no more than the reach of one of the two scenes. Boxes that are
-// only declared to be at most those of balls may overlap in one answer and not in the other.
+// Two answers about the same set of pairs may differ only in pairs that are free within the greater reach of the two
+// scenes. A subject with a margin is asked only where lengths stay as they are.
 Finding pairs_kept(const Scene& before, const std::optional<Scene>& moved, Subject& subject, Defect defect,
                    const Change& change = {}) {
   return of_moved(moved, subject, [&](const Scene& after) {
@@ -115,15 +113,13 @@ Finding pairs_kept(const Scene& before, const std::optional<Scene>& moved, Subje
         std::ranges::copy(without(got, expected), std::back_inserter(differ));
         if (differ.empty()) return judge::holds();
         const double free = std::max(change.times * reach(before, subject.card()), reach(after, subject.card()));
-        const double rounding = free - std::max(change.times, 1.0) * subject.card().broad_phase_margin;
-        const double least = subject.card().boxes == oracle::BoxKind::of_ball ? -infinity : -rounding;
         const Scene declared = boxed(after, subject.card().boxes);
         double furthest = 0;
         std::erase_if(differ, [&](const Pair& pair) {
           const double g = gap(declared, pair).nearest();
-          const bool is_free = gap(after, pair).sign() > 0 && g >= least && g <= free;
-          if (!is_free) furthest = std::max(furthest, std::abs(g));
-          return is_free;
+          if (is_free(gap(after, pair).sign() > 0, g, free, subject.card())) return true;
+          furthest = std::max(furthest, std::abs(g));
+          return false;
         });
         if (differ.empty()) return judge::holds();
         return judge::wrong_by(furthest, judge::in_ulps(after, subject.card(), free), defect,

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <functional>
 
-#include "model/infinity.h"
 #include "model/sequence.h"
 #include "oracle/judge/words.h"
 #include "oracle/tolerance/tolerance.h"
@@ -80,8 +79,9 @@ Finding misses_none(const Scene& sequence, Subject& subject) {
 /// Judges the reported pairs of frame f whose bodies are both present and whose boxes are apart, by the widest gap of
 /// the boxes that the subject declares.
 Finding extra_in(const Scene& sequence, std::size_t f, const PairSet& said, const oracle::Card& card) {
-  const reference::FrameBoxes& boxes = truth::sequence_bounds(boxed(sequence, card.boxes))[f];
   PairSet extra = without(as_set(said, sequence), truth::pair_history(sequence)[f].pairs);
+  if (extra.empty()) return judge::holds();
+  const reference::FrameBoxes& boxes = truth::sequence_bounds(boxed(sequence, card.boxes))[f];
   std::erase_if(extra, [&](const Pair& pair) { return !both_there(boxes, pair); });
   if (extra.empty()) return judge::holds();
   double widest = 0;
@@ -157,24 +157,20 @@ Finding events(const Scene& sequence, Subject& subject) {
 
 // Laws: how the answer follows a change of the scene
 
-/// Two answers may differ only in free pairs of the frame: those whose least boxes are apart, and whose declared boxes
-/// touch within rounding or are apart within reach. Boxes that are only declared to be at most those of balls may
-/// overlap in one answer and not in the other.
+/// Two answers may differ only in free pairs of the frame.
 Finding none_but_free(const Scene& sequence, std::size_t f, PairSet differ, const oracle::Card& card, Defect defect,
                       const std::string& how, const std::string& expected) {
   if (differ.empty()) return judge::holds();
   const judge::Allowance free = reach(sequence, f, card);
-  const double rounding = free.bound - card.broad_phase_margin;
-  const double least = card.boxes == oracle::BoxKind::of_ball ? -infinity : -rounding;
   const reference::FrameBoxes boxes = truth::sequence_bounds(sequence)[f];  // a copy: the next call may replace it
   const reference::FrameBoxes& declared = truth::sequence_bounds(boxed(sequence, card.boxes))[f];
   double furthest = 0;
   std::erase_if(differ, [&](const Pair& pair) {
     if (!both_there(boxes, pair)) return false;
     const double g = gap(declared, pair);
-    const bool is_free = gap(boxes, pair) > 0 && g >= least && g <= free.bound;
-    if (!is_free) furthest = std::max(furthest, std::abs(g));
-    return is_free;
+    if (is_free(gap(boxes, pair) > 0, g, free.bound, card)) return true;
+    furthest = std::max(furthest, std::abs(g));
+    return false;
   });
   if (differ.empty()) return judge::holds();
   return judge::wrong_by(furthest, free, defect, in_frame(f, how + ' ' + words::text(differ)), expected);

@@ -74,4 +74,10 @@ Scene boxed(Scene scene, oracle::BoxKind kind) {
   return scene;
 }
 
+bool is_free(bool least_apart, double declared_gap, double reach, const oracle::Card& card) {
+  const double rounding = reach - card.broad_phase_margin;
+  const bool settled = card.boxes != oracle::BoxKind::of_ball && declared_gap < -rounding;
+  return least_apart && !settled && declared_gap <= reach;
+}
+
 }  // namespace touchstone::properties

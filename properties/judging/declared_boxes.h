@@ -10,4 +10,10 @@ namespace touchstone::properties {
 /// `of_ball` each body becomes the ball about its box in its own axes: the subject's box is at most that of the ball.
 Scene boxed(Scene scene, oracle::BoxKind kind);
 
+/// Two answers about one set of bodies may differ in a free pair: its least boxes are apart, and the boxes that the
+/// subject declares touch within rounding, or are apart by no more than its reach (m, rounding plus the declared
+/// margin). Boxes that are only declared to be at most those of balls may overlap in one answer and not in the other.
+/// declared_gap (m): negative for boxes that overlap.
+bool is_free(bool least_apart, double declared_gap, double reach, const oracle::Card& card);
+
 }  // namespace touchstone::properties

@@ -70,6 +70,11 @@ TEST_CASE("bounds.tight: an answer is compared with the kind of box that the car
   CHECK(outcome(tight, oracle::BoxKind::of_turned_box) == Outcome::holds);
   CHECK(outcome(1.01 * loose, oracle::BoxKind::of_turned_box) == Outcome::fails);
   const Polytope octahedron = std::get<Polytope>(body.shape);
+  for (const Shape& shape : {Shape(octahedron), Shape(Sphere{1}), Shape(Box{{1, 1, 1}})}) {  // all have the same ball
+    body.shape = shape;
+    CHECK(outcome(std::sqrt(3.0), oracle::BoxKind::of_ball) == Outcome::holds);
+    CHECK(outcome(1.01 * std::sqrt(3.0), oracle::BoxKind::of_ball) == Outcome::fails);
+  }
   for (const Part& part : {Part{Pose{}, octahedron}, Part{Pose{}, Sphere{1}}}) {  // also about a ball, if it is a part
     body.shape = Compound{{part}};
     CHECK(outcome(1.001, oracle::BoxKind::tight) == Outcome::fails);

@@ -57,27 +57,67 @@ TEST_CASE("broad_phase.adds_none: none further apart than rounding and the margi
   CHECK(properties::find("broad_phase.adds_none").check(scene, subject).outcome == Outcome::fails);
 }
 
-/// Reports its pair in the world as it is given, and no pair in the turned one.
-struct OfOneFrame : tests::FixedSubject {
-  Answer<PairSet> broad_phase(const Scene& scene) override {
-    return scene.bodies[1].X_WB.p_WB.x() > 0 ? PairSet{{0, 1}} : PairSet{};
-  }
-};
+namespace {
 
-TEST_CASE("broad_phase.turned: a pair is free where the boxes that a subject declares touch within rounding") {
+/// An octahedron that reaches to 4/5 in x, the turned box about it to 3/5 + 4/5, and a unit ball beside it.
+Scene octahedron_and_ball(double x) {
   Scene scene;
   scene.bodies.resize(2);
   scene.bodies[0].shape = Polytope{{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}}, {}};
-  scene.bodies[0].X_WB.q_WB = {2, 0, 0, 1};  // it reaches to 4/5 in x, and the turned box about it to 3/5 + 4/5
+  scene.bodies[0].X_WB.q_WB = {2, 0, 0, 1};
   scene.bodies[1].shape = Sphere{1};
-  scene.bodies[1].X_WB.p_WB.x() = 2.4;
-  OfOneFrame subject;
-  const auto outcome = [&] { return properties::find("broad_phase.turned").check(scene, subject).outcome; };
-  CHECK(outcome() == Outcome::fails);
-  subject.introduced.boxes = oracle::BoxKind::of_turned_box;
-  CHECK(outcome() == Outcome::holds);
-  scene.bodies[1].X_WB.p_WB.x() = 2.25;  // the declared boxes overlap, the least ones do not
-  CHECK(outcome() == Outcome::fails);
+  scene.bodies[1].X_WB.p_WB.x() = x;
+  return scene;
+}
+
+/// The same, placed in one frame of a sequence.
+Scene octahedron_and_ball_in_a_frame(double x) {
+  Scene scene = octahedron_and_ball(x);
+  scene.frames = {{{0, scene.bodies[0].X_WB}, {1, scene.bodies[1].X_WB}}};
+  return scene;
+}
+
+/// Reports its pair in the world as it is given, and no pair in the turned one.
+struct OfOneFrame : tests::FixedSubject {
+  explicit OfOneFrame(oracle::BoxKind kind) { introduced.boxes = kind; }
+
+  static PairSet pairs(const Pose& of_ball) { return of_ball.p_WB.x() > 0 ? PairSet{{0, 1}} : PairSet{}; }
+  Answer<PairSet> broad_phase(const Scene& scene) override { return pairs(scene.bodies[1].X_WB); }
+  Answer<PairHistory> pair_history(const Scene& sequence) override {
+    return PairHistory{{pairs(sequence.frames[0][1].X_WB.value()), {}, {}}};
+  }
+};
+
+Outcome of_one_frame(const std::string& property, const Scene& scene, oracle::BoxKind kind) {
+  OfOneFrame subject(kind);
+  return properties::find(property).check(scene, subject).outcome;
+}
+
+}  // namespace
+
+TEST_CASE("broad_phase.turned: a pair is free where the boxes that a subject declares touch within rounding") {
+  using oracle::BoxKind;
+  const auto outcomes = [](double x, BoxKind kind) {
+    const Outcome still = of_one_frame("broad_phase.turned", octahedron_and_ball(x), kind);
+    CHECK(of_one_frame("broad_phase.film.turned", octahedron_and_ball_in_a_frame(x), kind) == still);
+    return still;
+  };
+  CHECK(outcomes(2.4, BoxKind::tight) == Outcome::fails);
+  CHECK(outcomes(2.4, BoxKind::of_turned_box) == Outcome::holds);
+  CHECK(outcomes(2.25, BoxKind::of_turned_box) == Outcome::fails);  // these overlap, the least boxes do not
+  CHECK(outcomes(2.25, BoxKind::of_ball) == Outcome::holds);        // of radius √3, about the sphere too
+  CHECK(outcomes(3.5, BoxKind::of_ball) == Outcome::fails);
+  CHECK(outcomes(1.75, BoxKind::of_ball) == Outcome::fails);  // the least boxes overlap
+}
+
+TEST_CASE("broad_phase.film.adds_none: a pair of declared boxes that overlap is none too many") {
+  using oracle::BoxKind;
+  const auto outcome = [](double x, BoxKind kind) {
+    return of_one_frame("broad_phase.film.adds_none", octahedron_and_ball_in_a_frame(x), kind);
+  };
+  CHECK(outcome(2.25, BoxKind::tight) == Outcome::fails);
+  CHECK(outcome(2.25, BoxKind::of_turned_box) == Outcome::holds);
+  CHECK(outcome(2.5, BoxKind::of_turned_box) == Outcome::fails);
 }
 
 TEST_CASE("broad_phase.well_formed: i < j of bodies, sorted, each once") {
