@@ -34,6 +34,13 @@ struct TrajectoryCase {
   std::size_t events() const { return said.events ? said.events->size() : 0; }
 };
 
+/// s: the longest step of the adapters (docs/design/simulation.md). What happens within it is granted to a subject that
+/// does not report events.
+inline constexpr oracle::Real longest_step = 1.0L / 256;
+
+/// 1: smaller components, relative to what they are computed from, are rounding of the judge's own long doubles.
+inline constexpr oracle::Real negligible = 0x1p-40L;
+
 /// Passes scenes with a motion of solids that are exact in the subject's precision, and answers of the right form, to
 /// judge_it(const TrajectoryCase&). The property simulation.ordered reports what is wrong in form.
 template <class JudgeIt>

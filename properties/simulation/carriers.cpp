@@ -25,9 +25,6 @@ using oracle::Subject;
 namespace judge = oracle::judge;
 namespace tolerance = oracle::tolerance;
 
-// Smaller components, relative to what they are computed from, are rounding of the judge's own long doubles.
-constexpr Real little = 0x1p-40L;
-
 /// A straight motion at constant acceleration until a time, then at constant velocity.
 struct Track {
   Point p = Point::Zero(), v = Point::Zero(), a = Point::Zero();
@@ -145,7 +142,7 @@ std::optional<Ride> ride_of(const Scene& scene, oracle::Precision precision) {
   if (!rests_on(scene, upper, *base, carrier, slack)) return std::nullopt;
   Real lambda = 0;
   if (base->ball) {
-    if (facts.moments[2] - facts.moments[0] > little * facts.moments[2]) return std::nullopt;
+    if (facts.moments[2] - facts.moments[0] > negligible * facts.moments[2]) return std::nullopt;
     lambda = facts.mass * h * h / facts.moments[0];
   } else if (!facts.w_WB.isZero(0) || material.restitution != 0 ||
              material.friction * h >= 0.875L * base->half.head<2>().minCoeff()) {
@@ -165,11 +162,12 @@ std::optional<Ride> ride_of(const Scene& scene, oracle::Precision precision) {
   Point slip = facts.v_WBcm - below.v_WBcm;
   if (base->ball) slip -= h * facts.w_WB.cross(Point::UnitZ());
   ride->speeds = slip.norm() + (facts.v_WBcm - below.v_WBcm).norm() + h * facts.w_WB.norm();
-  if (slip.norm() <= little * ride->speeds || material.friction == 0) return ride;
+  if (slip.norm() <= negligible * ride->speeds || material.friction == 0) return ride;
   const Point sigma = slip.normalized();
   const Point off = ride->of_upper.p - ride->of_carrier.p, apart = ride->of_upper.v - ride->of_carrier.v;
   const auto beside = [&](const Point& x) { return std::abs(x.x() * sigma.y() - x.y() * sigma.x()); };
-  if (ride->table && (beside(off) > little * off.norm() || beside(apart) > little * ride->speeds)) return std::nullopt;
+  if (ride->table && (beside(off) > negligible * off.norm() || beside(apart) > negligible * ride->speeds))
+    return std::nullopt;
   ride->of_upper.a = -ride->friction * press * sigma;
   ride->of_carrier.a = -ride->ratio * ride->of_upper.a;
   ride->slip_ends = slip.norm() / (ride->friction * press * (1 + lambda + ride->ratio));
@@ -205,10 +203,6 @@ Real freedom_of_upper(const Scene& scene, const Ride& ride) {
   return (ride.table ? 4 : 2) * ride.friction * bounce + 2 * eps / height * ride.speeds;
 }
 
-// s: an engine that follows bodies in contact by steps finds the end of slip within a step. The longest step of the
-// adapters (docs/design/simulation.md).
-constexpr Real longest_step = 1.0L / 256;
-
 // The carrier gets the upper body's impulses, over its own mass.
 Finding follows(const TrajectoryCase& asked, const Ride& ride, bool of_carrier, std::size_t sample) {
   const Scene& scene = asked.scene;
@@ -233,6 +227,7 @@ Finding follows(const TrajectoryCase& asked, const Ride& ride, bool of_carrier, 
       static_cast<double>(p.norm()), in_ulps_of_place(asked, allowed), Defect::wrong_motion,
       [&] { return "place" + at() + " is off by " + words(p); },
       [&] { return words(track.place(time, ride.slip_ends)); });
+  // An engine that follows bodies in contact by steps finds the end of slip within a step.
   const bool slip_may_end = std::abs(time - ride.slip_ends) <= longest_step;
   if (slip_may_end || place.outcome == oracle::Outcome::fails) return place;
   const double unit = oracle::unit_roundoff(asked.precision) * static_cast<double>(speed);

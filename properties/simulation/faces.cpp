@@ -33,9 +33,6 @@ using Plane = Eigen::Matrix<Real, 2, 1>;
 
 constexpr Real infinite = std::numeric_limits<Real>::infinity();
 
-// Smaller components, relative to what they are computed from, are rounding of the judge's own long doubles.
-constexpr Real negligible = 0x1p-40L;
-
 Matrix rotation(const Pose& X) {
   const Quaternion& q = X.q_WB;
   return Eigen::Quaternion<Real>(q.w, q.x, q.y, q.z).normalized().toRotationMatrix();
@@ -275,9 +272,6 @@ Real rounding_of(const FaceMotion& motion, Real time, oracle::Precision precisio
   return 64 * oracle::unit_roundoff(precision) * (speeds + accelerations * time);
 }
 
-// A step that is granted to a subject which reports no events: the longest of the adapters (docs/design/simulation.md).
-constexpr Real granted_step = 1.0L / 256;
-
 /// Whether friction has one direction from one time to another, although velocities along the face may differ by dv:
 /// then slip differs by (1 + λ) dv, so it may end that much earlier or later, and in a step.
 bool keeps_phase(const FaceMotion& motion, Real from, Real until, Real dv, Real step) {
@@ -310,7 +304,7 @@ Real angle_between(const Matrix& a, const Matrix& b) {
 Finding turns_between(const TrajectoryCase& asked, const FaceMotion& motion, const State& before, Real from,
                       const State& after, Real until) {
   const Point w0 = before.velocity.w_WB.cast<Real>(), w1 = after.velocity.w_WB.cast<Real>();
-  const Real seconds = until - from, step = asked.said.events ? 0 : granted_step;
+  const Real seconds = until - from, step = asked.said.events ? 0 : longest_step;
   const Real dv =
       freedom_of(motion.on_face, motion.load, envelope(asked.scene)) + rounding_of(motion, until, asked.precision);
   if (seconds <= 0 || !oracle::is_short_turn(w0, w1, seconds)) return judge::outside("no time, or too many turns");
