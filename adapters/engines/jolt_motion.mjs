@@ -4,7 +4,7 @@ import { after, impactScene } from "./impact_scene.mjs";
 import {
   JOLT, distance_tolerance, domain, homepage, list, made, massOf, newWorld, shapeOf, vector, version,
 } from "./jolt_bodies.mjs";
-import { forceAt, requireInelastic, requireOffered, sampled, step } from "./sampled_motion.mjs";
+import { forceAt, requireOffered, sampled, step } from "./sampled_motion.mjs";
 
 const quaternion = (q) => (({ w, x, y, z }) => new JOLT.Quat(x, y, z, w))(unitQuaternion(q));
 
@@ -115,7 +115,6 @@ export function serveMotion(name, { slop, threshold }, settings) {
   });
   const simulation = (scene) => {
     requireOffered(scene);
-    requireInelastic(scene, threshold);
     return run(scene);
   };
   const impulse = (scene) => after(run(impactScene(scene, massOf)));

@@ -4,7 +4,7 @@ import { after, impactScene } from "./impact_scene.mjs";
 import {
   PX, domain, homepage, list, massOf, physics, scale, top, using, vector, version, withGeometry, withPose,
 } from "./physx_bodies.mjs";
-import { forceAt, requireInelastic, requireOffered, sampled, step } from "./sampled_motion.mjs";
+import { forceAt, requireOffered, sampled, step } from "./sampled_motion.mjs";
 
 const gyroscopic = 1 << 10; // PxRigidBodyFlag::eENABLE_GYROSCOPIC_FORCES, which the binding does not name
 const shapeFlags = new PX.PxShapeFlags(PX.PxShapeFlagEnum.eSIMULATION_SHAPE);
@@ -122,7 +122,6 @@ export function serveMotion(name, { threshold, iterations }, queries, settings) 
   };
   const simulation = (scene) => {
     requireOffered(scene);
-    requireInelastic(scene, threshold);
     return run(scene, () => {});
   };
   // A shorter step would turn the rounding of friction's anchors into speed.

@@ -31,12 +31,6 @@ export function requireOffered({ bodies, motion }) {
   if (motion.law !== "newton" && !agree) throw new Abstain("restitution is by Newton's law");
 }
 
-/** Where an approach slower than `threshold` (m/s) does not bounce, energy is lost: such an engine claims no e = 1. */
-export function requireInelastic({ bodies }, threshold) {
-  const elastic = bodies.filter(({ material }) => material?.restitution === 1).length > 1;
-  if (elastic && threshold > 0) throw new Abstain(`approaches slower than ${threshold} m/s do not bounce, at e = 1 too`);
-}
-
 /** `go(from, to)` moves the bodies on; no force changes in between. `states()` returns what is sampled. */
 export function sampled({ sample_times, forces = [] }, go, states) {
   let now = 0;

@@ -44,6 +44,7 @@ Json json_of(const Row& row) {
       {"property", row.property->id},  {"subject", row.subject->card.name}, {"holds", row.counts.holds},
       {"fails", row.counts.fails},     {"abstains", row.counts.abstains},   {"breaks", row.counts.breaks},
       {"refused", row.counts.refused}, {"outside", row.counts.outside},     {"not_asked", row.counts.not_asked}};
+  if (row.counts.unanswered > 0) json["unanswered"] = row.counts.unanswered;
   if (row.counts.beyond > 0) json["beyond"] = row.counts.beyond;
   if (const auto grade = row.grade()) {
     json["grade"] = oracle::name_of(*grade);

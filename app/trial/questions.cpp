@@ -29,8 +29,13 @@ bool for_the_first_cases_all(std::size_t number, std::size_t cases, const Proper
 
 /// No bound on rounding holds for an extreme scene. It only checks that the subject ends, makes sense and repeats
 /// itself.
-bool asks_only_for_sense(std::size_t, std::size_t, const Property& property) {
-  return property.id.ends_with(".survives") || property.id.ends_with(".repeats");
+bool is_for_extreme_scenes(std::size_t, std::size_t, const Property& property) {
+  return asks_for_sense(property) || property.id.ends_with(".repeats");
+}
+
+/// A scene without an answer has to be counted by `.survives`.
+bool is_asked_of_each_mesh(const Property& property) {
+  return compares_with_truth(property) || asks_for_sense(property);
 }
 
 std::vector<Question> about_meshes(const std::string& query, const Effort& effort, std::uint64_t seed,
@@ -39,7 +44,7 @@ std::vector<Question> about_meshes(const std::string& query, const Effort& effor
   const std::vector<MeshQuestion> asked = mesh_questions(query, effort, set);
   std::map<std::string, std::size_t> place;  // index of a law among the query's laws
   for (const Property& property : properties::all()) {
-    if (property.query == query && !compares_with_truth(property)) place.emplace(property.id, place.size());
+    if (property.query == query && !is_asked_of_each_mesh(property)) place.emplace(property.id, place.size());
   }
   const auto share = static_cast<std::size_t>(effort.mesh_share);
   for (std::size_t k = 0; k < asked.size(); ++k) {
@@ -47,7 +52,7 @@ std::vector<Question> about_meshes(const std::string& query, const Effort& effor
     questions.push_back({question.family, question.index,
                          [&set, question, seed] { return mesh_scene(set, question, seed); },
                          [place, k, share](const Property& property) {
-                           return compares_with_truth(property) || place.at(property.id) % share == k % share;
+                           return is_asked_of_each_mesh(property) || place.at(property.id) % share == k % share;
                          },
                          false});
   }
@@ -72,6 +77,8 @@ int extremes_of(const std::string& query, const Effort& effort) {
 }
 
 }  // namespace
+
+bool asks_for_sense(const Property& property) { return property.id.ends_with(".survives"); }
 
 bool compares_with_truth(const Property& property) {
   static constexpr std::array endings = {".agrees", ".verdict", ".value", ".depth"};
@@ -99,7 +106,7 @@ Questions::Questions(const std::string& query, const Effort& effort, std::uint64
     : drawn_(for_query(properties::families(), query), counted(cases_of(query, effort)),
              query == "impulse" ? counted(effort.more_impacts) : 0, seed, true, for_the_first_cases_all),
       extreme_(for_query(properties::extremes(), query), counted(extremes_of(query, effort)), 0, seed, false,
-               asks_only_for_sense),
+               is_for_extreme_scenes),
       meshes_(about_meshes(query, effort, seed, set)) {}
 
 Question Questions::operator[](std::size_t k) const {

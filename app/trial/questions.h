@@ -23,6 +23,9 @@ struct Question {
   std::size_t number = 0;           ///< among the query's drawn, extreme or mesh scenes, whichever it is one of
 };
 
+/// Does the property only ask whether there is an answer that makes sense?
+bool asks_for_sense(const properties::Property& property);
+
 /// Does the property only compare a number or a verdict with the truth? Every pair of meshes is used for such
 /// properties.
 bool compares_with_truth(const properties::Property& property);

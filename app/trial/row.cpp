@@ -109,6 +109,7 @@ Counts& Counts::operator+=(const Counts& more) {
   refused += more.refused;
   outside += more.outside;
   not_asked += more.not_asked;
+  unanswered += more.unanswered;
   beyond += more.beyond;
   impacts += more.impacts;
   return *this;
@@ -131,7 +132,7 @@ void Row::forget() {
   Row blank;
   blank.property = property;
   blank.subject = subject;
-  blank.counts.not_asked = answered() + counts.abstains + counts.outside + counts.not_asked + counts.beyond;
+  blank.counts.not_asked = counts.all();
   *this = std::move(blank);
 }
 

@@ -1,6 +1,7 @@
 #include "app/units/unit.h"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -33,32 +34,65 @@ oracle::Finding checked(const Question& question, const Scene& scene, const Prop
                          std::to_string(question.index) + ": " + error.what());
 }
 
-/// `row` and `beyond`: for the answers inside and outside the domain that the subject's card declares. `hangs` counts
-/// the questions on which the subject hung. A property that is told only of a hang which another property met counts as
-/// not asked: one hang is one break. `outcome`: of the scene, to which the finding is added.
-void ask(const Question& question, const Property& property, oracle::Subject& subject, const int& hangs, Row& row,
-         Row& beyond, Example& example, SceneOutcome& outcome) {
-  if (hangs >= most_hangs) {
-    ++row.counts.not_asked;
-    return;
-  }
-  const int hangs_before = hangs;
-  DomainWatch watch(subject);
-  example.finding = checked(question, example.scene, property, watch);
-  example.beyond = watch.beyond();
-  if (interrupted()) return;  // a query that was cancelled is no failure
-  if (example.finding.defect == oracle::Defect::hung && hangs == hangs_before) {
-    ++row.counts.not_asked;
-    return;
-  }
-  outcome.add(example.finding);
-  if (example.beyond.empty()) {
-    row.count(example);
-  } else {
-    ++row.counts.beyond;
-    beyond.count(example);
-  }
+/// The subject threw, refused or crashed, or said what is no answer: garbage, NaN.
+bool is_no_answer(const oracle::Finding& finding) {
+  return finding.outcome == oracle::Outcome::breaks || finding.defect == oracle::Defect::not_finite;
 }
+
+/// One subject and one scene, under each property.
+class SceneTrial {
+ public:
+  /// All must outlive this object. `hangs` counts the questions on which the subject hung.
+  SceneTrial(const Question& question, const TestedSubject& tested, const int& hangs, UnitResult& result,
+             Example& example)
+      : question_(question), tested_(tested), hangs_(hangs), result_(result), example_(example) {}
+
+  /// A property that is told only of a hang which another property met counts as not asked: one hang is one break. A
+  /// scene without an answer is one failure too, of `.survives`, if that is asked; the others say nothing of the scene.
+  void ask(const Property& property, oracle::Subject& subject) {
+    Row& row = result_.results.at(property, tested_);
+    if (hangs_ >= most_hangs) {
+      ++row.counts.not_asked;
+      return;
+    }
+    const int hangs_before = hangs_;
+    DomainWatch watch(subject);
+    example_.finding = checked(question_, example_.scene, property, watch);
+    example_.beyond = watch.beyond();
+    if (interrupted()) return;  // a query that was cancelled is no failure
+    if (example_.finding.defect == oracle::Defect::hung) {
+      if (hangs_ == hangs_before) {
+        ++row.counts.not_asked;
+        return;
+      }
+    } else if (is_no_answer(example_.finding)) {
+      if (without_answer_) {
+        ++row.counts.unanswered;
+        return;
+      }
+      without_answer_ = asks_for_sense(property);
+    }
+    outcome_.add(example_.finding);
+    if (example_.beyond.empty()) {
+      row.count(example_);
+    } else {
+      ++row.counts.beyond;
+      result_.beyond.at(property, tested_).count(example_);
+    }
+  }
+
+  /// Of all properties together.
+  const SceneOutcome& outcome() const { return outcome_; }
+
+ private:
+  const Question& question_;
+  const TestedSubject& tested_;
+  const int& hangs_;
+  UnitResult& result_;
+  Example& example_;
+  SceneOutcome outcome_;
+  bool without_answer_ = false;
+};
 
 /// A subject that computes exactly is slow, and would only repeat the truth: beside others it is asked few questions,
 /// and for no trajectory, which takes it seconds.
@@ -67,27 +101,33 @@ std::size_t exact_questions(const TrialPlan& plan, const std::string& query) {
   return is_simulated(query) ? 0 : static_cast<std::size_t>(plan.effort.exact_cases);
 }
 
+/// `.survives` first: it is the property that counts a scene without an answer.
+std::vector<const Property*> in_order_of_asking(const Question& question, const QueryTrial& query) {
+  std::vector<const Property*> asked;
+  std::ranges::copy_if(query.properties, std::back_inserter(asked),
+                       [&](const Property* property) { return question.asked_under(*property); });
+  std::ranges::stable_partition(asked, [](const Property* property) { return asks_for_sense(*property); });
+  return asked;
+}
+
 /// Asks one subject under each property. After a hang, a property that would ask the same question again does not.
 void ask_all(const Question& question, const QueryTrial& query, const TestedSubject& tested, oracle::Subject& itself,
              const std::vector<AtlasPlace>& places, UnitResult& result, Example& example) {
   const bool is_asked = question.number < query.exact_questions || tested.card.precision != oracle::Precision::exact;
   int& hangs = result.hangs[tested.index];
   const int hangs_before = hangs;
-  SceneOutcome outcome;
+  SceneTrial trial(question, tested, hangs, result, example);
   TimedAnswers timed(itself, result.profile.times.answers[tested.index]);
   CountedHangs counted(timed, hangs);
   RememberedAnswers remembered(counted);
-  for (const Property* property : query.properties) {
-    if (!question.asked_under(*property)) continue;
-    Row& row = result.results.at(*property, tested);
+  for (const Property* property : in_order_of_asking(question, query)) {
     if (!is_asked || (asks_twice(*property) && hangs > hangs_before)) {
-      ++row.counts.not_asked;
+      ++result.results.at(*property, tested).counts.not_asked;
     } else {
-      ask(question, *property, remembered.asked_by(*property), hangs, row, result.beyond.at(*property, tested), example,
-          outcome);
+      trial.ask(*property, remembered.asked_by(*property));
     }
   }
-  add(result.profile.atlas[tested.index], places, outcome);
+  add(result.profile.atlas[tested.index], places, trial.outcome());
 }
 
 }  // namespace

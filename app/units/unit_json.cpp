@@ -17,9 +17,9 @@ using oracle::Defect;
 using oracle::Grade;
 
 /// In the order in which they are written.
-std::array<long*, 9> numbers_of(Counts& counts) {
-  return {&counts.holds,   &counts.fails,     &counts.abstains, &counts.breaks, &counts.refused,
-          &counts.outside, &counts.not_asked, &counts.beyond,   &counts.impacts};
+std::array<long*, 10> numbers_of(Counts& counts) {
+  return {&counts.holds,   &counts.fails,     &counts.abstains,   &counts.breaks, &counts.refused,
+          &counts.outside, &counts.not_asked, &counts.unanswered, &counts.beyond, &counts.impacts};
 }
 
 Json json_of(const Example& example) {

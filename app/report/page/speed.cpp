@@ -177,7 +177,7 @@ std::string share_cell(long some, long all) {
 
 std::string number_row(const Point& point) {
   const Counts& counts = point.counts;
-  const long all = counts.answered() + counts.abstains + counts.outside + counts.not_asked + counts.beyond;
+  const long all = counts.all();
   const std::string time = point.times->total() == 0
                                ? "<td></td><td></td>"
                                : fmt::format("<td>{}</td><td>{} to {}</td>", seconds(point.times->quantile(0.5)),
@@ -188,7 +188,7 @@ std::string number_row(const Point& point) {
                                  : "<td></td><td></td><td></td>";
   return fmt::format("<tr data-subject=\"{0}\"><th scope=\"row\">{0}{1}</th>{2}{3}", escaped(point.subject->card.name),
                      is_in_process(point.subject->connectable) ? " <small>in process</small>" : "", time, errors) +
-         share_cell(counts.abstains, all) + share_cell(counts.breaks + counts.refused, all) +
+         share_cell(counts.abstains, all) + share_cell(counts.breaks + counts.refused + counts.unanswered, all) +
          share_cell(counts.outside, all) + share_cell(counts.beyond, all) + share_cell(counts.not_asked, all) + "</tr>";
 }
 

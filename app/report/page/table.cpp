@@ -15,9 +15,10 @@ std::string without_query(const std::string& id) { return id.substr(id.find('.')
 
 std::string counts_of(const Row& row) {
   return fmt::format(
-      "holds {}, fails {}, breaks {}, refused {}, abstains {}, outside {}, beyond its domain {}, not asked {}",
+      "holds {}, fails {}, breaks {}, refused {}, abstains {}, outside {}, beyond its domain {}, not asked {}, "
+      "without an answer {}",
       row.counts.holds, row.counts.fails, row.counts.breaks, row.counts.refused, row.counts.abstains,
-      row.counts.outside, row.counts.beyond, row.counts.not_asked);
+      row.counts.outside, row.counts.beyond, row.counts.not_asked, row.counts.unanswered);
 }
 
 std::string cell(const Row& row) {

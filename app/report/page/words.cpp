@@ -45,6 +45,7 @@ std::string table_anchor(const std::string& query) { return "table." + query; }
 std::string silence_of(const Counts& counts) {
   if (counts.abstains > 0) return "abstains";
   if (counts.beyond > 0) return "beyond its domain";
+  if (counts.unanswered > 0) return "no answer";
   return counts.not_asked > 0 ? "not asked" : "outside";
 }
 

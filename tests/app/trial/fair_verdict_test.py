@@ -26,8 +26,8 @@ class FairVerdict(Test):
     def engine(self, answer):
         return "exec:/usr/bin/python3 " + str(self.folder / self.file("mine.py", ENGINE_OF.replace("ANSWER", answer)))
 
-    def checked(self, answer, *words, code):
-        said = self.succeeds("check", "--subjects", self.engine(answer), "--queries", "distance", "--cases", 4, "--json", "r.json",
+    def checked(self, answer, *words, code, cases=4):
+        said = self.succeeds("check", "--subjects", self.engine(answer), "--queries", "distance", "--cases", cases, "--json", "r.json",
                              *words, code=code)
         return said, self.json("r.json")
 
@@ -53,26 +53,38 @@ class FairVerdict(Test):
         said, _ = self.checked("""'"result": {"verdict": "separated", "distance": 1}'""", "--require-answers", code=1)
         self.assertNotIn("answers are required", said)
 
-    def test_one_cause_is_one_cause(self):
-        said, report = self.checked("""'"breaks": {"kind": "threw", "how": "no hull %d"}' % asked""", code=1)
-        self.assertEqual([cause["defect"] for cause in report["causes"]], ["threw"])
-        failing = [row["property"] for row in report["rows"] if row["breaks"] > 0]
-        self.assertGreater(len(failing), 5)
-        self.assertEqual(report["causes"][0]["rows"], failing)
-        self.assertEqual(said.count("no hull"), 1)
-        self.assertEqual(said.count("for the same cause"), len(failing) - 1)
+    def test_a_scene_without_an_answer_is_one_failure(self):
+        for answer in ("""'"breaks": {"kind": "threw", "how": "no hull %d"}' % asked""",
+                       """'"result": {"verdict": "separated", "distance": NaN}'"""):
+            said, report = self.checked(answer, code=1)
+            for row in report["rows"]:
+                survives = row["property"] == "distance.survives"
+                self.assertEqual((row["breaks"] > 3, row["fails"]), (survives, 0), row)
+                self.assertEqual(row["holds"] + row["not_asked"] + row["abstains"], 0, row)
+                self.assertEqual(row.get("unanswered", 0) > 0, not survives and row["outside"] < 4, row)
+            self.assertEqual([cause["rows"] for cause in report["causes"]], [["distance.survives"]])
+            self.assertRegex(said, r"mine +0 properties hold,   1 fail, +\d+ not answered")
 
-    def test_a_refusal_is_counted_apart_and_one_reason_is_one_cause(self):
+    def test_an_answer_to_one_question_of_a_law_and_none_to_the_other_is_a_failure_of_the_law(self):
+        said, report = self.checked("""'"result": {"verdict": "separated", "distance": 1}' if asked == 1 else """
+                                    """'"breaks": {"kind": "threw", "how": "no hull %d"}' % asked""", "--jobs", 1, code=1, cases=1)
+        broken = [row["property"] for row in report["rows"] if row["breaks"] > 0 and row["property"] != "distance.repeats"]
+        self.assertLessEqual({"distance.symmetric", "distance.turned"}, set(broken))
+        self.assertEqual([row["holds"] for row in report["rows"] if row["property"] == "distance.survives"], [1])
+        self.assertIn(broken, [cause["rows"] for cause in report["causes"]])
+        self.assertEqual(said.count("for the same cause"), len(broken) - 1)
+
+    def test_a_refusal_is_counted_apart(self):
         said, report = self.checked("""'"breaks": {"kind": "refused", "how": "a radius of %r"}' % (asked / 16)""",
                                     "--junit", "r.xml", "--sarif", "r.sarif", code=1)
         failing = [row for row in report["rows"] if row["refused"] > 0]
-        self.assertGreater(len(failing), 5)
-        for row in failing:
-            self.assertEqual((row["fails"], row["breaks"], row["grade"], list(row["defects"])), (0, 0, "D", ["refused"]))
-        self.assertEqual([(cause["defect"], len(cause["rows"])) for cause in report["causes"]], [("refused", len(failing))])
+        self.assertEqual([row["property"] for row in failing], ["distance.survives"])
+        row = failing[0]
+        self.assertEqual((row["fails"], row["breaks"], row["grade"], list(row["defects"])), (0, 0, "D", ["refused"]))
+        self.assertEqual([(cause["defect"], len(cause["rows"])) for cause in report["causes"]], [("refused", 1)])
         self.assertEqual(said.count("a radius of"), 1)
-        self.assertRegex(said, r"mine distance.\w+: (\d+) of \1 fail \(100 %\), \1 of them refused, grade D")
-        self.assertRegex(said, rf"mine +0 properties hold, +{len(failing)} fail, +\d+ not answered; \d+ answers refused")
+        self.assertRegex(said, r"mine distance.survives: (\d+) of \1 fail \(100 %\), \1 of them refused, grade D")
+        self.assertRegex(said, r"mine +0 properties hold, +1 fail, +\d+ not answered; \d+ answers refused")
         self.assertIn('type="refused"', (self.folder / "r.xml").read_text())
         self.assertRegex((self.folder / "r.xml").read_text(), r"breaks 0, refused \d+, abstains")
         for result in self.json("r.sarif")["runs"][0]["results"]:
