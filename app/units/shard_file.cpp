@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* format = "shard/2";
+constexpr const char* format = "shard/3";
 constexpr const char* timing_format = "shard-timing/1";
 constexpr int most_shards = 100'000;
 

@@ -74,7 +74,7 @@ class Shards(Test):
             (text[:-200], "shard-2-of-2.jsonl:"),
             (text.replace('"seed":1', '"seed":2', 1), "is of another run"),
             (text.replace('"versions":["', '"versions":["old ', 1), "was asked of other versions"),
-            (text.replace('"touchstone":"shard/2"', '"touchstone":"shard/1"'), 'expected "shard/2"'),
+            (text.replace('"touchstone":"shard/3"', '"touchstone":"shard/1"'), 'expected "shard/3"'),
             (lines[0] + "".join(lines[2:]), f"unit {unit['unit']}: is in no shard"),
             ("".join(lines[:2]) + "".join(lines[1:]), "or is there twice"),
             (text.replace('"property":"distance.value"', '"property":"distance.worth"', 1), "is no property of distance"),

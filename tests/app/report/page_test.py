@@ -71,7 +71,7 @@ class Page(Test):
 
     def test_tables_leave_out_who_does_not_answer(self):
         self.browser.open(self.page, 1300)
-        columns = "[...document.getElementById('table.{}').querySelectorAll('thead th')].map(e => e.innerText.trim())"
+        columns = "[...document.getElementById('table.{}').querySelectorAll('thead th')].map(e => e.textContent.trim())"
         self.assertEqual(self.browser.value(columns.format("distance")),
                          ["property", "reference", "fast", "bullet.float", "fcl.indep", "libccd.gjk"])
         self.assertNotIn("libccd.gjk", self.browser.value(columns.format("mass")))
