@@ -61,7 +61,7 @@ inline const std::vector<Effort>& efforts() {
        .exact_cases = 400,
        .extreme_cases = 600,
        .minimise_budget = 800,
-       .mesh_share = 1,
+       .mesh_share = 4,
        .deep_mesh_pairs = 60,
        .trajectories = {150, 4000, 400, 400, 800, patient_simulation_factor}},
       {.name = "soak",

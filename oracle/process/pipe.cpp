@@ -19,10 +19,10 @@ struct Written {
   std::string text;
 };
 
-/// The texts of the last few scenes. Several subjects are asked about one scene, and a property alternates between a
-/// scene and its image, and writing a scene costs as much as its query. One cache per thread. A restart clears it, so
-/// the text never depends on earlier queries: 0 and -0 are equal, but are written differently.
-thread_local std::array<Written, 4> memory;
+/// The texts of the last scenes. Several subjects are asked about a scene and about its images under the laws of a
+/// query, of which there are up to two dozen, and writing a scene costs as much as its query. One cache per thread. A
+/// restart clears it, so the text never depends on earlier queries: 0 and -0 are equal, but are written differently.
+thread_local std::array<Written, 24> memory;
 thread_local std::size_t oldest = 0;
 
 const std::string& text_of(const Scene& scene) {
