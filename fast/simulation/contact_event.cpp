@@ -75,12 +75,12 @@ void respond(Run& run, const PairEvent& pair, const PairContact& contact) {
   const Resting rest = speeds.is_slow() && !in_contact ? resting(world, pair, touch) : Resting{};
   switch (classify(speeds, rest.contact.has_value(), run.options.micro_collisions)) {
     case Response::later:
-      return schedule_later(run, pair.a, pair.b);
+      return schedule_later(run, pair.a, pair.b, touch);
     case Response::rest:
       return start_rest(run, *rest.candidate, *rest.contact,
                         world.body(rest.candidate->id).path().velocity(world.now()));
     case Response::join_island:
-      return merge_islands(run, pair.a, pair.b) ? void() : schedule_later(run, pair.a, pair.b);
+      return merge_islands(run, pair.a, pair.b) ? void() : schedule_later(run, pair.a, pair.b, touch);
     case Response::micro_collision:
       return apply_impulse(run, Event::Kind::micro_collision, pair.a, pair.b, touch,
                            micro_collision(a, at_a, b, at_b, touch, c, speeds.bounce_speed));

@@ -34,17 +34,23 @@ double time_to_contact(Run& run, BodyId a, BodyId b) {
   return u_n < 0 && touch.gap > 0 ? touch.gap / -u_n : never;
 }
 
-/// A time (s) within which two bodies cannot approach by more than a part of the envelope.
-double time_apart(const BodyMotion& a, const BodyMotion& b, double now, double envelope) {
-  double speed = (b.path().velocity(now) - a.path().velocity(now)).lpNorm<1>();
-  double acceleration = (b.path().a - a.path().a).lpNorm<1>();
+bool is_convex(const BodyMotion& body) { return body.kind() != Kind::other || body.model().solid.parts().size() == 1; }
+
+/// A time (s) within which two bodies that touch cannot approach by more than a part of the envelope. A plane is
+/// between two that are convex, so that but for rotation only what is along its normal brings them closer: one that
+/// slides on the other without any force between them has for ever.
+double time_apart(const BodyMotion& a, const BodyMotion& b, const Vec3& nhat_BA_W, double now, double envelope) {
+  const Vec3 u = a.path().velocity(now) - b.path().velocity(now), du_dt = a.path().a - b.path().a;
+  const bool is_plane_between = is_convex(a) && is_convex(b);
+  double speed = is_plane_between ? std::max(-nhat_BA_W.dot(u), 0.0) : u.lpNorm<1>();
+  double acceleration = is_plane_between ? std::max(-nhat_BA_W.dot(du_dt), 0.0) : du_dt.lpNorm<1>();
   for (const BodyMotion* body : {&a, &b}) {
     if (body->fixed() || body->kind() != Kind::other) continue;
     speed += body->ballistic().rate() * body->radius();
     acceleration += body->ballistic().acceleration_per_radius() * body->radius();
   }
-  const double near = envelope / 16;
-  return 2 * near / (speed + std::sqrt(speed * speed + 2 * acceleration * near));
+  const double near = envelope / 16, sum = speed + std::sqrt(speed * speed + 2 * acceleration * near);
+  return sum > 0 ? 2 * near / sum : never;
 }
 
 }  // namespace
@@ -58,10 +64,10 @@ void recheck(Run& run, BodyId a, BodyId b) {
   }
 }
 
-void schedule_later(Run& run, BodyId a, BodyId b) {
+void schedule_later(Run& run, BodyId a, BodyId b, const Touch& touch) {
   if (run.islands.of(a) || run.islands.of(b)) return defer_separating_pair(run, a, b);
   const World& world = run.world;
-  const double step = time_apart(world.body(a), world.body(b), world.now(), world.envelope());
+  const double step = time_apart(world.body(a), world.body(b), touch.nhat_BA_W, world.now(), world.envelope());
   const double grain = world.now() * 0x1p-51;
   if (step < grain) run.guard.count_lost_resolution();
   run.schedule.predict(a, b, world.now() + std::max(step, grain));

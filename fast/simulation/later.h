@@ -11,6 +11,6 @@ void recheck(Run& run, BodyId a, BodyId b);
 
 /// The pair touches but separates, perhaps no faster than rounding can resolve. It is queried again after a time in
 /// which the two cannot approach noticeably; with a body in an island, after the current steps (simulation.md).
-void schedule_later(Run& run, BodyId a, BodyId b);
+void schedule_later(Run& run, BodyId a, BodyId b, const Touch& touch);
 
 }  // namespace touchstone::fast::simulation

@@ -13,7 +13,8 @@ namespace {
 /// Smaller slips and slopes, relative to the quantities they are computed from, are rounding: some hundred roundings.
 constexpr double negligible = 0x1p-45;
 
-/// When the contact point, on the face whose normal is the block's axis `face`, crosses one of the face's sides.
+/// How long until the contact point, on the face whose normal is the block's axis `face`, crosses one of the face's
+/// sides (s).
 double leaves_face(const BodyMotion& block, const Vec3& s, const Vec3& v, const Vec3& a, Eigen::Index face) {
   const Mat3 R_BW = block.R_WB().transpose();
   const Vec3 s_B = R_BW * s, v_B = R_BW * v, a_B = R_BW * a;
@@ -36,6 +37,17 @@ std::optional<Eigen::Index> face_along(const BodyMotion& block, const Vec3& n, c
     if (i != axis && (std::abs(n_B[i]) > negligible || std::abs(s_B[i]) >= half_extents(block)[i])) return {};
   }
   return axis;
+}
+
+/// The resting contact, which ends at `edge` at the latest. None if that is now: a point a rounding away from the side
+/// that it moves to is at the edge.
+std::optional<RestingContact> on_face_until(double edge, double now, RestingContact rest) {
+  if (edge <= now) return {};
+  if (edge <= rest.until) {
+    rest.until = edge;
+    rest.ends_by = RestingContact::End::leaves;
+  }
+  return rest;
 }
 
 }  // namespace
@@ -93,12 +105,7 @@ std::optional<RestingContact> ball_on_face(const BodyMotion& ball, const BodyMot
     if (slips && rate < 0) rest.until = t + length(slip) / -rate;
     rest.ends_by = RestingContact::End::slip_ends;
   }
-  const double edge = t + leaves_face(block, s, v, rest.acceleration, *face);
-  if (edge <= rest.until) {
-    rest.until = edge;
-    rest.ends_by = RestingContact::End::leaves;
-  }
-  return rest;
+  return on_face_until(t + leaves_face(block, s, v, rest.acceleration, *face), t, rest);
 }
 
 std::optional<RestingContact> body_on_face(const BodyMotion& body, const BodyMotion& block, State state, double t,
@@ -132,12 +139,7 @@ std::optional<RestingContact> body_on_face(const BodyMotion& body, const BodyMot
   rest.lever = force_point - state.X_WB.p_WB;
   const std::optional<Eigen::Index> face = face_along(block, n, s);
   if (!face || !contact::supports(corners, n, force_point)) return {};
-  const double edge = t + leaves_face(block, s, state.velocity.v_WBcm - V, rest.acceleration, *face);
-  if (edge <= rest.until) {
-    rest.until = edge;
-    rest.ends_by = RestingContact::End::leaves;
-  }
-  return rest;
+  return on_face_until(t + leaves_face(block, s, state.velocity.v_WBcm - V, rest.acceleration, *face), t, rest);
 }
 
 }  // namespace touchstone::fast::simulation
