@@ -25,12 +25,25 @@ TEST_CASE("later: a pair that separates is queried after a time in which it cann
   scene.motion->envelope = 0x1p-20;
   Run run(scene, {.frame = 4});
   run.schedule.begin_frame();
-  schedule_later(run, 0, 1);
+  schedule_later(run, 0, 1, {0, still, {0, 0, 1}});
   REQUIRE(run.schedule.next() != nullptr);
   // From rest it falls by a sixteenth of the envelope in sqrt(2 ε/16/g).
   const double falls = std::sqrt(2 * 0x1p-24 / 10);
   CHECK(run.schedule.next()->time >= 0.99 * falls);
   CHECK(run.schedule.next()->time <= 2 * falls);
+}
+
+TEST_CASE("later: a body that slides along a face without any force is not queried again") {
+  const Body free_box = brick({4, 4, 1}, {0, 0, -1}, {});
+  for (const Body& support : {table(), free_box}) {
+    for (const Body& slider : {ball(1, {0, 0, 1}, {3, 0, 0}, {}), brick({1, 1, 1}, {0, 0, 1}, {})}) {
+      const Scene scene = moving_scene({slider, support}, still, {4});
+      Run run(scene, {.frame = 4});
+      run.schedule.begin_frame();
+      schedule_later(run, 0, 1, {0, still, {0, 0, 1}});
+      CHECK(run.schedule.next() == nullptr);
+    }
+  }
 }
 
 TEST_CASE("later: a body in an island gets shorter steps instead, and the pair remembers that it separated") {
@@ -49,7 +62,7 @@ TEST_CASE("later: a body in an island gets shorter steps instead, and the pair r
   const double h = island.until();
   recheck(run, 1, 2);
   CHECK(run.schedule.next() == nullptr);
-  schedule_later(run, 1, 2);
+  schedule_later(run, 1, 2, {0, still, {0, 0, -1}});
   CHECK(run.schedule.memory(1, 2).separating_at == 0);
   CHECK(run.schedule.memory(1, 2).not_queried_at == -1);
   island.end_step(0);
