@@ -23,10 +23,7 @@ using oracle::words::text;
 
 judge::Allowance metres(double bound, double size) { return {bound, 1, "m", size}; }
 
-std::string text_of(const std::array<Interval, 3>& v) {
-  return text(
-      Vec3(v[0].lo + (v[0].hi - v[0].lo) / 2, v[1].lo + (v[1].hi - v[1].lo) / 2, v[2].lo + (v[2].hi - v[2].lo) / 2));
-}
+std::string text_of(const std::array<Interval, 3>& v) { return text(middle(v)); }
 
 /// m/s: of the ball, the exact one of its centre or of its surface about it, whichever is greater.
 double speed(const RollingCase& asked, std::size_t sample) {

@@ -46,6 +46,8 @@ std::vector<Property> join() {
                             simulation_carrier_properties,
                             simulation_together_properties,
                             simulation_instant_properties,
+                            simulation_same_run_properties,
+                            simulation_exact_ball_properties,
                             constraint_properties}) {
     for (Property& property : query()) joined.push_back(in_its_precision(std::move(property)));
   }

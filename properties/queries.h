@@ -28,6 +28,8 @@ std::vector<Property> simulation_face_properties();
 std::vector<Property> simulation_carrier_properties();
 std::vector<Property> simulation_together_properties();
 std::vector<Property> simulation_instant_properties();
+std::vector<Property> simulation_same_run_properties();
+std::vector<Property> simulation_exact_ball_properties();
 std::vector<Property> constraint_properties();
 
 }  // namespace touchstone::properties

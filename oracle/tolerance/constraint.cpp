@@ -70,9 +70,10 @@ double granted_step(const Scene& scene) { return scene.motion->sample_times.back
 // distance to any other change and V below half the rate of each crossing (and, at an edge, below half the excess of v²
 // over g r, as only then it becomes ballistic too). Where that does not hold, or X reaches a quarter of the radius,
 // nothing is claimed from there on.
-std::vector<RollingBound> rolling(const Scene& scene, const reference::ConstraintTruth& truth, Precision precision) {
+std::vector<RollingBound> rolling(const Scene& scene, const reference::ConstraintTruth& truth, Precision precision,
+                                  double step) {
   const std::vector<double>& times = scene.motion->sample_times;
-  const double delta = granted_step(scene), r = radius_of(scene, truth);
+  const double delta = step, r = radius_of(scene, truth);
   const Vec3& start = scene.bodies[static_cast<std::size_t>(truth.ball)].X_WB.p_WB;
   const double way = start.norm() + truth.speed * times.back();
   double A = truth.first.acceleration, clearance = of_lasting(truth.first.clearance), from = 0;

@@ -19,8 +19,9 @@ struct RollingBound {
 };
 
 /// One bound for each sample, as many as are certain. After these, errors may have grown so large that the ball makes
-/// different changes.
-std::vector<RollingBound> rolling(const Scene& scene, const reference::ConstraintTruth& truth, Precision precision);
+/// different changes. `step` (s): the step size that is granted.
+std::vector<RollingBound> rolling(const Scene& scene, const reference::ConstraintTruth& truth, Precision precision,
+                                  double step);
 
 /// m: how deep two bodies may overlap at a sample: as far as one moves in a granted step.
 double overlap_of_step(const Scene& scene);

@@ -28,6 +28,11 @@ double RollingCase::radius() const {
   return std::get<Sphere>(scene.bodies[static_cast<std::size_t>(truth.ball)].shape).radius;
 }
 
+Vec3 middle(const std::array<Interval, 3>& truth) {
+  const auto of = [](const Interval& x) { return x.lo + (x.hi - x.lo) / 2; };
+  return {of(truth[0]), of(truth[1]), of(truth[2])};
+}
+
 double off(const Vec3& p, const std::array<Interval, 3>& truth) {
   Vec3 out;
   for (std::size_t i = 0; i < 3; ++i) {

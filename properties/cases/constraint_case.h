@@ -35,6 +35,8 @@ struct RollingCase {
   double radius() const;
 };
 
+Vec3 middle(const std::array<Interval, 3>& truth);
+
 /// The distance of a point from the box of three intervals.
 double off(const Vec3& p, const std::array<Interval, 3>& truth);
 
@@ -63,7 +65,8 @@ oracle::Finding of_rolling(const Scene& scene, oracle::Subject& subject, JudgeIt
   if (truth == nullptr) return oracle::judge::outside(std::get<std::string>(oracle::truth::constraint(scene)));
   return of_steps(scene, subject, [&](const Trajectory& said) {
     const oracle::Precision precision = subject.card().precision;
-    const RollingCase asked{scene, precision, *truth, oracle::tolerance::rolling(scene, *truth, precision), said};
+    const double step = oracle::tolerance::granted_step(scene);
+    const RollingCase asked{scene, precision, *truth, oracle::tolerance::rolling(scene, *truth, precision, step), said};
     if (asked.samples() == 0)
       return oracle::judge::outside("small errors change the ball's motion: rolling, sliding or free");
     return judge_it(asked);

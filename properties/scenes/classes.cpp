@@ -319,7 +319,8 @@ void constraint_classes(const Scene& scene, Names& names) {
   }
   if (impacts > 0) names.push_back("an impact");
   if (impacts > 1) names.push_back("two impacts or more");
-  const auto sure = oracle::tolerance::rolling(scene, *truth, Precision::binary64).size();
+  const double step = oracle::tolerance::granted_step(scene);
+  const auto sure = oracle::tolerance::rolling(scene, *truth, Precision::binary64, step).size();
   names.push_back(sure == scene.motion->sample_times.size() ? "sure to the end" : "not sure to the end");
 }
 

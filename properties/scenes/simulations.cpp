@@ -389,6 +389,53 @@ std::vector<Body> dropped(Random& random) {
   return bodies;
 }
 
+/// A box with these half sides, whose middle is over (x, 0) and whose bottom is at a height; its mass is drawn.
+Body block(Random& random, const Vec3& half, double x, double bottom) {
+  Body box = with_mass(random, at_rest(Box{half}));
+  box.X_WB.p_WB = {x, 0, bottom + half.z()};
+  return box;
+}
+
+/// A beam across two boxes that move apart or together.
+std::vector<Body> bridge(Random& random) {
+  std::vector<Body> bodies;
+  for (const double side : {-1.0, 1.0}) {
+    Body pier = block(random, {0.5, 1, random.pick({0.5, 0.75})}, 2 * side, 0);
+    pier.velocity.v_WBcm = {random.whole(-2, 2), random.whole(-1, 1), 0};
+    bodies.push_back(std::move(pier));
+  }
+  bodies.push_back(block(random, {3, 0.5, 0.25}, random.whole(-2, 2) / 4, 1.5));
+  return bodies;
+}
+
+/// A ball that falls between two boxes or balls, and drives them apart.
+std::vector<Body> ball_between(Random& random) {
+  std::vector<Body> bodies;
+  for (const double side : {-1.0, 1.0}) {
+    Body beside = random.one_in(2) ? with_mass(random, at_rest(Sphere{1})) : block(random, {1, 1, 1}, 0, 0);
+    beside.X_WB.p_WB = {side * random.pick({1.25, 1.5}), random.whole(-1, 1) / 4, 1};
+    bodies.push_back(std::move(beside));
+  }
+  Body ball = with_mass(random, at_rest(Sphere{1}));
+  ball.X_WB.p_WB = {0, 0, 3.25};
+  ball.velocity = {{0, 0, -random.whole(0, 2)}, small_vector(random, 1)};
+  bodies.push_back(std::move(ball));
+  return bodies;
+}
+
+/// Three bodies that rest on each other, rub, tip and fall, on a table without friction or with some.
+Scene piles(Random& random) {
+  std::vector<Body> bodies = random.pick<Bodies>({bridge, ball_between})(random);
+  const double e = random.pick({0.0, 0.0, 0.5}), mu = random.pick({0.25, 0.5});
+  for (Body& body : bodies) body.material = {e, mu};
+  Body table = fixed(at_rest(Box{Vec3(256, 256, 2)}, {{0, 0, -2}, {}}));
+  table.material = {1, random.pick({0.0, 0.0, 0.5})};
+  bodies.push_back(std::move(table));
+  Scene scene = run(random, std::move(bodies), motion_until(0.5, 2), {0, 0, -8});
+  scene.motion->law = Law::poisson;
+  return scene;
+}
+
 /// A body that slides over a longer box which moves: a fixed one, or one on a table without friction that it drags
 /// along. All that moves does so along one line through the middle of the box.
 Scene on_a_carrier(Random& random) {
@@ -470,6 +517,7 @@ std::vector<Family> run_families() {
        touching},
       {"runs.on_ice", "bodies that slide, fall and rub on each other on a table without friction", queries, true,
        on_ice},
+      {"runs.piles", "three bodies that rest on each other, rub, tip and fall", queries, true, piles},
       {"runs.carried", "bodies that slide on a box that moves, fixed or on ice", queries, true, on_a_carrier},
       {"runs.far_apart", "two bodies that start 2^4 to 2^60 sizes apart", queries, false, far_apart},
   };

@@ -66,6 +66,19 @@ std::optional<Scene> hastened(Scene scene, int k) {
   return exact ? std::optional(scene) : std::nullopt;
 }
 
+std::optional<Scene> heavier(Scene scene, int k) {
+  bool exact = scale(scene.motion->force_bound, k);
+  for (AppliedForce& applied : scene.motion->forces) exact = exact && scale(applied.force_W, k);
+  for (Body& body : scene.bodies) {
+    if (auto* density = std::get_if<Density>(&body.mass)) exact = exact && scale(density->value, k);
+    auto* given = std::get_if<MassProperties>(&body.mass);
+    if (given == nullptr) continue;
+    exact = exact && scale(given->mass, k);
+    for (double& x : given->I_BBcm_B.reshaped()) exact = exact && scale(x, k);
+  }
+  return exact ? std::optional(scene) : std::nullopt;
+}
+
 std::optional<Scene> later(Scene scene, double seconds) {
   Motion& motion = *scene.motion;
   motion.start_times.resize(scene.bodies.size(), 0);

@@ -11,6 +11,9 @@ namespace touchstone::properties {
 /// Time runs 2^k times as fast: sample and start times times 2^-k, velocities times 2^k, gravity and forces times 4^k.
 std::optional<Scene> hastened(Scene scene, int k);
 
+/// Densities, given masses and inertias, and forces times 2^k: no motion changes.
+std::optional<Scene> heavier(Scene scene, int k);
+
 /// All sample times, starts and forces later by `seconds`.
 std::optional<Scene> later(Scene scene, double seconds);
 

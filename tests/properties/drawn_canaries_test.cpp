@@ -24,8 +24,8 @@ struct Caught {
   std::uint64_t index;
 };
 
-/// The scenes of a query that a quick trial draws, from its families in turn.
-std::uint64_t quick_runs(const std::string& query) { return query == "simulation" ? 64 : 30; }
+/// The scenes of a query that a quick trial of one subject draws, from its families in turn.
+std::uint64_t quick_runs(const std::string& query) { return query == "simulation" ? 320 : 30; }
 
 const std::vector<Caught> caught = {
     {"canary.not_keyed_again", "simulation.flights", "runs.cradle", 0},
@@ -70,6 +70,9 @@ const std::vector<Caught> caught = {
     {"canary.sticky_together", "simulation.together_pushes", "runs.together", 0},
     {"canary.damped_together", "simulation.together_energy", "runs.cradle", 0},
     {"canary.kicks_together", "simulation.together_energy", "runs.together", 0},
+    {"canary.nanometre", "simulation.scaled", "runs.ties", 0},
+    {"canary.carries_air", "simulation.heavier", "runs.solids", 0},
+    {"canary.rounded_by_samples", "simulation.sampled", "runs.ties", 0},
     {"canary.endless_table", "constraint.contacts", "tables.falls", 0},
     {"canary.hollow_ball", "constraint.velocity", "tables.slope", 0},
     {"canary.frictionless_table", "constraint.velocity", "tables.slides", 0},

@@ -397,6 +397,18 @@ void kicks_together(Subject&, const Scene&, Trajectory& said) {
   }
 }
 
+void carries_air(Scene& scene) {
+  for (Body& body : scene.bodies) {
+    if (auto* density = std::get_if<Density>(&body.mass)) density->value += 1e-6;
+  }
+}
+
+// As if it went on from the rounded state of each sample.
+void shaken(State& state, const Scene& scene, std::size_t, double time) {
+  const std::vector<double>& times = scene.motion->sample_times;
+  state.X_WB.p_WB.x() += 1e-12 * static_cast<double>(std::ranges::upper_bound(times, time) - times.begin());
+}
+
 }  // namespace
 
 std::vector<Canary> canaries_about_simulations() {
@@ -480,6 +492,13 @@ std::vector<Canary> canaries_about_simulations() {
             [] { return runs(kicks_together); }),
       lying("canary.last_sample", "moves all bodies by a nanometre in the last sample alone",
             [] { return runs(last_sample); }),
+      lying("canary.nanometre", "is off by a nanometre, however large bodies are",
+            [] {
+              return each_state([](State& state, const Scene&, std::size_t, double) { state.X_WB.p_WB.x() += 1e-9; });
+            }),
+      lying("canary.carries_air", "adds 1e-6 kg/m³ to the density of each body", [] { return as_if(carries_air); }),
+      lying("canary.rounded_by_samples", "moves bodies by a picometre at each sample",
+            [] { return each_state(shaken); }),
   };
 }
 
