@@ -122,7 +122,7 @@ Finding samples(const Scene& scene, Subject& subject) {
   const auto only_those_asked_for_before = [&](Trajectory said) {
     std::vector<std::vector<State>> kept;
     std::size_t before = 0;
-    for (std::size_t i = 0; i < said.states.size(); ++i) {
+    for (std::size_t i = 0; i < std::min(said.states.size(), more.motion->sample_times.size()); ++i) {
       if (more.motion->sample_times[i] != scene.motion->sample_times[before]) continue;
       kept.push_back(std::move(said.states[i]));
       ++before;

@@ -542,3 +542,15 @@ TEST_CASE("simulation: in contact, and through what one event completes, bodies 
   CHECK(judged("none_missed", said).outcome == Outcome::holds);
   CHECK(judged("impulses", said).outcome == Outcome::outside);
 }
+
+// The subject says the same of each scene, so also of the scaled one and of the one with more samples.
+TEST_CASE("A run that does not scale with its scene, or with other states at further samples, is wrong") {
+  CHECK(judged("scaled", turned_back()).defect == Defect::scaled);
+  CHECK(judged("heavier", turned_back()).defect == Defect::scaled);
+  CHECK(judged("sampled", turned_back()).defect == Defect::inconsistent);
+  Trajectory without_events = turned_back();
+  without_events.events.reset();
+  for (const char* property : {"scaled", "heavier", "sampled", "exact_ball"}) {
+    CHECK(judged(property, without_events).outcome == Outcome::abstains);
+  }
+}
