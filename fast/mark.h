@@ -33,6 +33,7 @@ enum class Mark : unsigned char {
   impulse_scaled,     ///< an impact solved in other units
   impulse_series,     ///< a stop found from the series for the remaining impulse
   impulse_slide_off,  ///< slip that begins again where it has stopped
+  impact_tied,        ///< fast/simulation/island/contact_pair: one of many normals chosen by the approach
   impact_together,    ///< fast/simulation/simultaneous_impact: impacts that act together
   island_merge,       ///< fast/simulation/island: bodies that become one island
   micro_bounces,      ///< fast/simulation/contact_event: bounces within the envelope, completed at once

@@ -67,9 +67,14 @@ Coefficients coefficients(const BodyMotion& a, const BodyMotion& b, Law law) {
           std::min(a.material().friction, b.material().friction), law};
 }
 
+Vec3 relative_velocity(const BodyMotion& a, const State& at_a, const BodyMotion& b, const State& at_b,
+                       const Vec3& p_WC) {
+  return velocity_at(a, at_a, p_WC) - velocity_at(b, at_b, p_WC);
+}
+
 double normal_velocity(const BodyMotion& a, const State& at_a, const BodyMotion& b, const State& at_b,
                        const Touch& touch) {
-  return touch.nhat_BA_W.dot(velocity_at(a, at_a, touch.p_WC) - velocity_at(b, at_b, touch.p_WC));
+  return touch.nhat_BA_W.dot(relative_velocity(a, at_a, b, at_b, touch.p_WC));
 }
 
 namespace {

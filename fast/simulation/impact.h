@@ -21,7 +21,11 @@ struct ImpactResult {
   double loss = 0;  ///< J; loss of kinetic energy
 };
 
-/// The velocity of A's point at C relative to B's, along n̂ (m/s).
+/// The velocity of A's point at C relative to B's (m/s).
+Vec3 relative_velocity(const BodyMotion& a, const State& at_a, const BodyMotion& b, const State& at_b,
+                       const Vec3& p_WC);
+
+/// The same along n̂, at a touch.
 double normal_velocity(const BodyMotion& a, const State& at_a, const BodyMotion& b, const State& at_b,
                        const Touch& touch);
 

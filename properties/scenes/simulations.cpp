@@ -466,6 +466,29 @@ Scene on_a_carrier(Random& random) {
   return run(random, std::move(bodies), motion_until(1, 8), {0, 0, -8});
 }
 
+/// A square bar that stands on one of its long edges, which is along y.
+Body bar_on_edge(Random& random) {
+  const double half = random.whole(1, 2), length = random.whole(1, 3);
+  std::vector<Vec3> vertices;
+  for (const double y : {-length, length}) {
+    for (const Vec3& corner : {Vec3(half, y, 0), Vec3(0, y, half), Vec3(-half, y, 0), Vec3(0, y, -half)}) {
+      vertices.push_back(corner);
+    }
+  }
+  Body bar = with_mass(random, at_rest(oracle::truth::convex_hull(vertices)));
+  bar.material = some_material(random);
+  return bar;
+}
+
+/// Two bars whose edges come together, parallel and shifted along each other: they meet in a segment, or just miss.
+Scene edge_on_edge(Random& random) {
+  Body below = bar_on_edge(random), above = bar_on_edge(random);
+  above.X_WB.p_WB = {random.one_in(4) ? random.whole(-1, 1) : 0, random.whole(-4, 4), 6};
+  above.velocity.v_WBcm = {0, random.whole(-1, 1), -random.whole(4, 8)};
+  if (random.one_in(3)) below = fixed(std::move(below));
+  return turned_somehow(random, run(random, {std::move(below), std::move(above)}, motion_until(1, 4)));
+}
+
 /// Bodies on a level table without friction, which may rub on each other.
 Scene on_ice(Random& random) {
   std::vector<Body> bodies = random.pick<Bodies>({sliders, on_another, dropped})(random);
@@ -519,6 +542,7 @@ std::vector<Family> run_families() {
        on_ice},
       {"runs.piles", "three bodies that rest on each other, rub, tip and fall", queries, true, piles},
       {"runs.carried", "bodies that slide on a box that moves, fixed or on ice", queries, true, on_a_carrier},
+      {"runs.edge_on_edge", "bars whose parallel edges meet, shifted along each other", queries, true, edge_on_edge},
       {"runs.far_apart", "two bodies that start 2^4 to 2^60 sizes apart", queries, false, far_apart},
   };
 }

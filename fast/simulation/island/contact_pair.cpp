@@ -5,6 +5,8 @@
 
 #include "fast/contact/parting.h"
 #include "fast/lin_canny/proximity.h"
+#include "fast/mark.h"
+#include "fast/simulation/island/approach_normal.h"
 
 namespace touchstone::fast::simulation {
 namespace {
@@ -75,6 +77,26 @@ bool update(ContactPair& contact_pair, const IslandBody& body_a, const IslandBod
   if (!contact_pair.contact_points.empty())
     contact_pair.p_WC = candidate_at(contact_pair, contact_pair.contact_points.front(), body_a, body_b).touch.p_WC;
   return true;
+}
+
+void choose_normal_of_approach(ContactPair& contact_pair, const IslandBody& body_a, const IslandBody& body_b,
+                               double near) {
+  if (contact_pair.contact_points.empty() || contact_pair.contact_points.size() > 2) return;
+  Vec3 middle = Vec3::Zero();
+  for (const contact::ContactPoint& point : contact_pair.contact_points)
+    middle += candidate_at(contact_pair, point, body_a, body_b).touch.p_WC;
+  middle /= static_cast<double>(contact_pair.contact_points.size());
+  const contact::Part A = part_of(body_a, contact_pair.part_a, body_a.state()),
+                      B = part_of(body_b, contact_pair.part_b, body_b.state());
+  const Vec3 u = relative_velocity(*body_a.body, body_a.state(), *body_b.body, body_b.state(), middle);
+  const std::optional<Vec3> n = approach_normal(A, B, u);
+  if (!n) return;
+  std::vector<contact::ContactPoint> contact_points = contact::contact_points(A, B, *n, near);
+  if (contact_points.empty()) return;
+  mark(Mark::impact_tied);
+  contact_pair.nhat_BA_W = *n;
+  contact_pair.contact_points = std::move(contact_points);
+  contact_pair.p_WC = candidate_at(contact_pair, contact_pair.contact_points.front(), body_a, body_b).touch.p_WC;
 }
 
 ImpactCandidate candidate_at(const ContactPair& contact_pair, const contact::ContactPoint& contact_point,

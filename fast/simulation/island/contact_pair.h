@@ -47,6 +47,10 @@ using PairPoints = std::vector<ImpactCandidate>;
 /// hangs over the side of a face: then all normals of the separating-axis theorem are tested.
 bool update(ContactPair& contact_pair, const IslandBody& A, const IslandBody& B, double near, double reach);
 
+/// For two parts that come together: if many normals separate them, gives the pair the one of approach_normal.h at the
+/// middle of its contact points, with the contact points along it.
+void choose_normal_of_approach(ContactPair& contact_pair, const IslandBody& A, const IslandBody& B, double near);
+
 /// The contact point at the current states of A and B.
 ImpactCandidate candidate_at(const ContactPair& contact_pair, const contact::ContactPoint& contact_point,
                              const IslandBody& A, const IslandBody& B);

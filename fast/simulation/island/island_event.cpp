@@ -24,12 +24,14 @@ IslandBody island_body(const Run& run, BodyId id) {
   return {id, &body, {&body.model(), run.islands.state(id), acceleration}};
 }
 
-/// The contact pairs of two bodies whose parts are within the envelope.
+/// The contact pairs of two bodies whose parts are within the envelope, as they come together.
 ContactGraph graph_of_pair(const Run& run, BodyId a, BodyId b) {
   ContactGraph pair(run.world.envelope(), run.world.envelope());
   pair.add(island_body(run, a));
   pair.add(island_body(run, b));
   pair.link(a, b);
+  for (ContactPair& parts : pair.contact_pairs())
+    choose_normal_of_approach(parts, pair.bodies()[0], pair.bodies()[1], pair.near());
   return pair;
 }
 

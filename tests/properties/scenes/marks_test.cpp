@@ -66,6 +66,7 @@ const std::vector<Reach> reaches = {
     {Mark::impulse_scaled, "impulse", "contact.times_powers"},
     {Mark::impulse_series, "impulse", "contact.boxes"},
     {Mark::impulse_slide_off, "impulse", "contact.zero_slip"},
+    {Mark::impact_tied, "simulation", "runs.edge_on_edge"},
     {Mark::impact_together, "simulation", "runs.together"},
     {Mark::island_merge, "simulation", "tables.stack"},
     {Mark::micro_bounces, "simulation", "runs.bouncing"},
