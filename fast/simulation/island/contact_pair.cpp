@@ -49,6 +49,18 @@ Vec3 normal(const ContactPair& contact_pair, const contact::Part& A, const State
   return apart(A, B, other) > wide ? other : n;
 }
 
+/// The middle of points that are on one segment up to `within` (m); none if they are not, and then they span a face.
+std::optional<Vec3> middle_of_segment(const std::vector<Vec3>& points, double within) {
+  if (points.empty()) return {};
+  const auto farthest_from = [&](const Vec3& from) {
+    return *std::ranges::max_element(points, {}, [&](const Vec3& p) { return (p - from).squaredNorm(); });
+  };
+  const Vec3 end = farthest_from(points.front()), other = farthest_from(end), along = (other - end).normalized();
+  const auto is_beside = [&](const Vec3& p) { return (p - end).cross(along).norm() > within; };
+  if (std::ranges::any_of(points, is_beside)) return {};
+  return (end + other) / 2;
+}
+
 }  // namespace
 
 bool update(ContactPair& contact_pair, const IslandBody& body_a, const IslandBody& body_b, double near, double reach) {
@@ -81,14 +93,14 @@ bool update(ContactPair& contact_pair, const IslandBody& body_a, const IslandBod
 
 void choose_normal_of_approach(ContactPair& contact_pair, const IslandBody& body_a, const IslandBody& body_b,
                                double near) {
-  if (contact_pair.contact_points.empty() || contact_pair.contact_points.size() > 2) return;
-  Vec3 middle = Vec3::Zero();
+  std::vector<Vec3> points;
   for (const contact::ContactPoint& point : contact_pair.contact_points)
-    middle += candidate_at(contact_pair, point, body_a, body_b).touch.p_WC;
-  middle /= static_cast<double>(contact_pair.contact_points.size());
+    points.push_back(candidate_at(contact_pair, point, body_a, body_b).touch.p_WC);
+  const std::optional<Vec3> middle = middle_of_segment(points, 2 * near);
+  if (!middle) return;
   const contact::Part A = part_of(body_a, contact_pair.part_a, body_a.state()),
                       B = part_of(body_b, contact_pair.part_b, body_b.state());
-  const Vec3 u = relative_velocity(*body_a.body, body_a.state(), *body_b.body, body_b.state(), middle);
+  const Vec3 u = relative_velocity(*body_a.body, body_a.state(), *body_b.body, body_b.state(), *middle);
   const std::optional<Vec3> n = approach_normal(A, B, u);
   if (!n) return;
   std::vector<contact::ContactPoint> contact_points = contact::contact_points(A, B, *n, near);
