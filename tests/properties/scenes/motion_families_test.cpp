@@ -159,3 +159,17 @@ TEST_CASE("drawn motions: runs.carried has bodies that slip until they stick, on
   CHECK(count(scenes, [&](const Scene& s) { return has_free_box(s) && judged(s); }) >= 30);
   CHECK(count(scenes, [&](const Scene& s) { return !has_free_box(s) && judged(s); }) >= 15);
 }
+
+TEST_CASE("drawn motions: runs.edge_on_edge has bars whose edges meet, and the order of their vertices is judged") {
+  const std::vector<Scene> scenes = drawn("runs.edge_on_edge", draws);
+  const auto subject = oracle::subjects::make_fast();
+  for (const char* id : {"simulation.together_relabelled", "simulation.together_renumbered"}) {
+    const properties::Property& law = properties::find(id);
+    const auto holds = [&](const Scene& scene) {
+      const oracle::Outcome outcome = law.check(scene, *subject).outcome;
+      CHECK(outcome != oracle::Outcome::fails);
+      return outcome == oracle::Outcome::holds;
+    };
+    CHECK(count(scenes, holds) >= 30);
+  }
+}
