@@ -103,7 +103,8 @@ InitialContact initial_contact(const Body& A, int part_A, const BallisticStart& 
   if (excess < 0 || nearest.cores == Verdict::overlapping) return result;
   const mpq_class factor = value_of(pair.length(nearest.height, nearest.denominator));
   const Triple d = scaled(factor, Triple{nearest.normal.x, nearest.normal.y, nearest.normal.z});
-  classify(result, normals(pair, nearest, d), closest_points_on_A(A, part_A, B, part_B, d), d, a, b);
+  result.normals = normals(pair, nearest, d);
+  classify(result, result.normals, closest_points_on_A(A, part_A, B, part_B, d), d, a, b);
   result.on_A = on_plane(vertices(A, part_A), result.n, result.x);
   result.on_B = on_plane(vertices(B, part_B), result.n, result.y);
   return result;

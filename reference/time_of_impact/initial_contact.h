@@ -21,7 +21,8 @@ namespace touchstone::reference {
 struct InitialContact {
   enum class Kind { apart, overlapping, approaching, separating, neither };
   Kind kind = Kind::apart;
-  Triple n;     ///< in contact: if separating, an n that is so for every x; else one of the cone
+  Triple n;                     ///< in contact: if separating, an n that is so for every x; else one of the cone
+  std::vector<Triple> normals;  ///< in contact: the extreme rays of the cone of normals, and perhaps some more
   Triple x, y;  ///< in contact: closest points of the cores; if approaching, those that approach along n
   std::vector<bool> on_A, on_B;  ///< separating: the vertices on the planes n·p = n·x and n·p = n·y
 };
