@@ -4,6 +4,8 @@
 #include <map>
 
 #include "oracle/case.h"
+#include "oracle/subjects/touchstone/fast.h"
+#include "oracle/subjects/touchstone/reference.h"
 #include "oracle/truth/truth.h"
 #include "properties/property.h"
 #include "tests/catch.h"
@@ -78,6 +80,24 @@ TEST_CASE("Meetings of the corpus by hand") {
   CHECK(met("compound_that_hardly_turns").time.lo == Approx(0.025).epsilon(1e-11));
   // By Runge-Kutta steps of Euler's equations, and the separating axes of the two boxes.
   CHECK(met("flat_body_tumbles_for_many_periods").time.lo == Approx(8.65629195124).epsilon(1e-11));
+}
+
+// Each bar has m = 4 and I_x = 4 (2 + 4)/12 = 2. By symmetry the impulse is along z, at y = 1/2, half a metre from both
+// centres: K = 2/4 + 2 (1/2)²/2 = 3/4, P = 2 · 4/K = 32/3.
+TEST_CASE("Impacts of the corpus by hand") {
+  const auto fast = oracle::subjects::make_fast(), exact = oracle::subjects::make_reference();
+  for (const char* name : {"edge_on_edge", "edge_on_edge_at_the_start"}) {
+    for (oracle::Subject* subject : {fast.get(), exact.get()}) {
+      INFO(name << " of " << subject->card().name);
+      const auto answer = subject->simulation(scene_of(std::string("simulation/") + name));
+      const auto* said = std::get_if<Trajectory>(&answer);
+      REQUIRE(said != nullptr);
+      const std::vector<State>& after = said->states.back();
+      CHECK((after[0].velocity.v_WBcm - Vec3(0, 0, -8.0 / 3)).norm() < 1e-12);
+      CHECK((after[1].velocity.v_WBcm - Vec3(0, 0, -4.0 / 3)).norm() < 1e-12);
+      for (const State& state : after) CHECK((state.velocity.w_WB - Vec3(-8.0 / 3, 0, 0)).norm() < 1e-12);
+    }
+  }
 }
 
 TEST_CASE("Pairs, boxes and masses of the corpus by hand") {

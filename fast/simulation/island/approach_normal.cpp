@@ -11,6 +11,7 @@ namespace touchstone::fast::simulation {
 namespace {
 
 constexpr double one_direction = 0x1p-20;  // difference of normals, as of one region (simultaneous_impact.cpp)
+constexpr double slides_past = 0x1p-20;    // of the speed: a slower approach is not told from none
 // Of the sizes. At a gap or overlap d the supporting planes of touching features have moved apart or together by at
 // most d. Up to a gap of 2⁻³⁴ of the sizes `parting` finds no direction from the closest points. Twice that, and as
 // much for an overlap.
@@ -43,7 +44,7 @@ std::optional<Vec3> approach_normal(const contact::Part& A, const contact::Part&
   const std::vector<Vec3> rays = separating_normals(A, B);
   const auto is_first = [&](const Vec3& n) { return (n - rays.front()).norm() <= one_direction; };
   if (std::ranges::all_of(rays, is_first)) return {};
-  if (std::ranges::any_of(rays, [&](const Vec3& n) { return !(n.dot(u) < 0); })) return {};
+  if (std::ranges::any_of(rays, [&](const Vec3& n) { return !(n.dot(u) < -slides_past * u.norm()); })) return {};
   Eigen::MatrixXd N(3, static_cast<Eigen::Index>(rays.size()));
   for (std::size_t i = 0; i < rays.size(); ++i) N.col(static_cast<Eigen::Index>(i)) = rays[i];
   const Vec3 projection = N * simultaneous::nonnegative_least_squares(N, -u);
