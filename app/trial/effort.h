@@ -53,7 +53,7 @@ inline const std::vector<Effort>& efforts() {
        .minimise_budget = 300,
        .mesh_share = 4,
        .deep_mesh_pairs = 12,
-       .trajectories = {64, 320, 40, 20, 60, 5}},
+       .trajectories = {68, 320, 40, 20, 60, 5}},
       {.name = "standard",
        .cases = 1500,
        .cases_alone = 100'000,

@@ -12,8 +12,8 @@ namespace touchstone::fast::simulation {
 ///
 /// Returns n̂ ∈ N with the fastest approach −n̂·u: the direction of the projection of −u onto N. The bodies came
 /// together along it: a moment before, A was at −u δ from here, and n̂ was the direction of the shortest connection.
-/// None if N has one direction (up to 2⁻²⁰), or if the bodies do not approach along one n̂ ∈ N: then the plane
-/// perpendicular to that one separates them afterwards as well, and there is nothing to resolve.
+/// None if N has one direction (up to 2⁻²⁰), or if the bodies do not approach along one n̂ ∈ N (by more than 2⁻²⁰ |u|):
+/// the plane perpendicular to that one separates them afterwards as well.
 std::optional<Vec3> approach_normal(const contact::Part& A, const contact::Part& B, const Vec3& u);
 
 }  // namespace touchstone::fast::simulation
