@@ -29,6 +29,7 @@ void finite(double number, const std::string& place) {
 }
 
 void finite(const Vec3& v, const std::string& place) {
+  if (v.allFinite()) return;  // places are written for messages alone
   for (int i = 0; i < 3; ++i) finite(v[i], item(place, static_cast<std::size_t>(i)));
 }
 

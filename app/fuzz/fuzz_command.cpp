@@ -30,6 +30,7 @@ using properties::Property;
 
 constexpr int minimise_budget = 800;  ///< as of effort standard
 constexpr int minimise_budget_of_trajectories = 60;
+constexpr int fault_exit_code = 3;  ///< as of an unexpected exception (app/main.cpp)
 
 std::vector<const Property*> chosen_properties(const FuzzCommand& command) {
   std::vector<const Property*> chosen;
@@ -96,6 +97,8 @@ const Example* nearest(const FuzzResult& result, const Property** property) {
   return found;
 }
 
+double rate(long count, const FuzzResult& result) { return static_cast<double>(count) / std::max(result.seconds, 1e-3); }
+
 long marks_reached(const FuzzResult& result) {
   return std::ranges::count_if(result.marks, [](std::uint64_t count) { return count > 0; });
 }
@@ -121,9 +124,10 @@ Json json_of(const FuzzFinding& finding, const Written& written) {
 void print_json(const FuzzCommand& command, const FuzzResult& result, const std::vector<Written>& written) {
   Json json{{"query", command.query},          {"subject", result.card.name},
             {"version", result.card.version},  {"seed", command.seed},
-            {"executions", result.executions}, {"verdicts", result.verdicts},
-            {"beyond", result.beyond},         {"marks_reached", marks_reached(result)},
-            {"signals", result.signals},       {"kept", result.kept}};
+            {"executions", result.executions}, {"judged", result.judged},
+            {"verdicts", result.verdicts},     {"beyond", result.beyond},
+            {"marks_reached", marks_reached(result)}, {"signals", result.signals},
+            {"kept", result.kept}};
   const Property* property = nullptr;
   if (const Example* example = nearest(result, &property)) {
     json["nearest"] = {{"property", property->id},
@@ -134,15 +138,22 @@ void print_json(const FuzzCommand& command, const FuzzResult& result, const std:
   }
   json["findings"] = Json::array();
   for (std::size_t f = 0; f < written.size(); ++f) json["findings"].push_back(json_of(result.findings[f], written[f]));
+  json["contradictions"] = Json::array();
+  for (const Contradiction& c : result.contradictions) {
+    json["contradictions"].push_back({{"execution", c.execution}, {"what", c.what}, {"scene", json_of(c.scene)}});
+  }
   json["interrupted"] = result.interrupted;
   json["seconds"] = result.seconds;
+  json["executions_per_second"] = rate(result.executions, result);
+  json["judged_per_second"] = rate(result.judged, result);
   print_lines(touchstone::text_of(json));
 }
 
 void print_words(const FuzzCommand& command, const FuzzResult& result, const std::vector<Written>& written) {
-  print("{} of {} {}, seed {}: {} executions, {} verdicts; {:.0f} executions a second\n", command.query,
-        result.card.name, result.card.version, command.seed, result.executions, result.verdicts,
-        static_cast<double>(result.executions) / std::max(result.seconds, 1e-3));
+  print("{} of {} {}, seed {}: {} executions; {:.0f} a second\n", command.query, result.card.name,
+        result.card.version, command.seed, result.executions, rate(result.executions, result));
+  print("asked under all properties: {} of them, {} verdicts; {:.0f} a second\n", result.judged, result.verdicts,
+        rate(result.judged, result));
   print("coverage: {} of {} marks of fast, {} signals, {} scenes kept\n", marks_reached(result), result.marks.size(),
         result.signals, result.kept);
   if (result.beyond > 0) print("outside the subject's declared domain, not counted: {} verdicts\n", result.beyond);
@@ -151,6 +162,9 @@ void print_words(const FuzzCommand& command, const FuzzResult& result, const std
     const oracle::Finding& finding = example->finding;
     print("nearest to a failure, of what holds: {}, {:.3g} of {:.3g} {}, execution {}\n", property->id, finding.error,
           finding.allowed, finding.unit, example->index);
+  }
+  for (const Contradiction& c : result.contradictions) {
+    print("a fault of touchstone: execution {}: {}\n{}\n", c.execution, c.what, touchstone::text_of(json_of(c.scene)));
   }
   print("findings: {}{}\n", result.findings.size(), result.interrupted ? "; interrupted" : "");
   for (std::size_t f = 0; f < written.size(); ++f) {
@@ -187,6 +201,7 @@ int fuzz(const FuzzCommand& command) {
   }
   (command.json ? print_json : print_words)(command, result, written);
   if (result.interrupted) return interrupted_exit_code();
+  if (!result.contradictions.empty()) return fault_exit_code;
   return result.findings.empty() ? 0 : 1;
 }
 

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "app/fuzz/pool.h"
+#include "app/fuzz/screen.h"
 #include "app/fuzz/signals.h"
 #include "app/fuzz/starting_scenes.h"
 #include "app/system/interruption.h"
@@ -30,6 +31,7 @@ namespace {
 
 using oracle::Defect;
 using oracle::Finding;
+using oracle::judge::Screened;
 using properties::Property;
 using properties::Random;
 
@@ -90,7 +92,11 @@ class End {
 class Fuzzer {
  public:
   Fuzzer(const FuzzPlan& plan, oracle::Subject& subject)
-      : plan_(plan), subject_(subject), query_(*oracle::find_query(plan.query)) {
+      : plan_(plan),
+        subject_(subject),
+        query_(*oracle::find_query(plan.query)),
+        is_screened_(Screen::applies(plan.query, plan.properties)),
+        screen_(subject) {
     for (const Property* property : plan.properties) {
       properties_.push_back(guarded(*property));
       result_.holding.emplace_back();
@@ -135,26 +141,65 @@ class Fuzzer {
   }
 
   void execute(const Scene& scene, bool is_start, Random& random) {
-    Signals signals;
-    const fast::MarkCounts marks_before = fast::mark_counts;
-    const bool answered = judge(scene, signals);
-    signals.add_marks(marks_before, fast::mark_counts);
-    signals.add_scene(scene, plan_.query);
-    bool is_new = false;
-    for (const std::string& word : signals.words()) is_new |= seen_.insert(word).second;
-    if (is_start || (is_new && answered)) pool_.keep(scene, signals.nearness(), random);
+    Screen::Seen seen;
+    if (is_screened_) {
+      seen = screen_.look(scene);
+      const bool is_drawn = random.one_in(plan_.share);
+      if (seen.result == Screened::right && !seen.is_new && !is_start && !is_drawn) return;
+    }
+    ask_all(scene, seen, is_start, random);
   }
 
-  /// Returns whether the subject ended all its answers.
-  bool judge(const Scene& scene, Signals& signals) {
+  void ask_all(const Scene& scene, const Screen::Seen& seen, bool is_start, Random& random) {
+    ++result_.judged;
+    Signals signals;
+    const fast::MarkCounts marks_before = fast::mark_counts;
+    const Judged judged = judge(scene, signals);
+    compare(scene, seen.result, judged);
+    signals.add_marks(marks_before, fast::mark_counts);
+    signals.add_scene(scene, plan_.query);
+    bool is_new = seen.is_new;
+    for (const std::string& word : signals.words()) is_new |= seen_.insert(word).second;
+    if (is_start || (is_new && judged.all_answered)) pool_.keep(scene, signals.nearness(), random);
+  }
+
+  /// What the properties said that the screen stands for.
+  struct Judged {
+    bool all_answered = true;  ///< of all properties: the subject ended its answers
+    std::string failed;        ///< the first that failed; empty: none
+    bool is_outside = false;   ///< one of them had nothing to say, or the scene is beyond the card's domain
+  };
+
+  void compare(const Scene& scene, Screened screened, const Judged& judged) {
+    if (!is_screened_ || !judged.all_answered) return;
+    if (screened == Screened::right && !judged.failed.empty()) {
+      contradict(scene, judged.failed + " fails of an answer that the screen calls right");
+    }
+    if (screened == Screened::wrong && judged.failed.empty() && !judged.is_outside) {
+      contradict(scene, "the screen calls an answer wrong, and no property fails");
+    }
+  }
+
+  void contradict(const Scene& scene, std::string what) {
+    const auto is_known = [&](const Contradiction& known) { return known.what == what; };
+    if (std::ranges::any_of(result_.contradictions, is_known)) return;
+    result_.contradictions.push_back({result_.executions, std::move(what), scene});
+  }
+
+  Judged judge(const Scene& scene, Signals& signals) {
     RememberedAnswers remembered(subject_);
+    Judged judged;
     Example example{"", static_cast<std::uint64_t>(result_.executions), scene, {}, {}};
     for (std::size_t p = 0; p < properties_.size(); ++p) {
       DomainWatch watch(remembered.asked_by(properties_[p]));
       example.finding = properties_[p].check(scene, watch);
-      if (interrupted()) return false;
+      if (interrupted()) {
+        judged.all_answered = false;
+        return judged;
+      }
       ++result_.verdicts;
       if (!watch.beyond().empty()) {
+        judged.is_outside = true;
         ++result_.beyond;
         continue;
       }
@@ -164,9 +209,18 @@ class Fuzzer {
       } else {
         result_.holding[p].count(example);
       }
-      if (example.finding.defect == Defect::hung) return false;
+      if (Screen::stands_for(properties_[p])) note(example.finding, properties_[p].id, judged);
+      if (example.finding.defect == Defect::hung) {
+        judged.all_answered = false;
+        return judged;
+      }
     }
-    return true;
+    return judged;
+  }
+
+  static void note(const Finding& finding, const std::string& id, Judged& judged) {
+    if (failed(finding) && judged.failed.empty()) judged.failed = id;
+    judged.is_outside |= finding.outcome == oracle::Outcome::outside && id == "distance.verdict";
   }
 
   void count_failure(std::size_t property, const Example& example) {
@@ -198,6 +252,8 @@ class Fuzzer {
   oracle::Subject& subject_;
   const oracle::Query& query_;
   std::vector<Property> properties_;
+  const bool is_screened_;
+  Screen screen_;
   Pool pool_;
   std::set<std::string> seen_;
   std::map<std::string, std::size_t> causes_;  ///< to the index of the finding

@@ -22,6 +22,14 @@ struct FuzzPlan {
   std::optional<double> seconds;   ///< ends after so much wall-clock time; then the scenes are made smaller
   int draws = 4;                   ///< scenes of each family to begin with
   int minimise_budget = 0;         ///< queries per finding
+  int share = 64;  ///< one of so many scenes that the screen passes is asked under all properties, too; a choice
+};
+
+/// The screen and the properties contradict each other about a scene: a fault of ours.
+struct Contradiction {
+  long execution = 0;
+  std::string what;
+  Scene scene;
 };
 
 /// All failing answers with one cause: a property and a defect; or a break with the same words, apart from numbers,
@@ -35,7 +43,8 @@ struct FuzzFinding {
 struct FuzzResult {
   oracle::Card card;
   long executions = 0;       ///< scenes
-  long verdicts = 0;         ///< scenes times properties
+  long judged = 0;           ///< of these, asked under all properties
+  long verdicts = 0;         ///< judged scenes times properties
   long beyond = 0;           ///< verdicts that do not count: the scene is outside the domain that the card declares
   double seconds = 0;        ///< of executions
   std::size_t kept = 0;      ///< scenes in the pool
@@ -43,14 +52,17 @@ struct FuzzResult {
   fast::MarkCounts marks{};  ///< all 0 unless the subject is `fast` in this process
   std::vector<Row> holding;  ///< by property: the answers that hold
   std::vector<FuzzFinding> findings;  ///< in the order in which they were found
+  std::vector<Contradiction> contradictions;  ///< at most one of a kind
   bool interrupted = false;
 };
 
 /// Execution n is a function of the plan's seed, n and the executions before it. So the same plan, if no time ends it,
 /// has the same result, bit for bit, with a subject that repeats itself.
 ///
-/// An execution asks the subject about one scene under each property; the first executions take the starting scenes as
-/// they are. An exception of a subject in this process counts as a break, unless it says that the scene is bad input. A
+/// An execution takes one scene; the first ones take the starting scenes as they are. If there is a screen for the
+/// query (app/fuzz/screen.h), and all properties that it stands for are in the plan, the subject is asked once and the
+/// answer screened. Under all properties it is asked about starting scenes; scenes on which the screen shows something
+/// new or does not call the answer right; and a drawn share of all others. Without a screen, about every scene. An exception of a subject in this process counts as a break, unless it says that the scene is bad input. A
 /// scene on which the subject hangs is asked no further and not kept.
 FuzzResult fuzz(const FuzzPlan& plan, oracle::Subject& subject);
 

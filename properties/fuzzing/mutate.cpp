@@ -12,6 +12,7 @@
 #include "oracle/minimise/scene_edit.h"
 #include "oracle/tolerance/tolerance.h"
 #include "oracle/truth/truth.h"
+#include "properties/fuzzing/complete.h"
 #include "properties/scenes/pair.h"
 #include "properties/transforms/scene.h"
 
@@ -477,7 +478,7 @@ Changed after(const Mutation& mutation, const Scene& scene, const Scene& other, 
   Changed changed = mutation.make(scene, other, random);
   if (!changed || *changed == scene) return std::nullopt;
   if (!has_parts_of(scene, *changed) || !is_ordinary(*changed, scene)) return std::nullopt;
-  changed = oracle::with_faces(std::move(*changed));
+  changed = completed_after(std::move(*changed), scene, other);
   if (!begins_apart(*changed, query)) return std::nullopt;
   return changed;
 } catch (const InputError&) {
