@@ -14,7 +14,29 @@
 namespace touchstone {
 namespace {
 
-std::string item(const std::string& place, std::size_t index) { return place + '[' + std::to_string(index) + ']'; }
+/// A place in the scene, such as "bodies[0].shape". It is written only for a message: nearly all scenes are valid. It
+/// refers to the place that it is in, which must outlive it.
+class Place {
+ public:
+  Place(const std::string& text) : member_(text.c_str()) {}  // NOLINT: a text is a place
+  Place(const char* text) : member_(text) {}                 // NOLINT
+  Place(const Place& in, const char* member) : in_(&in), member_(member) {}
+  Place(const Place& in, std::size_t index) : in_(&in), index_(index) {}
+
+  std::string text() const {
+    const std::string before = in_ == nullptr ? std::string() : in_->text();
+    return before + (member_ != nullptr ? member_ : '[' + std::to_string(index_) + ']');
+  }
+  operator std::string() const { return text(); }  // NOLINT: as errors take it
+
+ private:
+  const Place* in_ = nullptr;
+  const char* member_ = nullptr;
+  std::size_t index_ = 0;
+};
+
+Place operator+(const Place& in, const char* member) { return {in, member}; }
+Place item(const Place& in, std::size_t index) { return {in, index}; }
 
 /// The shortest decimal that reads back as this double.
 std::string found(double number) {
@@ -23,26 +45,25 @@ std::string found(double number) {
   return ", found " + std::string(digits.data(), end);
 }
 
-void finite(double number, const std::string& place) {
+void finite(double number, const Place& place) {
   if (std::isnan(number)) throw InputError(place, "NaN; expected a finite number");
   if (std::isinf(number)) throw InputError(place, "infinite; expected a finite number");
 }
 
-void finite(const Vec3& v, const std::string& place) {
-  if (v.allFinite()) return;  // places are written for messages alone
+void finite(const Vec3& v, const Place& place) {
   for (int i = 0; i < 3; ++i) finite(v[i], item(place, static_cast<std::size_t>(i)));
 }
 
-void positive(double number, const std::string& place) {
+void positive(double number, const Place& place) {
   finite(number, place);
   if (!(number > 0)) throw InputError(place, "expected a number above 0" + found(number));
 }
 
-void not_negative(double number, const std::string& place) {
+void not_negative(double number, const Place& place) {
   if (number < 0) throw InputError(place, "expected a number that is not negative" + found(number));
 }
 
-void validate(const Pose& X, const std::string& place) {
+void validate(const Pose& X, const Place& place) {
   finite(X.p_WB, place + ".p");
   const Quaternion& q = X.q_WB;
   finite(q.w, place + ".q.w");
@@ -54,41 +75,48 @@ void validate(const Pose& X, const std::string& place) {
   }
 }
 
-void validate(const Sphere& sphere, const std::string& place) { positive(sphere.radius, place + ".radius"); }
+void validate(const Sphere& sphere, const Place& place) { positive(sphere.radius, place + ".radius"); }
 
-void validate(const Box& box, const std::string& place) {
+void validate(const Box& box, const Place& place) {
   for (int i = 0; i < 3; ++i) positive(box.half_extents[i], item(place + ".half_extents", static_cast<std::size_t>(i)));
 }
 
-void all_different(const std::vector<Vec3>& vertices, const std::string& place) {
-  const auto before = [&](std::size_t i, std::size_t j) {
+void all_different(const std::vector<Vec3>& vertices, const Place& place) {
+  std::vector<std::size_t> order(vertices.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::sort(order, [&](std::size_t i, std::size_t j) {
     const Vec3& a = vertices[i];
     const Vec3& b = vertices[j];
+    if (a == b) return i < j;
     return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
-  };
-  std::set<std::size_t, decltype(before)> seen(before);
-  for (std::size_t i = 0; i < vertices.size(); ++i) {
-    const auto [same, is_new] = seen.insert(i);
-    if (!is_new) throw InputError(item(place, i), "equal to vertex " + std::to_string(*same) + "; expected each once");
+  });
+  std::size_t first = vertices.size();  // the first vertex that is equal to an earlier one
+  std::size_t same = 0;
+  for (std::size_t k = 1; k < order.size(); ++k) {
+    if (vertices[order[k - 1]] != vertices[order[k]] || order[k] >= first) continue;
+    first = order[k];
+    same = order[k - 1];
   }
+  if (first == vertices.size()) return;
+  throw InputError(item(place, first), "equal to vertex " + std::to_string(same) + "; expected each once");
 }
 
-void validate_face(const std::vector<int>& face, std::size_t vertex_count, const std::string& place) {
+void validate_face(const std::vector<int>& face, std::size_t vertex_count, const Place& place) {
   if (face.size() < 3) throw InputError(place, "expected at least 3 vertices, found " + std::to_string(face.size()));
-  std::set<int> seen;
   for (std::size_t i = 0; i < face.size(); ++i) {
     const int vertex = face[i];
     if (vertex < 0 || static_cast<std::size_t>(vertex) >= vertex_count) {
       throw InputError(item(place, i), "vertex " + std::to_string(vertex) + " does not exist; expected 0 to " +
                                            std::to_string(vertex_count - 1));
     }
-    if (!seen.insert(vertex).second) {
+    if (std::find(face.begin(), face.begin() + static_cast<std::ptrdiff_t>(i), vertex) !=
+        face.begin() + static_cast<std::ptrdiff_t>(i)) {
       throw InputError(item(place, i), "vertex " + std::to_string(vertex) + " stands twice in the face; expected once");
     }
   }
 }
 
-void validate(const Polytope& polytope, const std::string& place) {
+void validate(const Polytope& polytope, const Place& place) {
   const std::vector<Vec3>& vertices = polytope.vertices;
   if (vertices.size() < 4) {
     throw InputError(place + ".vertices", "expected at least 4 vertices, found " + std::to_string(vertices.size()));
@@ -100,7 +128,7 @@ void validate(const Polytope& polytope, const std::string& place) {
   }
 }
 
-void validate(const Compound& compound, const std::string& place) {
+void validate(const Compound& compound, const Place& place) {
   if (compound.parts.empty()) throw InputError(place + ".parts", "expected at least one part");
   for (std::size_t i = 0; i < compound.parts.size(); ++i) {
     const Part& part = compound.parts[i];
@@ -116,7 +144,7 @@ void validate(const Compound& compound, const std::string& place) {
 /// The computed moments of a symmetric I scaled to max |I_ij| = 1 are those of I + E with ‖E‖ ≤ c·2⁻⁵³·‖I‖, ‖I‖ ≤ 3,
 /// where c is a modest constant for 3×3 (Golub & Van Loan 2013, 8.1: Weyl's inequality). An inertia that was itself
 /// rounded may violate the inequality by as much (a thin plate), so only a violation beyond 2⁻⁴⁶ is certainly an error.
-void validate_inertia(const Mat3& I, const std::string& place) {
+void validate_inertia(const Mat3& I, const Place& place) {
   for (int i = 0; i < 3; ++i) finite(Vec3(I.row(i)), item(place, static_cast<std::size_t>(i)));
   if (I != I.transpose()) throw InputError(place, "not symmetric; expected I[i][j] = I[j][i]");
   const double scale = I.cwiseAbs().maxCoeff();
@@ -129,27 +157,27 @@ void validate_inertia(const Mat3& I, const std::string& place) {
   }
 }
 
-void validate(const Density& density, const std::string& place) { positive(density.value, place + ".density"); }
-void validate(const Fixed&, const std::string&) {}
+void validate(const Density& density, const Place& place) { positive(density.value, place + ".density"); }
+void validate(const Fixed&, const Place&) {}
 
-void validate(const MassProperties& given, const std::string& place) {
+void validate(const MassProperties& given, const Place& place) {
   positive(given.mass, place + ".mass");
   finite(given.p_BBcm, place + ".p_BBcm");
   validate_inertia(given.I_BBcm_B, place + ".I_BBcm_B");
 }
 
-void validate_restitution(double e, const std::string& place) {
+void validate_restitution(double e, const Place& place) {
   finite(e, place);
   if (e < 0 || e > 1) throw InputError(place, "expected a number from 0 to 1" + found(e));
 }
 
-void validate(const Material& material, const std::string& place) {
+void validate(const Material& material, const Place& place) {
   validate_restitution(material.restitution, place + ".restitution");
   finite(material.friction, place + ".friction");
   not_negative(material.friction, place + ".friction");
 }
 
-void validate(const Body& body, const std::string& place) {
+void validate(const Body& body, const Place& place) {
   std::visit([&](const auto& shape) { validate(shape, place + ".shape"); }, body.shape);
   validate(body.X_WB, place + ".X_WB");
   finite(body.velocity.v_WBcm, place + ".velocity.v_WBcm");
@@ -159,7 +187,7 @@ void validate(const Body& body, const std::string& place) {
 }
 
 /// `there` says for each body whether it is present; it is kept from frame to frame.
-void validate(const SequenceFrame& frame, std::vector<bool>& there, const std::string& place) {
+void validate(const SequenceFrame& frame, std::vector<bool>& there, const Place& place) {
   std::set<int> seen;
   for (std::size_t i = 0; i < frame.size(); ++i) {
     const auto& [body, X_WB] = frame[i];
@@ -179,7 +207,7 @@ void validate(const SequenceFrame& frame, std::vector<bool>& there, const std::s
 
 /// A normal n/|n| rounded to doubles has | |n|² − 1 | < 2⁻⁵⁰ with room to spare: each of its 3 components has a
 /// relative error of at most 2⁻⁵³ after a square root and a division.
-void validate_normal(const Vec3& n, const std::string& place) {
+void validate_normal(const Vec3& n, const Place& place) {
   finite(n, place);
   if (n == Vec3::Zero()) throw InputError(place, "zero; expected a direction of length 1");
   const double length = n.stableNorm();
@@ -188,7 +216,7 @@ void validate_normal(const Vec3& n, const std::string& place) {
   }
 }
 
-void validate(const Contact& contact, const Scene& scene, const std::string& place) {
+void validate(const Contact& contact, const Scene& scene, const Place& place) {
   if (scene.bodies.size() != 2) {
     throw InputError(place, "expected two bodies, found " + std::to_string(scene.bodies.size()));
   }
@@ -203,7 +231,7 @@ void validate(const Contact& contact, const Scene& scene, const std::string& pla
   }
 }
 
-void validate(const Raster& raster, const std::string& place) {
+void validate(const Raster& raster, const Place& place) {
   finite(raster.x, place + ".x");
   finite(raster.y, place + ".y");
   positive(raster.pixel, place + ".pixel");
@@ -247,7 +275,7 @@ double least_moving_size(const Scene& scene) {
   return least;
 }
 
-void validate_times(const std::vector<double>& times, const std::string& place) {
+void validate_times(const std::vector<double>& times, const Place& place) {
   if (times.empty()) throw InputError(place, "expected at least one");
   for (std::size_t i = 0; i < times.size(); ++i) {
     positive(times[i], item(place, i));
@@ -257,7 +285,7 @@ void validate_times(const std::vector<double>& times, const std::string& place) 
 }
 
 void validate_start_times(const std::vector<double>& starts, std::size_t bodies, double first,
-                          const std::string& place) {
+                          const Place& place) {
   if (starts.empty()) return;
   if (starts.size() != bodies) {
     throw InputError(place, "expected " + std::to_string(bodies) + " items, found " + std::to_string(starts.size()));
@@ -270,7 +298,7 @@ void validate_start_times(const std::vector<double>& starts, std::size_t bodies,
   }
 }
 
-void validate_forces(const Motion& motion, const std::vector<Body>& bodies, const std::string& place) {
+void validate_forces(const Motion& motion, const std::vector<Body>& bodies, const Place& place) {
   finite(motion.force_bound, place + ".force_bound");
   not_negative(motion.force_bound, place + ".force_bound");
   for (std::size_t i = 0; i < motion.forces.size(); ++i) {
@@ -296,7 +324,7 @@ void validate_forces(const Motion& motion, const std::vector<Body>& bodies, cons
   }
 }
 
-void validate(const Motion& motion, const Scene& scene, const std::string& place) {
+void validate(const Motion& motion, const Scene& scene, const Place& place) {
   validate_times(motion.sample_times, place + ".sample_times");
   validate_start_times(motion.start_times, scene.bodies.size(), motion.sample_times.front(), place + ".start_times");
   if (motion.envelope) {

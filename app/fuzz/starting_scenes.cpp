@@ -23,9 +23,10 @@ std::vector<Scene> starting_scenes(const std::string& query, std::uint64_t seed,
   for (const CorpusCase& known : corpus_cases()) {
     if (known.query == query) all.push_back(oracle::with_faces(oracle::case_from(known.text, known.name).scene));
   }
+  if (query != "simulation") return all;
   for (const MotionScene& motion : motion_scenes()) {
     const Scene& scene = motion.scene;
-    if (query == "simulation" && scene.bodies.size() <= most_bodies_of_known_motion) {
+    if (scene.bodies.size() <= most_bodies_of_known_motion) {
       all.push_back(oracle::with_faces(scene));
     }
   }

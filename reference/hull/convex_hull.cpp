@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
 #include <numeric>
 #include <utility>
 
@@ -50,39 +49,69 @@ std::vector<std::array<int, 3>> hull_triangles(const std::vector<Vec3>& points) 
   return triangles;
 }
 
+/// A directed edge and the triangle on its left.
+struct HalfEdge {
+  std::pair<int, int> edge;
+  int left;
+};
+
+std::vector<HalfEdge> half_edges(const std::vector<std::array<int, 3>>& triangles) {
+  std::vector<HalfEdge> all;
+  all.reserve(3 * triangles.size());
+  for (int t = 0; t < static_cast<int>(triangles.size()); ++t) {
+    for (int k = 0; k < 3; ++k) all.push_back({{triangles[t][k], triangles[t][(k + 1) % 3]}, t});
+  }
+  std::ranges::sort(all, {}, &HalfEdge::edge);
+  return all;
+}
+
+/// The edges of an outline: `from` is followed by `to`.
+struct OutlineEdge {
+  int face;
+  int from;
+  int to;
+
+  auto operator<=>(const OutlineEdge&) const = default;
+};
+
 /// The outlines of the plane faces: coplanar triangles are joined and their common edges removed.
 std::vector<std::vector<int>> merged(const std::vector<Vec3>& points,
                                      const std::vector<std::array<int, 3>>& triangles) {
   const auto point = [&](int i) { return Point(points[i].x(), points[i].y(), points[i].z()); };
-  std::map<std::pair<int, int>, int> left;  // directed edge -> triangle on its left
-  for (int t = 0; t < static_cast<int>(triangles.size()); ++t) {
-    for (int k = 0; k < 3; ++k) left[{triangles[t][k], triangles[t][(k + 1) % 3]}] = t;
-  }
+  const std::vector<HalfEdge> all = half_edges(triangles);
+  const auto right_of = [&](const HalfEdge& e) {
+    return std::ranges::lower_bound(all, std::pair{e.edge.second, e.edge.first}, {}, &HalfEdge::edge)->left;
+  };
   std::vector<int> group(triangles.size());
   std::iota(group.begin(), group.end(), 0);
   const auto root = [&](int t) {
     while (group[t] != t) t = group[t] = group[group[t]];
     return t;
   };
-  for (const auto& [edge, t] : left) {
-    const int u = left.at({edge.second, edge.first});
-    const auto& a = triangles[t];
-    const int apex = std::accumulate(triangles[u].begin(), triangles[u].end(), 0) - edge.first - edge.second;
-    if (CGAL::coplanar(point(a[0]), point(a[1]), point(a[2]), point(apex))) group[root(t)] = root(u);
+  for (const HalfEdge& e : all) {
+    if (e.edge.first > e.edge.second) continue;  // its twin was seen
+    const int right = right_of(e);
+    const auto& a = triangles[e.left];
+    const int apex =
+        std::accumulate(triangles[right].begin(), triangles[right].end(), 0) - e.edge.first - e.edge.second;
+    if (CGAL::coplanar(point(a[0]), point(a[1]), point(a[2]), point(apex))) group[root(e.left)] = root(right);
   }
-  std::map<int, std::map<int, int>> next;  // face -> vertex -> the vertex after it on the outline
-  for (const auto& [edge, t] : left) {
-    if (root(t) != root(left.at({edge.second, edge.first}))) next[root(t)][edge.first] = edge.second;
+  std::vector<OutlineEdge> outlines;
+  for (const HalfEdge& e : all) {
+    if (root(e.left) != root(right_of(e))) outlines.push_back({root(e.left), e.edge.first, e.edge.second});
   }
+  std::ranges::sort(outlines);
   std::vector<std::vector<int>> faces;
-  for (const auto& [face, successor] : next) {
+  for (auto first = outlines.begin(); first != outlines.end();) {
+    const auto end = std::find_if(first, outlines.end(), [&](const OutlineEdge& e) { return e.face != first->face; });
     std::vector<int> outline;
-    int v = successor.begin()->first;
+    auto at = first;
     do {
-      outline.push_back(v);
-      v = successor.at(v);
-    } while (v != outline.front());
+      outline.push_back(at->from);
+      at = std::lower_bound(first, end, at->to, [](const OutlineEdge& e, int from) { return e.from < from; });
+    } while (at != first);
     faces.push_back(std::move(outline));
+    first = end;
   }
   return faces;
 }
@@ -102,13 +131,15 @@ void drop_collinear(const std::vector<Vec3>& points, std::vector<int>& face) {
 /// Each face starts at its least vertex, the faces are sorted, and the vertices are those in use, in the order of the
 /// input.
 Polytope canonical(const std::vector<Vec3>& points, std::vector<std::vector<int>> faces) {
-  std::map<int, int> renamed;
+  constexpr int unused = -1;
+  std::vector<int> renamed(points.size(), unused);
   for (const auto& face : faces) {
     for (const int v : face) renamed[v] = 0;
   }
   Polytope hull;
-  for (auto& [v, name] : renamed) {
-    name = static_cast<int>(hull.vertices.size());
+  for (std::size_t v = 0; v < points.size(); ++v) {
+    if (renamed[v] == unused) continue;
+    renamed[v] = static_cast<int>(hull.vertices.size());
     hull.vertices.push_back(points[v]);
   }
   for (auto& face : faces) {
