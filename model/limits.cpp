@@ -284,8 +284,7 @@ void validate_times(const std::vector<double>& times, const Place& place) {
   }
 }
 
-void validate_start_times(const std::vector<double>& starts, std::size_t bodies, double first,
-                          const Place& place) {
+void validate_start_times(const std::vector<double>& starts, std::size_t bodies, double first, const Place& place) {
   if (starts.empty()) return;
   if (starts.size() != bodies) {
     throw InputError(place, "expected " + std::to_string(bodies) + " items, found " + std::to_string(starts.size()));

@@ -97,7 +97,9 @@ const Example* nearest(const FuzzResult& result, const Property** property) {
   return found;
 }
 
-double rate(long count, const FuzzResult& result) { return static_cast<double>(count) / std::max(result.seconds, 1e-3); }
+double rate(long count, const FuzzResult& result) {
+  return static_cast<double>(count) / std::max(result.seconds, 1e-3);
+}
 
 long marks_reached(const FuzzResult& result) {
   return std::ranges::count_if(result.marks, [](std::uint64_t count) { return count > 0; });
@@ -122,11 +124,16 @@ Json json_of(const FuzzFinding& finding, const Written& written) {
 }
 
 void print_json(const FuzzCommand& command, const FuzzResult& result, const std::vector<Written>& written) {
-  Json json{{"query", command.query},          {"subject", result.card.name},
-            {"version", result.card.version},  {"seed", command.seed},
-            {"executions", result.executions}, {"judged", result.judged},
-            {"verdicts", result.verdicts},     {"beyond", result.beyond},
-            {"marks_reached", marks_reached(result)}, {"signals", result.signals},
+  Json json{{"query", command.query},
+            {"subject", result.card.name},
+            {"version", result.card.version},
+            {"seed", command.seed},
+            {"executions", result.executions},
+            {"judged", result.judged},
+            {"verdicts", result.verdicts},
+            {"beyond", result.beyond},
+            {"marks_reached", marks_reached(result)},
+            {"signals", result.signals},
             {"kept", result.kept}};
   const Property* property = nullptr;
   if (const Example* example = nearest(result, &property)) {
@@ -150,8 +157,8 @@ void print_json(const FuzzCommand& command, const FuzzResult& result, const std:
 }
 
 void print_words(const FuzzCommand& command, const FuzzResult& result, const std::vector<Written>& written) {
-  print("{} of {} {}, seed {}: {} executions; {:.0f} a second\n", command.query, result.card.name,
-        result.card.version, command.seed, result.executions, rate(result.executions, result));
+  print("{} of {} {}, seed {}: {} executions; {:.0f} a second\n", command.query, result.card.name, result.card.version,
+        command.seed, result.executions, rate(result.executions, result));
   print("asked under all properties: {} of them, {} verdicts; {:.0f} a second\n", result.judged, result.verdicts,
         rate(result.judged, result));
   print("coverage: {} of {} marks of fast, {} signals, {} scenes kept\n", marks_reached(result), result.marks.size(),

@@ -51,7 +51,7 @@ struct FuzzResult {
   std::size_t signals = 0;   ///< different ones (app/fuzz/signals.h)
   fast::MarkCounts marks{};  ///< all 0 unless the subject is `fast` in this process
   std::vector<Row> holding;  ///< by property: the answers that hold
-  std::vector<FuzzFinding> findings;  ///< in the order in which they were found
+  std::vector<FuzzFinding> findings;          ///< in the order in which they were found
   std::vector<Contradiction> contradictions;  ///< at most one of a kind
   bool interrupted = false;
 };
@@ -62,8 +62,9 @@ struct FuzzResult {
 /// An execution takes one scene; the first ones take the starting scenes as they are. If there is a screen for the
 /// query (app/fuzz/screen.h), and all properties that it stands for are in the plan, the subject is asked once and the
 /// answer screened. Under all properties it is asked about starting scenes; scenes on which the screen shows something
-/// new or does not call the answer right; and a drawn share of all others. Without a screen, about every scene. An exception of a subject in this process counts as a break, unless it says that the scene is bad input. A
-/// scene on which the subject hangs is asked no further and not kept.
+/// new or does not call the answer right; and a drawn share of all others. Without a screen, about every scene. An
+/// exception of a subject in this process counts as a break, unless it says that the scene is bad input. A scene on
+/// which the subject hangs is asked no further and not kept.
 FuzzResult fuzz(const FuzzPlan& plan, oracle::Subject& subject);
 
 }  // namespace touchstone::app

@@ -14,9 +14,9 @@ using oracle::judge::DistanceScreening;
 using oracle::judge::Screened;
 
 constexpr std::array<std::string_view, 9> stood_for = {
-    "distance.verdict",  "distance.value",     "distance.witnesses_on_bodies", "distance.witnesses_apart",
-    "distance.features", "distance.enclosure", "distance.enclosure_tight",     "distance.consistent",
-    "distance.survives"};
+    "distance.verdict",         "distance.value",      "distance.witnesses_on_bodies",
+    "distance.witnesses_apart", "distance.features",   "distance.enclosure",
+    "distance.enclosure_tight", "distance.consistent", "distance.survives"};
 
 enum Kind { mark, verdict, features, margin, error, width };
 
@@ -26,9 +26,7 @@ int power_of_two(double ratio) {
   return std::isfinite(ratio) ? std::ilogb(std::max(ratio, least)) : 1000;
 }
 
-int corners(const std::optional<Feature>& feature) {
-  return feature ? static_cast<int>(feature->vertices.size()) : 0;
-}
+int corners(const std::optional<Feature>& feature) { return feature ? static_cast<int>(feature->vertices.size()) : 0; }
 
 }  // namespace
 

@@ -32,16 +32,15 @@ Screened both(Screened a, Screened b) {
   return a == Screened::right ? b : a;
 }
 
-// Properties compare in ulps. Where the division by an ulp may round to the other side, nothing is proved.
+// Properties compare differences in ulps. Where a rounding may bring one to the other side, nothing is proved. (A sum
+// of a distance and an allowance would round by far more.)
 constexpr double surely_less = 1 - 0x1p-40;
 constexpr double surely_more = 1 + 0x1p-40;
 
 /// Whether `value` is within `allowed` of a number in `truth`.
 Screened within(double value, const Interval& truth, double allowed) {
-  const double less = allowed * surely_less;
-  const double more = allowed * surely_more;
-  if (value >= truth.hi - less && value <= truth.lo + less) return Screened::right;
-  if (value > truth.hi + more || value < truth.lo - more) return Screened::wrong;
+  if (std::max(value - truth.lo, truth.hi - value) <= allowed * surely_less) return Screened::right;
+  if (std::max(value - truth.hi, truth.lo - value) > allowed * surely_more) return Screened::wrong;
   return Screened::open;
 }
 
@@ -59,15 +58,15 @@ Screened proves(bool is_proved) { return is_proved ? Screened::right : Screened:
 Screened witnesses_and_features(const Distance& said, const Known& truth, const reference::EnclosedPair& pair,
                                 const Allowed& allowed) {
   if (!said.p_WCa || !said.p_WCb || !said.feature_A || !said.feature_B) return Screened::open;
-  // Here and in the property the length is computed with few roundings; 16u of it is more than both.
-  const double rounding_of_length = 0x1p-49 * truth.distance.hi;
+  // Here and in the property the length is computed with few roundings; 32u of it is more than both.
+  const double rounding_of_length = 0x1p-48 * truth.distance.hi;
   const Point way = said.p_WCa->cast<Real>() - said.p_WCb->cast<Real>();
   Screened result = within(static_cast<double>(way.norm()), truth.distance, allowed.distance - rounding_of_length);
   if (result == Screened::wrong) result = Screened::open;
-  result = both(result, proves(pair.off_feature_A(*said.p_WCa, *said.feature_A) <= allowed.witness &&
-                               pair.off_feature_B(*said.p_WCb, *said.feature_B) <= allowed.witness));
+  result = both(result, proves(pair.off_feature_A(*said.p_WCa, *said.feature_A) <= allowed.witness * surely_less &&
+                               pair.off_feature_B(*said.p_WCb, *said.feature_B) <= allowed.witness * surely_less));
   const double apart = pair.features_apart(*said.feature_A, *said.feature_B);
-  return both(result, proves(apart <= truth.distance.lo + allowed.distance));
+  return both(result, proves(apart - truth.distance.lo <= allowed.distance * surely_less));
 }
 
 Screened compare(const Distance& said, const Known& truth, const reference::EnclosedPair& pair, const Allowed& allowed,

@@ -18,9 +18,9 @@ struct DistanceScreening {
   Screened result = Screened::open;
   bool by_exact_truth = false;  ///< long doubles did not decide
   Verdict verdict = Verdict::separated;
-  double margin = 0;   ///< the true distance over the scene's scale
-  double error = 0;    ///< the greatest possible error of the stated distance, over what is allowed
-  double width = 0;    ///< of the stated enclosure, over what is allowed
+  double margin = 0;  ///< the true distance over the scene's scale
+  double error = 0;   ///< the greatest possible error of the stated distance, over what is allowed
+  double width = 0;   ///< of the stated enclosure, over what is allowed
 };
 
 /// The truth comes from reference/enclosed_distance.h; if it does not decide about the answer, from

@@ -479,6 +479,7 @@ Changed after(const Mutation& mutation, const Scene& scene, const Scene& other, 
   if (!changed || *changed == scene) return std::nullopt;
   if (!has_parts_of(scene, *changed) || !is_ordinary(*changed, scene)) return std::nullopt;
   changed = completed_after(std::move(*changed), scene, other);
+  if (*changed == scene) return std::nullopt;  // only its faces were dropped
   if (!begins_apart(*changed, query)) return std::nullopt;
   return changed;
 } catch (const InputError&) {

@@ -30,7 +30,6 @@
 
 namespace touchstone::reference {
 
-
 namespace in_long_doubles {
 
 using Real = long double;

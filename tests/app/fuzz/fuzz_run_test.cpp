@@ -3,11 +3,14 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <type_traits>
+#include <variant>
 
 #include "oracle/passing_on.h"
 #include "oracle/subjects/canaries/canaries.h"
 #include "oracle/subjects/touchstone/fast.h"
 #include "oracle/subjects/touchstone/reference.h"
+#include "oracle/tolerance/tolerance.h"
 #include "tests/catch.h"
 
 namespace touchstone::app {
@@ -57,11 +60,59 @@ TEST_CASE("A subject that is right is not accused") {
   }
 }
 
+/// A subject that is right but for one thing.
+class Nudging final : public oracle::PassingOn<Nudging> {
+ public:
+  Nudging(oracle::Subject& truthful, void (*change)(const Scene&, Distance&)) : PassingOn(truthful), change_(change) {}
+
+ private:
+  friend PassingOn;
+
+  template <class T>
+  Answer<T> pass(Answer<T> (Subject::*query)(const Scene&), const Scene& scene) {
+    Answer<T> answer = (subject_.*query)(scene);
+    if constexpr (std::is_same_v<T, Distance>) change_(scene, std::get<Distance>(answer));
+    return answer;
+  }
+
+  void (*change_)(const Scene&, Distance&);
+};
+
+TEST_CASE("The screen alone leads to a wrong answer, and does not contradict the properties") {
+  const auto planted = [](void (*change)(const Scene&, Distance&)) {
+    const auto fast = oracle::subjects::make_fast();
+    Nudging subject(*fast, change);
+    FuzzPlan plan = plan_of("distance", 400);
+    plan.share = 1 << 30;  // no scene is drawn: the screen, or something new, leads to the properties
+    return fuzz(plan, subject);
+  };
+  const FuzzResult right = planted([](const Scene&, Distance&) {});
+  CHECK(right.findings.empty());
+  CHECK(right.contradictions.empty());
+  CHECK(right.judged < right.executions);
+
+  const FuzzResult wrong = planted([](const Scene& scene, Distance& said) {
+    const bool is_far = scene.bodies[0].X_WB.p_WB.lpNorm<1>() > scene.bodies[1].X_WB.p_WB.lpNorm<1>();
+    if (is_far && said.verdict == Verdict::separated) *said.distance += 0x1p-40 * oracle::tolerance::scale(scene);
+  });
+  REQUIRE(!wrong.findings.empty());
+  CHECK(wrong.contradictions.empty());
+}
+
+TEST_CASE("Without all properties that the screen stands for, every scene is asked under those of the plan") {
+  FuzzPlan plan = plan_of("distance", 50);
+  plan.properties.resize(2);
+  const FuzzResult result = fuzz(plan, *oracle::subjects::make_fast());
+  CHECK(result.judged == 50);
+  CHECK(result.verdicts == 100);
+}
+
 TEST_CASE("The same plan has the same result") {
   const FuzzResult one = fuzz_canary("distance", "canary.near_means_touching", 200);
   const FuzzResult two = fuzz_canary("distance", "canary.near_means_touching", 200);
   CHECK(one.signals == two.signals);
   CHECK(one.kept == two.kept);
+  CHECK(one.judged == two.judged);
   CHECK(one.verdicts == two.verdicts);
   REQUIRE(one.findings.size() == two.findings.size());
   for (std::size_t f = 0; f < one.findings.size(); ++f) CHECK(one.findings[f].smallest == two.findings[f].smallest);

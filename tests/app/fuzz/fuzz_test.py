@@ -39,9 +39,15 @@ class Fuzz(Test):
     def test_the_same_seed_gives_the_same_result(self):
         def result(seed, folder):
             found = self.fuzz("bounds", "--executions", 150, "--seed", seed, "--out", folder)
-            return {key: value for key, value in found.items() if key != "seconds"}
+            return {key: value for key, value in found.items() if key != "seconds" and "_per_second" not in key}
         self.assertEqual(result(5, "a"), result(5, "b"))
         self.assertNotEqual(result(5, "a"), {**result(6, "c"), "seed": 5})
+
+    def test_most_answers_about_distances_are_screened(self):
+        found = self.fuzz("distance", "--executions", 1000)
+        self.assertEqual((found["executions"], found["contradictions"]), (1000, []))
+        self.assertLess(found["judged"], 1000)
+        self.assertEqual(found["verdicts"], 15 * found["judged"])
 
     def test_it_ends_in_time(self):
         found = self.fuzz("mass", "--time", 0.5)
@@ -50,7 +56,8 @@ class Fuzz(Test):
 
     def test_the_words_say_what_was_done(self):
         said = self.succeeds("fuzz", "penetration", "--subject", "inproc:reference", "--executions", 60)
-        self.assertRegex(said, r"^penetration of reference .*, seed 1: 60 executions, 720 verdicts; \d+ executions a second\n"
+        self.assertRegex(said, r"^penetration of reference .*, seed 1: 60 executions; \d+ a second\n"
+                               r"asked under all properties: 60 of them, 720 verdicts; \d+ a second\n"
                                r"coverage: 0 of \d+ marks of fast, \d+ signals, \d+ scenes kept\n")
         self.assertIn("findings: 0\n", said)
 
