@@ -1,6 +1,6 @@
 // The verdict and an enclosure of the distance of bodies 0 (A) and 1 (B), proved in long doubles. It takes some
-// microseconds, where the exact distance takes a hundred; it is for those who ask many thousand times a second, and
-// turn to reference/distance.h if it proves nothing.
+// microseconds, where the exact distance takes a hundred. It is for questions by the ten thousand, with
+// reference/distance.h for those that it leaves open.
 #pragma once
 
 #include <memory>

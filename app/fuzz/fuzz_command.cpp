@@ -102,7 +102,7 @@ double rate(long count, const FuzzResult& result) {
 }
 
 long marks_reached(const FuzzResult& result) {
-  return std::ranges::count_if(result.marks, [](std::uint64_t count) { return count > 0; });
+  return std::ranges::count_if(result.coverage.marks, [](std::uint64_t count) { return count > 0; });
 }
 
 Json json_of(const FuzzFinding& finding, const Written& written) {
@@ -133,8 +133,8 @@ void print_json(const FuzzCommand& command, const FuzzResult& result, const std:
             {"verdicts", result.verdicts},
             {"beyond", result.beyond},
             {"marks_reached", marks_reached(result)},
-            {"signals", result.signals},
-            {"kept", result.kept}};
+            {"signals", result.coverage.signals},
+            {"kept", result.coverage.kept}};
   const Property* property = nullptr;
   if (const Example* example = nearest(result, &property)) {
     json["nearest"] = {{"property", property->id},
@@ -161,8 +161,8 @@ void print_words(const FuzzCommand& command, const FuzzResult& result, const std
         command.seed, result.executions, rate(result.executions, result));
   print("asked under all properties: {} of them, {} verdicts; {:.0f} a second\n", result.judged, result.verdicts,
         rate(result.judged, result));
-  print("coverage: {} of {} marks of fast, {} signals, {} scenes kept\n", marks_reached(result), result.marks.size(),
-        result.signals, result.kept);
+  print("coverage: {} of {} marks of fast, {} signals, {} scenes kept\n", marks_reached(result),
+        result.coverage.marks.size(), result.coverage.signals, result.coverage.kept);
   if (result.beyond > 0) print("outside the subject's declared domain, not counted: {} verdicts\n", result.beyond);
   const Property* property = nullptr;
   if (const Example* example = nearest(result, &property)) {

@@ -108,8 +108,8 @@ class Fuzzer {
   FuzzResult run() {
     execute_all();
     cut_down();
-    result_.kept = pool_.size();
-    result_.signals = seen_.size();
+    result_.coverage.kept = pool_.size();
+    result_.coverage.signals = seen_.size();
     result_.interrupted = interrupted();
     return std::move(result_);
   }
@@ -126,7 +126,8 @@ class Fuzzer {
       end.show(result_.executions, result_.findings.size());
     }
     result_.seconds = end.seconds();
-    for (std::size_t m = 0; m < result_.marks.size(); ++m) result_.marks[m] = fast::mark_counts[m] - marks_before[m];
+    for (std::size_t m = 0; m < result_.coverage.marks.size(); ++m)
+      result_.coverage.marks[m] = fast::mark_counts[m] - marks_before[m];
   }
 
   Scene next(Random& random) {
@@ -143,7 +144,7 @@ class Fuzzer {
   void execute(const Scene& scene, bool is_start, Random& random) {
     Screen::Seen seen;
     if (is_screened_) {
-      seen = screen_.look(scene);
+      seen = screen_.ask(scene);
       const bool is_drawn = random.one_in(plan_.share);
       if (seen.result == Screened::right && !seen.is_new && !is_start && !is_drawn) return;
     }

@@ -40,17 +40,22 @@ struct FuzzFinding {
   oracle::Case smallest;  ///< minimised; its subject is the card's name
 };
 
-struct FuzzResult {
-  oracle::Card card;
-  long executions = 0;       ///< scenes
-  long judged = 0;           ///< of these, asked under all properties
-  long verdicts = 0;         ///< judged scenes times properties
-  long beyond = 0;           ///< verdicts that do not count: the scene is outside the domain that the card declares
-  double seconds = 0;        ///< of executions
+/// What was seen of the subject and the scenes.
+struct FuzzCoverage {
   std::size_t kept = 0;      ///< scenes in the pool
   std::size_t signals = 0;   ///< different ones (app/fuzz/signals.h)
   fast::MarkCounts marks{};  ///< all 0 unless the subject is `fast` in this process
-  std::vector<Row> holding;  ///< by property: the answers that hold
+};
+
+struct FuzzResult {
+  oracle::Card card;
+  long executions = 0;  ///< scenes
+  long judged = 0;      ///< of these, asked under all properties
+  long verdicts = 0;    ///< judged scenes times properties
+  long beyond = 0;      ///< verdicts that do not count: the scene is outside the domain that the card declares
+  double seconds = 0;   ///< of executions
+  FuzzCoverage coverage;
+  std::vector<Row> holding;                   ///< by property: the answers that hold
   std::vector<FuzzFinding> findings;          ///< in the order in which they were found
   std::vector<Contradiction> contradictions;  ///< at most one of a kind
   bool interrupted = false;

@@ -51,7 +51,7 @@ bool Screen::note_marks(const fast::MarkCounts& before) {
   return is_new;
 }
 
-Screen::Seen Screen::look(const Scene& scene) try {
+Screen::Seen Screen::ask(const Scene& scene) try {
   const fast::MarkCounts marks_before = fast::mark_counts;
   const Answer<Distance> answer = subject_.distance(scene);
   Seen seen;

@@ -34,7 +34,7 @@ class Screen {
   /// Asks once. New may be: how often a mark of `fast` was reached, the verdict, how many vertices the features have,
   /// or the power of two of the margin over the scene's scale, of the error or of the enclosure's width over what is
   /// allowed. An exception is `open`: the properties will meet it.
-  Seen look(const Scene& scene);
+  Seen ask(const Scene& scene);
 
  private:
   bool note(int kind, int what, int value);

@@ -92,7 +92,7 @@ DistanceScreening screen(const Scene& scene, const Answer<Distance>& answer, con
   const Allowed allowed{tolerance::distance(scene, precision), tolerance::witness(scene, precision)};
   const reference::EnclosedPair pair(scene);
 
-  const auto look = [&](const Known& truth) {
+  const auto compare_with = [&](const Known& truth) {
     screening.verdict = truth.verdict;
     screening.margin = truth.distance.hi / tolerance::scale(scene);
     screening.error =
@@ -100,11 +100,12 @@ DistanceScreening screen(const Scene& scene, const Answer<Distance>& answer, con
     screening.width = (said->enclosure->hi - said->enclosure->lo) / allowed.distance;
     screening.result = compare(*said, truth, pair, allowed, card);
   };
-  if (const std::optional<reference::EnclosedDistance> known = pair.distance()) look({known->verdict, known->distance});
+  if (const std::optional<reference::EnclosedDistance> known = pair.distance())
+    compare_with({known->verdict, known->distance});
   if (screening.result == Screened::open) {
     screening.by_exact_truth = true;
     const reference::DistanceTruth& exact = truth::distance(scene);
-    look({exact.verdict, exact.distance});
+    compare_with({exact.verdict, exact.distance});
   }
   const bool grants_more = !(card.distance_tolerance == DistanceTolerance{});
   if (screening.result == Screened::wrong && grants_more) screening.result = Screened::open;

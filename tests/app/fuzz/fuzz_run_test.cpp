@@ -110,8 +110,8 @@ TEST_CASE("Without all properties that the screen stands for, every scene is ask
 TEST_CASE("The same plan has the same result") {
   const FuzzResult one = fuzz_canary("distance", "canary.near_means_touching", 200);
   const FuzzResult two = fuzz_canary("distance", "canary.near_means_touching", 200);
-  CHECK(one.signals == two.signals);
-  CHECK(one.kept == two.kept);
+  CHECK(one.coverage.signals == two.coverage.signals);
+  CHECK(one.coverage.kept == two.coverage.kept);
   CHECK(one.judged == two.judged);
   CHECK(one.verdicts == two.verdicts);
   REQUIRE(one.findings.size() == two.findings.size());
@@ -120,9 +120,9 @@ TEST_CASE("The same plan has the same result") {
 
 TEST_CASE("Marks of fast are counted, and other subjects have none") {
   const FuzzResult fast = fuzz(plan_of("distance", 100), *oracle::subjects::make_fast());
-  CHECK(std::ranges::any_of(fast.marks, [](std::uint64_t count) { return count > 0; }));
+  CHECK(std::ranges::any_of(fast.coverage.marks, [](std::uint64_t count) { return count > 0; }));
   const FuzzResult exact = fuzz(plan_of("distance", 100), *oracle::subjects::make_reference());
-  CHECK(std::ranges::all_of(exact.marks, [](std::uint64_t count) { return count == 0; }));
+  CHECK(std::ranges::all_of(exact.coverage.marks, [](std::uint64_t count) { return count == 0; }));
 }
 
 class Throwing final : public oracle::PassingOn<Throwing> {
