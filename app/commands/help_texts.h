@@ -251,14 +251,14 @@ Examples:
   touchstone fuzz distance --properties distance.value --subject "exec:my_engine"
 
 The first scenes are those of the corpus and of the families that check draws too. Then scenes are mutated: moved until
-two bodies touch exactly, aligned, flattened, scaled by powers of two, changed by an ulp, spliced. An
-execution is one scene. Of distance, the subject is asked once about each, and a screen proves the truth about this one
-answer; all properties are asked where the screen does not call the answer right, where it shows something new, and on
-one of 64 other scenes. So the laws about several answers are tested on few scenes; the command prints both numbers and
-both rates. Of the other queries, each scene is asked under all properties. A scene that shows something new is kept and
+two bodies touch exactly, aligned, flattened, scaled by powers of two, changed by an ulp, spliced. An execution is one
+scene. Of distance, the subject is asked once about each, and a screen proves the truth about this one answer; all
+properties are asked where the screen does not call the answer right, where it shows something new, and on one of 64
+other scenes. So the laws about several answers are tested on few scenes; the command prints both numbers and both
+rates. Of the other queries, each scene is asked under all properties. A scene that shows something new is kept and
 mutated further: another part of fast is reached, another kind of scene, a larger error, a smaller margin to a wrong
-verdict. Where screen and properties contradict each other, the command says so (exit code 3). A finding is reported once for each
-cause, with the smallest scene that was found to show it; `touchstone replay` asks it again.
+verdict. Where screen and properties contradict each other, the command says so (exit code 3). A finding is reported
+once for each cause, with the smallest scene that was found to show it; `touchstone replay` asks it again.
 
 A crash of a subject in this process ends the command. Behind the pipe (--subject fast) it is a finding.
 

@@ -46,8 +46,8 @@ struct Counts {
   long outside = 0;
   long not_asked = 0;   ///< skipped: the subject hung too often, or would take too long
   long unanswered = 0;  ///< the subject gave no answer about the scene, which `.survives` counts as its failure
-  long beyond = 0;     ///< a question was outside the subject's declared domain: counted apart (app/trial/ledger.h)
-  long impacts = 0;    ///< of simulations: each one compared with the reference by itself
+  long beyond = 0;      ///< a question was outside the subject's declared domain: counted apart (app/trial/ledger.h)
+  long impacts = 0;     ///< of simulations: each one compared with the reference by itself
 
   long failures() const { return fails + breaks + refused; }
   long answered() const { return holds + failures(); }
