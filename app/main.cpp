@@ -22,10 +22,10 @@ int exit_code_of(int argc, char** argv) try {
   return 2;
 } catch (const OutputError& error) {
   complain("{}", error.what());
-  return output_error_exit_code;
+  return fault_exit_code;
 } catch (const std::exception& error) {
   complain("{}\nThis is our own fault. Please report it, with the command and the files that it read.", error.what());
-  return 3;
+  return fault_exit_code;
 }
 
 /// If the run was interrupted, the exit code says so, whatever error follows.

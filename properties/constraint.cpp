@@ -23,14 +23,6 @@ using oracle::words::text;
 
 judge::Allowance metres(double bound, double size) { return {bound, 1, "m", size}; }
 
-std::string text_of(const std::array<Interval, 3>& v) { return text(middle(v)); }
-
-/// m/s: of the ball, the exact one of its centre or of its surface about it, whichever is greater.
-double speed(const RollingCase& asked, std::size_t sample) {
-  const reference::BallTruth& exact = asked.exact(sample);
-  return std::max(off(Vec3::Zero(), exact.v_WB), asked.radius() * off(Vec3::Zero(), exact.w_WB));
-}
-
 /// m: size of the smaller of two bodies.
 double smaller(const Scene& pair) { return std::min(tolerance::size(pair.bodies[0]), tolerance::size(pair.bodies[1])); }
 
@@ -53,27 +45,14 @@ Finding each_sample(const RollingCase& asked, JudgeSample&& judge_sample) {
 
 Finding place(const Scene& scene, Subject& subject) {
   return of_rolling(scene, subject, [](const RollingCase& asked) {
-    return each_sample(asked, [&](std::size_t i) {
-      const Vec3& p = asked.ball(i).X_WB.p_WB;
-      return judge::at_most(
-          off(p, asked.exact(i).p_WB), metres(asked.bounds[i].place, asked.radius()), Defect::wrong_motion,
-          [&] { return "the ball's centre is " + text(p) + at(asked.scene, i); },
-          [&] { return text_of(asked.exact(i).p_WB); });
-    });
+    return each_sample(asked, [&](std::size_t i) { return judge_place(asked, i); });
   });
 }
 
 Finding velocity(const Scene& scene, Subject& subject) {
   return of_rolling(scene, subject, [](const RollingCase& asked) {
     return each_sample(asked, [&](std::size_t i) {
-      if (!asked.bounds[i].settled) return judge::outside("an event may be at the sample time");
-      const Velocity& V = asked.ball(i).velocity;
-      const double error =
-          std::max(off(V.v_WBcm, asked.exact(i).v_WB), asked.radius() * off(V.w_WB, asked.exact(i).w_WB));
-      return judge::at_most(
-          error, {asked.bounds[i].speed, 1, "m/s", 0, speed(asked, i)}, Defect::wrong_velocity,
-          [&] { return "v = " + text(V.v_WBcm) + ", w = " + text(V.w_WB) + at(asked.scene, i); },
-          [&] { return "v = " + text_of(asked.exact(i).v_WB) + ", w = " + text_of(asked.exact(i).w_WB); });
+      return asked.bounds[i].settled ? judge_velocity(asked, i) : judge::outside("an event may be at the sample time");
     });
   });
 }

@@ -30,7 +30,6 @@ using properties::Property;
 
 constexpr int minimise_budget = 800;  ///< as of effort standard
 constexpr int minimise_budget_of_trajectories = 60;
-constexpr int fault_exit_code = 3;  ///< as of an unexpected exception (app/main.cpp)
 
 std::vector<const Property*> chosen_properties(const FuzzCommand& command) {
   std::vector<const Property*> chosen;

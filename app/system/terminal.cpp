@@ -66,7 +66,7 @@ int exit_code_after_flush(int code) {
   constexpr int signals = 128;
   if (failure == EPIPE) return code > signals ? code : nothing_reads_exit_code;
   complain("stdout: cannot write: {}", std::strerror(failure));
-  return code > signals ? code : output_error_exit_code;
+  return code > signals ? code : fault_exit_code;
 }
 
 }  // namespace touchstone::app

@@ -23,11 +23,11 @@ void print_lines(std::string_view text);
 void print_error_lines(std::string_view text);
 
 /// The exit code of a command that would end with `code`. Flushes stdout. If stdout did not accept everything, the code
-/// is nothing_reads_exit_code if its reader has gone (`| head`), else 3 with a message. An interrupted run keeps its
-/// own exit code.
+/// is nothing_reads_exit_code if its reader has gone (`| head`), else fault_exit_code with a message. An interrupted
+/// run keeps its own exit code.
 int exit_code_after_flush(int code);
 
-inline constexpr int output_error_exit_code = 3;
+inline constexpr int fault_exit_code = 3;            ///< a fault of Touchstone itself, or a full disk or closed stdout
 inline constexpr int nothing_reads_exit_code = 141;  ///< 128 + SIGPIPE, as in shells
 
 /// Makes a text printable, on one line; leaves numbers unchanged.

@@ -36,9 +36,9 @@ double time_to_contact(Run& run, BodyId a, BodyId b) {
 
 bool is_convex(const BodyMotion& body) { return body.kind() != Kind::other || body.model().solid.parts().size() == 1; }
 
-/// A time (s) within which two bodies that touch cannot approach by more than a part of the envelope. A plane is
-/// between two that are convex, so that but for rotation only what is along its normal brings them closer: one that
-/// slides on the other without any force between them has for ever.
+/// A time (s) within which two bodies that touch cannot approach by more than a part of the envelope. Two convex bodies
+/// have a separating plane, so that, apart from rotation, only motion along its normal brings them closer. If one
+/// slides on the other and no force presses them together, they never approach.
 double time_apart(const BodyMotion& a, const BodyMotion& b, const Vec3& nhat_BA_W, double now, double envelope) {
   const Vec3 u = a.path().velocity(now) - b.path().velocity(now), du_dt = a.path().a - b.path().a;
   const bool is_plane_between = is_convex(a) && is_convex(b);

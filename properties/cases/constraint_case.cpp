@@ -2,7 +2,32 @@
 
 #include <algorithm>
 
+#include "oracle/judge/words.h"
+
 namespace touchstone::properties {
+namespace {
+
+using oracle::Defect;
+using oracle::Finding;
+using oracle::words::text;
+namespace judge = oracle::judge;
+
+std::string text_of(const std::array<Interval, 3>& v) {
+  const auto middle = [](const Interval& x) { return x.lo + (x.hi - x.lo) / 2; };
+  return text(Vec3(middle(v[0]), middle(v[1]), middle(v[2])));
+}
+
+/// m/s: of the ball, the exact one of its centre or of its surface about it, whichever is greater.
+double speed(const RollingCase& asked, std::size_t sample) {
+  const reference::BallTruth& exact = asked.exact(sample);
+  return std::max(off(Vec3::Zero(), exact.v_WB), asked.radius() * off(Vec3::Zero(), exact.w_WB));
+}
+
+std::string at(const RollingCase& asked, std::size_t sample) {
+  return " at " + text(asked.scene.motion->sample_times[sample]) + " s";
+}
+
+}  // namespace
 
 std::string fault_of_steps(const Scene& scene, const Trajectory& said) {
   const std::vector<double>& times = scene.motion->sample_times;
@@ -28,11 +53,6 @@ double RollingCase::radius() const {
   return std::get<Sphere>(scene.bodies[static_cast<std::size_t>(truth.ball)].shape).radius;
 }
 
-Vec3 middle(const std::array<Interval, 3>& truth) {
-  const auto of = [](const Interval& x) { return x.lo + (x.hi - x.lo) / 2; };
-  return {of(truth[0]), of(truth[1]), of(truth[2])};
-}
-
 double off(const Vec3& p, const std::array<Interval, 3>& truth) {
   Vec3 out;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -50,6 +70,24 @@ std::set<std::pair<int, int>> in_contact(const std::vector<Event>& events, doubl
     if (event.kind == Event::Kind::release) pairs.erase({event.a, event.b});
   }
   return pairs;
+}
+
+Finding judge_place(const RollingCase& asked, std::size_t sample) {
+  const Vec3& p = asked.ball(sample).X_WB.p_WB;
+  return judge::at_most(
+      off(p, asked.exact(sample).p_WB), {asked.bounds[sample].place, 1, "m", asked.radius()}, Defect::wrong_motion,
+      [&] { return "the ball's centre is " + text(p) + at(asked, sample); },
+      [&] { return text_of(asked.exact(sample).p_WB); });
+}
+
+Finding judge_velocity(const RollingCase& asked, std::size_t sample) {
+  const Velocity& V = asked.ball(sample).velocity;
+  const reference::BallTruth& exact = asked.exact(sample);
+  const double error = std::max(off(V.v_WBcm, exact.v_WB), asked.radius() * off(V.w_WB, exact.w_WB));
+  return judge::at_most(
+      error, {asked.bounds[sample].speed, 1, "m/s", 0, speed(asked, sample)}, Defect::wrong_velocity,
+      [&] { return "v = " + text(V.v_WBcm) + ", w = " + text(V.w_WB) + at(asked, sample); },
+      [&] { return "v = " + text_of(exact.v_WB) + ", w = " + text_of(exact.w_WB); });
 }
 
 }  // namespace touchstone::properties

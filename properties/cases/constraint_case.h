@@ -35,8 +35,6 @@ struct RollingCase {
   double radius() const;
 };
 
-Vec3 middle(const std::array<Interval, 3>& truth);
-
 /// The distance of a point from the box of three intervals.
 double off(const Vec3& p, const std::array<Interval, 3>& truth);
 
@@ -57,20 +55,39 @@ oracle::Finding of_steps(const Scene& scene, oracle::Subject& subject, JudgeIt&&
   });
 }
 
-/// Passes those with a truth to judge_it(const RollingCase&).
+/// Passes scenes with an exact ball to judge_it(const reference::ConstraintTruth&).
+template <class JudgeIt>
+oracle::Finding of_exact_ball(const Scene& scene, JudgeIt&& judge_it) {
+  if (!scene.motion) return oracle::judge::outside("no motion");
+  const auto& truth = oracle::truth::constraint(scene);
+  if (const auto* reason = std::get_if<std::string>(&truth)) return oracle::judge::outside(*reason);
+  return judge_it(std::get<reference::ConstraintTruth>(truth));
+}
+
+/// Passes an answer with certain samples to judge_it(const RollingCase&). `step` (s): the step size that is granted.
+template <class JudgeIt>
+oracle::Finding of_certain_samples(const Scene& scene, oracle::Precision precision,
+                                   const reference::ConstraintTruth& truth, double step, const Trajectory& said,
+                                   JudgeIt&& judge_it) {
+  const RollingCase asked{scene, precision, truth, oracle::tolerance::rolling(scene, truth, precision, step), said};
+  if (asked.samples() == 0)
+    return oracle::judge::outside("small errors change the ball's motion: rolling, sliding or free");
+  return judge_it(asked);
+}
+
+/// Passes the answers to `constraint` with certain samples to judge_it(const RollingCase&).
 template <class JudgeIt>
 oracle::Finding of_rolling(const Scene& scene, oracle::Subject& subject, JudgeIt&& judge_it) {
-  if (!scene.motion) return oracle::judge::outside("no motion");
-  const auto* truth = std::get_if<reference::ConstraintTruth>(&oracle::truth::constraint(scene));
-  if (truth == nullptr) return oracle::judge::outside(std::get<std::string>(oracle::truth::constraint(scene)));
-  return of_steps(scene, subject, [&](const Trajectory& said) {
-    const oracle::Precision precision = subject.card().precision;
-    const double step = oracle::tolerance::granted_step(scene);
-    const RollingCase asked{scene, precision, *truth, oracle::tolerance::rolling(scene, *truth, precision, step), said};
-    if (asked.samples() == 0)
-      return oracle::judge::outside("small errors change the ball's motion: rolling, sliding or free");
-    return judge_it(asked);
+  return of_exact_ball(scene, [&](const reference::ConstraintTruth& truth) {
+    return of_steps(scene, subject, [&](const Trajectory& said) {
+      return of_certain_samples(scene, subject.card().precision, truth, oracle::tolerance::granted_step(scene), said,
+                                judge_it);
+    });
   });
 }
+
+/// Compares the ball's place, or its velocity and spin, with the exact ones at a sample.
+oracle::Finding judge_place(const RollingCase& asked, std::size_t sample);
+oracle::Finding judge_velocity(const RollingCase& asked, std::size_t sample);
 
 }  // namespace touchstone::properties

@@ -389,6 +389,22 @@ std::vector<Body> dropped(Random& random) {
   return bodies;
 }
 
+/// Gives all bodies one material.
+void set_material(Random& random, std::vector<Body>& bodies) {
+  const double e = random.pick({0.0, 0.0, 0.5}), mu = random.pick({0.25, 0.5});
+  for (Body& body : bodies) body.material = {e, mu};
+}
+
+/// The bodies on a large table with this friction.
+Scene on_large_table(Random& random, std::vector<Body> bodies, double friction, Motion motion) {
+  Body table = fixed(at_rest(Box{Vec3(256, 256, 2)}, {{0, 0, -2}, {}}));
+  table.material = {1, friction};
+  bodies.push_back(std::move(table));
+  Scene scene = run(random, std::move(bodies), std::move(motion), {0, 0, -8});
+  scene.motion->law = Law::poisson;
+  return scene;
+}
+
 /// A box with these half sides, whose middle is over (x, 0) and whose bottom is at a height; its mass is drawn.
 Body block(Random& random, const Vec3& half, double x, double bottom) {
   Body box = with_mass(random, at_rest(Box{half}));
@@ -426,14 +442,9 @@ std::vector<Body> ball_between(Random& random) {
 /// Three bodies that rest on each other, rub, tip and fall, on a table without friction or with some.
 Scene piles(Random& random) {
   std::vector<Body> bodies = random.pick<Bodies>({bridge, ball_between})(random);
-  const double e = random.pick({0.0, 0.0, 0.5}), mu = random.pick({0.25, 0.5});
-  for (Body& body : bodies) body.material = {e, mu};
-  Body table = fixed(at_rest(Box{Vec3(256, 256, 2)}, {{0, 0, -2}, {}}));
-  table.material = {1, random.pick({0.0, 0.0, 0.5})};
-  bodies.push_back(std::move(table));
-  Scene scene = run(random, std::move(bodies), motion_until(0.5, 2), {0, 0, -8});
-  scene.motion->law = Law::poisson;
-  return scene;
+  set_material(random, bodies);
+  const double friction = random.pick({0.0, 0.0, 0.5});
+  return on_large_table(random, std::move(bodies), friction, motion_until(0.5, 2));
 }
 
 /// A body that slides over a longer box which moves: a fixed one, or one on a table without friction that it drags
@@ -492,14 +503,8 @@ Scene edge_on_edge(Random& random) {
 /// Bodies on a level table without friction, which may rub on each other.
 Scene on_ice(Random& random) {
   std::vector<Body> bodies = random.pick<Bodies>({sliders, on_another, dropped})(random);
-  const double e = random.pick({0.0, 0.0, 0.5}), mu = random.pick({0.25, 0.5});
-  for (Body& body : bodies) body.material = {e, mu};
-  Body table = fixed(at_rest(Box{Vec3(256, 256, 2)}, {{0, 0, -2}, {}}));
-  table.material = {1, 0};
-  bodies.push_back(std::move(table));
-  Scene scene = run(random, std::move(bodies), motion_until(2, 4), {0, 0, -8});
-  scene.motion->law = Law::poisson;
-  return scene;
+  set_material(random, bodies);
+  return on_large_table(random, std::move(bodies), 0, motion_until(2, 4));
 }
 
 /// Two bodies that start 2^4 to 2^60 of their sizes apart, and come within a few sizes or into contact halfway through

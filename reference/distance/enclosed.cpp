@@ -69,21 +69,14 @@ struct PosedPart {
 };
 
 PosedPart part_of(const ConvexShape& shape) {
+  if (const auto* sphere = std::get_if<Sphere>(&shape)) return {{{0, 0, 0}}, sphere->radius};
   PosedPart part;
-  if (const auto* sphere = std::get_if<Sphere>(&shape)) {
-    part.points = {{0, 0, 0}};
-    part.radius = sphere->radius;
-  }
-  if (const auto* box = std::get_if<Box>(&shape)) {
-    for (int i = 0; i < 8; ++i) {
-      const Point h = point(box->half_extents);
-      part.points.push_back({(i & 1) != 0 ? h.x : -h.x, (i & 2) != 0 ? h.y : -h.y, (i & 4) != 0 ? h.z : -h.z});
-    }
-  }
-  if (const auto* polytope = std::get_if<Polytope>(&shape)) {
-    part.points.reserve(polytope->vertices.size());
-    for (const Vec3& v : polytope->vertices) part.points.push_back(point(v));
-  }
+  const auto add = [&](const std::vector<Vec3>& vertices) {
+    part.points.reserve(vertices.size());
+    for (const Vec3& v : vertices) part.points.push_back(point(v));
+  };
+  if (const auto* box = std::get_if<Box>(&shape)) add(vertices_of(*box));
+  if (const auto* polytope = std::get_if<Polytope>(&shape)) add(polytope->vertices);
   return part;
 }
 

@@ -55,7 +55,8 @@ std::string failures_anchor(const TestedSubject& subject);
 /// The anchor of a query's table.
 std::string table_anchor(const std::string& query);
 
-/// Why the scenes of rows that are not answered were not: "abstains", "beyond its domain", "no answer", ...
+/// Why the scenes of rows that are not answered were not: "abstains", "beyond its domain", "no answer",
+/// "not asked" or "outside".
 std::string silence_of(const Counts& counts);
 
 /// Escapes a name that may be broken into lines after each underscore.

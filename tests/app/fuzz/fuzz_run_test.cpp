@@ -6,6 +6,7 @@
 #include <type_traits>
 #include <variant>
 
+#include "oracle/judge/judge.h"
 #include "oracle/passing_on.h"
 #include "oracle/subjects/canaries/canaries.h"
 #include "oracle/subjects/touchstone/fast.h"
@@ -97,6 +98,32 @@ TEST_CASE("The screen alone leads to a wrong answer, and does not contradict the
   });
   REQUIRE(!wrong.findings.empty());
   CHECK(wrong.contradictions.empty());
+}
+
+/// Fuzzes distances under properties with the usual names, which all say the same.
+FuzzResult fuzz_under(const oracle::Finding& finding, oracle::Subject& subject) {
+  FuzzPlan plan = plan_of("distance", 40);
+  std::vector<properties::Property> changed;
+  for (const properties::Property* property : plan.properties) {
+    changed.push_back(*property);
+    changed.back().check = [&finding](const Scene&, oracle::Subject&) { return finding; };
+  }
+  for (std::size_t p = 0; p < changed.size(); ++p) plan.properties[p] = &changed[p];
+  return fuzz(plan, subject);
+}
+
+TEST_CASE("A contradiction between the screen and the properties is reported") {
+  const auto fast = oracle::subjects::make_fast();
+  Nudging wrong(*fast, [](const Scene& scene, Distance& said) {
+    if (said.verdict == Verdict::separated) *said.distance += oracle::tolerance::scale(scene);
+  });
+  const FuzzResult accused = fuzz_under(oracle::judge::holds(), wrong);
+  REQUIRE(accused.contradictions.size() == 1);
+  CHECK(accused.contradictions[0].what == "the screen calls an answer wrong, and no property fails");
+
+  const FuzzResult cleared = fuzz_under(oracle::judge::wrong(oracle::Defect::too_far, "2", "1"), *fast);
+  REQUIRE(cleared.contradictions.size() == 1);
+  CHECK(cleared.contradictions[0].what == "distance.verdict fails of an answer that the screen calls right");
 }
 
 TEST_CASE("Without all properties that the screen stands for, every scene is asked under those of the plan") {
