@@ -21,6 +21,7 @@ import limited  # noqa: E402
 import mutants  # noqa: E402
 import reach  # noqa: E402
 import results  # noqa: E402
+import shards  # noqa: E402
 import trial  # noqa: E402
 import workshop  # noqa: E402
 
@@ -45,6 +46,8 @@ EXAMPLES = """Examples:
   ./touchstone mutate --sample 20 --group judge      faults of oracle/ and properties/ alone
   ./touchstone mutate --only fast/mass.cpp --list    all mutants of a file; nothing is tried
   ./touchstone mutate --id 0123abcd --only fast/mass.cpp --show
+  ./touchstone mutate --sample 200 --shard 1/8 --out shards     on one machine, 2/8 on another, and so on; then
+  ./touchstone mutate --sample 200 --merge shards               the table that one run would have written
 
 The table goes to stdout. The same command goes on where an interrupted one was, and a greater sample contains the
 smaller one, as long as no source changes. Survivors that no question can tell from the original are argued in
@@ -52,7 +55,7 @@ tests/mutation/equivalent.toml, which takes them out of the rates. See docs/how_
 
 Exit codes:
   0    the table is written, whatever survived
-  2    bad usage
+  2    bad usage; a shard is missing, cut off or of another run
   3    the set-up or the build failed, or a run on the source without a fault fails
   130  interrupted; what was tried until then is kept (SIGHUP: 129, SIGTERM: 143)"""
 
@@ -63,6 +66,13 @@ def whole_number(least, most):
             raise argparse.ArgumentTypeError(f'expected a whole number from {least} to {most}, found "{word}"')
         return int(word)
     return read
+
+
+def shard_word(word):
+    try:
+        return shards.shard_of(word)
+    except ValueError as error:
+        raise argparse.ArgumentTypeError(str(error)) from error
 
 
 def arguments(words):
@@ -79,6 +89,11 @@ def arguments(words):
     parser.add_argument("--show", action="store_true", help="print how the mutants change the source, and try none")
     parser.add_argument("--jobs", metavar="NUMBER", type=whole_number(1, 1024), default=os.cpu_count(),
                         help="how many mutants are tried at a time (default: one for each processor)")
+    parser.add_argument("--shard", metavar="I/N", type=shard_word,
+                        help="try only every N-th mutant of the sample, from the I-th on, and write what was found to --out")
+    parser.add_argument("--out", metavar="FOLDER", default="shards", help="the folder of the shards (default: shards)")
+    parser.add_argument("--merge", metavar="FOLDER", help="take what the shards in this folder have found; only mutants "
+                                                          "that replace some which do not count are tried here")
     parser.add_argument("--build", metavar="FOLDER", help="a build folder; it is made if there is none "
                                                           "(default: build-mutate beside the source)")
     chosen = parser.parse_args(words)
@@ -86,6 +101,8 @@ def arguments(words):
         parser.error(f"--only {chosen.only}: no file of fast/, reference/, oracle/ or properties/ that is mutated")
     if chosen.id and not chosen.only:
         parser.error("--id: --only must name the file")
+    if chosen.shard and chosen.merge:
+        parser.error("--shard makes a part, --merge needs all of them: one at a time")
     return chosen
 
 
@@ -256,10 +273,13 @@ def main(words):
     options = arguments(words)
     build = pathlib.Path(options.build or ROOT / "build-mutate").resolve()
     results.read_equivalent(EQUIVALENT)
+    source = digest_of_source()
+    run = {"source": source, "sample": options.sample, "seed": options.seed, "group": options.group, "only": options.only}
+    merged = shards.read(options.merge, run) if options.merge else {}
     own_libclang()
     lock = prepare(build, options.jobs, groups_of(options))
     tree = draws.SourceTree(ROOT)
-    shop = workshop.Workshop(ROOT, build, tree, build / "mutation" / digest_of_source())
+    shop = workshop.Workshop(ROOT, build, tree, build / "mutation" / source)
     reader = Reader(shop, tree)
     if options.list:
         list_mutants(options, tree, reader)
@@ -272,9 +292,16 @@ def main(words):
     for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
         signal.signal(number, interrupt)
     file = shop.place / "results.jsonl"
+    known = results.read_results(file) | merged
+    if options.shard:
+        wanted = iter(options.shard.of(list(itertools.islice(wanted, options.sample))))
     trier = trial.Trial(shop, reach.Reach(tree, shop.object_of, shop.original).queries, trial.Limits())
-    found = try_all(wanted, options.sample, options.jobs, results.read_results(file),
+    found = try_all(wanted, options.sample, options.jobs, known,
                     functools.partial(judge_one, shop, trier), functools.partial(results.add_result, file))
+    if options.shard:
+        shards.write(options.out, options.shard, run, found)
+        say(f"wrote {options.shard.file(options.out)}, {len(found)} mutants")
+        return 0
     print("\n".join(results.tables(found, results.read_equivalent(EQUIVALENT), options.seed)))
     print(f"\nNot mutated: {len(tree.headers_left_out())} headers that more than {draws.MOST_USERS} sources include.")
     lock.close()
@@ -286,6 +313,9 @@ if __name__ == "__main__":
         sys.exit(main(sys.argv[1:]))
     except KeyboardInterrupt as signal_number:
         sys.exit(128 + (signal_number.args[0] if signal_number.args else signal.SIGINT))
+    except shards.BadShards as error:
+        say(error)
+        sys.exit(2)
     except (GiveUp, workshop.BuildFailed, trial.BaseFails) as error:
         say(error)
         sys.exit(3)

@@ -16,6 +16,7 @@ import limited
 import mutants
 import reach
 import results
+import shards
 import trial
 import workshop
 
@@ -243,6 +244,55 @@ class Sample(unittest.TestCase):
         self.assertEqual(self.try_all(4, known, {}), (["0", "1", "2", "3"], ["2", "3"], 2))
 
 
+class Shards(unittest.TestCase):
+    run_of = {"source": "0123", "sample": 7, "seed": 1}
+
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+
+    def write(self, index, count=3, **other):
+        shard = shards.Shard(index, count)
+        found = [{"id": str(n), "outcome": "killed", "path": "x", "line": 1} for n in shard.of(range(7))]
+        shards.write(self.folder.name, shard, {**self.run_of, **other}, found)
+        return shard.file(self.folder.name)
+
+    def refusal(self):
+        with self.assertRaises(shards.BadShards) as raised:
+            shards.read(self.folder.name, self.run_of)
+        return str(raised.exception)
+
+    def test_the_shards_of_a_run_are_the_whole_run(self):
+        for index in (3, 1, 2):
+            self.write(index)
+        known = shards.read(self.folder.name, self.run_of)
+        self.assertEqual(sorted(known), [str(n) for n in range(7)])
+        self.assertEqual(Sample.try_all(self, 7, known, {}), ([str(n) for n in range(7)], [], 0))
+
+    def test_a_shard_that_is_lost_is_named(self):
+        self.write(1)
+        self.write(3)
+        self.assertIn("lacks 2/3; the same command with --shard 2/3 --out", self.refusal())
+
+    def test_a_shard_that_is_cut_off_or_of_another_run_is_refused(self):
+        self.write(1)
+        self.write(2)
+        file = self.write(3, source="4567")
+        self.assertIn("3-of-3.jsonl is of another run: its source is 4567, here it is 0123", self.refusal())
+        file = self.write(3)
+        for text in ("", file.read_text()[:-2], file.read_text().splitlines()[0], "[]", "1\n2"):
+            file.write_text(text)
+            self.assertIn("is no whole shard", self.refusal())
+        self.write(3)
+        self.write(1, 2)
+        self.assertIn("has the shards of 2 runs", self.refusal())
+
+    def test_words(self):
+        self.assertEqual(shards.shard_of("3/8"), shards.Shard(3, 8))
+        for word in ("", "3", "0/8", "9/8", "3/", "-1/8", "3/8/1", "a/b"):
+            self.assertRaises(ValueError, shards.shard_of, word)
+
+
 class CommandLine(unittest.TestCase):
     def run_command(self, *words):
         return subprocess.run([sys.executable, pathlib.Path(__file__).parent / "mutate.py", *words], capture_output=True,
@@ -250,7 +300,8 @@ class CommandLine(unittest.TestCase):
 
     def test_bad_words_are_refused(self):
         for words in (["--sample", "0"], ["--sample", "x"], ["--seed", "-1"], ["--group", "app"], ["--only", "app/main.cpp"],
-                      ["--only", "fast/nothing.cpp"], ["--id", "1"], ["more"], ["--samp", "3"]):
+                      ["--only", "fast/nothing.cpp"], ["--id", "1"], ["more"], ["--shard", "3"],
+                      ["--shard", "1/2", "--merge", "x"], ["--samp", "3"]):
             run = self.run_command(*words)
             self.assertEqual((run.returncode, run.stdout), (2, ""), words)
             self.assertIn("./touchstone mutate: error: ", run.stderr)
