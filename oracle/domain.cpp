@@ -59,6 +59,12 @@ Measures measures_of(const Scene& scene) {
   return measures;
 }
 
+Interval lengths_of(const Body& body) {
+  Measures measures;
+  std::visit([&](const auto& shape) { measures.add(shape); }, body.shape);
+  return measures.lengths;
+}
+
 /// Greatest speed and angular speed.
 std::pair<double, double> speeds_of(const Scene& scene) {
   double speed = 0;
@@ -80,13 +86,18 @@ std::optional<std::string> beyond_lengths(const Interval& limits, const Interval
   return above(lengths.hi, limits.hi, "a length, m:");
 }
 
-bool limits_bodies(const Domain& domain) { return domain.lengths || domain.aspect || domain.vertices; }
+bool limits_bodies(const Domain& domain) {
+  return domain.lengths || domain.fixed_lengths || domain.aspect || domain.vertices;
+}
 
 std::optional<std::string> beyond_bodies(const Domain& domain, const Scene& scene) {
-  const Measures measures = measures_of(scene);
-  if (domain.lengths) {
-    if (auto why = beyond_lengths(*domain.lengths, measures.lengths)) return why;
+  for (const Body& body : scene.bodies) {
+    const std::optional<Interval>& limits =
+        is_fixed(body) && domain.fixed_lengths ? domain.fixed_lengths : domain.lengths;
+    if (!limits) continue;
+    if (auto why = beyond_lengths(*limits, lengths_of(body))) return why;
   }
+  const Measures measures = measures_of(scene);
   if (auto why = above(measures.aspect, domain.aspect, "an aspect of")) return why;
   return above(static_cast<double>(measures.vertices), domain.vertices, "a number of vertices:");
 }

@@ -11,13 +11,14 @@ namespace touchstone::oracle {
 /// Limits that are absent limit nothing. A scene is inside if all its bodies (of a compound: all parts) are within all
 /// limits.
 struct Domain {
-  std::optional<Interval> lengths;      ///< m: a body is no thinner than lo, and no longer than hi
-  std::optional<double> reach;          ///< m: greatest absolute coordinate, plus the radius about the body's origin
-  std::optional<double> aspect;         ///< 1: length over thickness of a body
-  std::optional<int> vertices;          ///< of a polytope
-  std::optional<double> mass_ratio;     ///< 1: of the greatest and the least mass of two bodies that are not fixed
-  std::optional<double> speed;          ///< m/s: of a centre of mass at the start
-  std::optional<double> angular_speed;  ///< rad/s, likewise
+  std::optional<Interval> lengths;        ///< m: a body is no thinner than lo, and no longer than hi
+  std::optional<Interval> fixed_lengths;  ///< m: the same for a body that is fixed; absent: as `lengths`
+  std::optional<double> reach;            ///< m: greatest absolute coordinate, plus the radius about the body's origin
+  std::optional<double> aspect;           ///< 1: length over thickness of a body
+  std::optional<int> vertices;            ///< of a polytope
+  std::optional<double> mass_ratio;       ///< 1: of the greatest and the least mass of two bodies that are not fixed
+  std::optional<double> speed;            ///< m/s: of a centre of mass at the start
+  std::optional<double> angular_speed;    ///< rad/s, likewise
 
   bool operator==(const Domain&) const = default;
 };

@@ -62,6 +62,7 @@ Finding misses_none(const Scene& scene, Subject& subject) {
     Finding finding = judge::wrong_by(deepest, judge::in_ulps(scene, subject.card(), 0), Defect::missed,
                                       "without " + words::text(missed), "every pair whose closed boxes intersect");
     finding.margin = Interval{deepest, deepest};
+    finding.rounding = rounding_of_a_pair(scene, subject.card().precision);
     return finding;
   });
 }

@@ -70,6 +70,7 @@ Finding misses_none(const Scene& sequence, Subject& subject) {
           judge::wrong_by(deepest, judge::in_ulps(snapshot(sequence, f), subject.card(), 0), Defect::missed,
                           in_frame(f, "without " + words::text(missed)), "every pair whose closed boxes intersect");
       finding.margin = Interval{deepest, deepest};
+      finding.rounding = rounding_of_a_pair(snapshot(sequence, f), subject.card().precision);
       return finding;
     }
     return judge::holds();

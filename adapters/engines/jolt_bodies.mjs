@@ -26,7 +26,7 @@ export const version = JSON.parse(readFileSync(installed)).version;
 
 // For the cards; the reasons: docs/how_to/add_a_subject.md.
 export const homepage = "https://github.com/jrouwe/JoltPhysics";
-export const domain = { lengths: [0.1, 10], reach: 1000 };
+export const domain = { lengths: [0.1, 10], fixed_lengths: [0.1, 2000], reach: 1000 };
 export const distance_tolerance = { absolute: 1e-3 + 1e-4, relative: 1e-4 };
 
 export const vector = (v) => new JOLT.Vec3(...v);

@@ -63,7 +63,7 @@ inline const std::vector<Effort>& efforts() {
        .minimise_budget = 800,
        .mesh_share = 4,
        .deep_mesh_pairs = 60,
-       .trajectories = {150, 4000, 400, 400, 800, patient_simulation_factor}},
+       .trajectories = {150, 4000, 400, 300, 300, patient_simulation_factor}},
       {.name = "soak",
        .cases = 40'000,
        .cases_alone = 1'000'000,

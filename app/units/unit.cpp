@@ -20,10 +20,12 @@ namespace {
 
 using properties::Property;
 
-/// Each unit starts the subjects afresh, and one that runs in Node.js takes 0.3 to 0.5 s of CPU time to start. So a
-/// long run has at most this many units for each query: a choice, enough for as many threads.
-constexpr std::size_t most_units = 40;
+/// Each unit starts the subjects afresh, and one that runs in Node.js takes 0.4 to 1 s of CPU time to start: as long as
+/// it takes for some hundred questions. So a unit grows with the run, until the start is a small part of it; more units
+/// than `enough_units` serve more threads and shards. All three are choices.
+constexpr std::size_t enough_units = 15;
 constexpr std::size_t least_chunk = 24;
+constexpr std::size_t largest_chunk = 160;
 
 /// If a property throws, that is a fault of Touchstone: the error names the place, so that it can be reproduced.
 oracle::Finding checked(const Question& question, const Scene& scene, const Property& property,
@@ -152,7 +154,7 @@ std::vector<Unit> units(const std::vector<QueryTrial>& trials) {
   std::vector<Unit> all;
   for (std::size_t s = 0; s < trials.size(); ++s) {
     const std::size_t questions = trials[s].questions.size();
-    const std::size_t chunk = std::max(least_chunk, (questions + most_units - 1) / most_units);
+    const std::size_t chunk = std::clamp((questions + enough_units - 1) / enough_units, least_chunk, largest_chunk);
     for (std::size_t begin = 0; begin < questions; begin += chunk) {
       all.push_back({s, begin, std::min(begin + chunk, questions)});
     }

@@ -78,18 +78,24 @@ void read_limit(const Node& object, const char* key, std::optional<double>& limi
   if (const auto found = object.find(key)) limit = read_limit(*found);
 }
 
+void read_limits(const Node& object, const char* key, std::optional<Interval>& limits) {
+  const auto found = object.find(key);
+  if (!found) return;
+  found->expect_size(2);
+  limits = Interval{read_limit((*found)[0]), read_limit((*found)[1])};
+}
+
 double limit_or_0(const Node& object, const char* key) {
   const auto found = object.find(key);
   return found ? read_limit(*found) : 0;
 }
 
 Domain read_domain(const Node& node) {
-  node.expect_object({"lengths", "reach", "aspect", "vertices", "mass_ratio", "speed", "angular_speed"});
+  node.expect_object(
+      {"lengths", "fixed_lengths", "reach", "aspect", "vertices", "mass_ratio", "speed", "angular_speed"});
   Domain domain;
-  if (const auto lengths = node.find("lengths")) {
-    lengths->expect_size(2);
-    domain.lengths = Interval{read_limit((*lengths)[0]), read_limit((*lengths)[1])};
-  }
+  read_limits(node, "lengths", domain.lengths);
+  read_limits(node, "fixed_lengths", domain.fixed_lengths);
   if (const auto vertices = node.find("vertices")) domain.vertices = vertices->index();
   read_limit(node, "reach", domain.reach);
   read_limit(node, "aspect", domain.aspect);
@@ -226,6 +232,7 @@ std::string question(const char* op, Seq seq, std::string_view query, std::strin
 Json json_of(const Domain& domain) {
   Json json = Json::object();
   if (domain.lengths) json["lengths"] = {domain.lengths->lo, domain.lengths->hi};
+  if (domain.fixed_lengths) json["fixed_lengths"] = {domain.fixed_lengths->lo, domain.fixed_lengths->hi};
   if (domain.reach) json["reach"] = *domain.reach;
   if (domain.aspect) json["aspect"] = *domain.aspect;
   if (domain.vertices) json["vertices"] = *domain.vertices;

@@ -162,6 +162,17 @@ Body bystander(const Scene& scene) {
   return ball;
 }
 
+// m: the largest distance of a body from itself in the other trajectory, at any time of which both tell.
+double farthest_apart(const Trajectory& one, const Trajectory& other) {
+  double farthest = 0;
+  for (std::size_t t = 0; t < std::min(one.states.size(), other.states.size()); ++t) {
+    for (std::size_t k = 0; k < std::min(one.states[t].size(), other.states[t].size()); ++k) {
+      farthest = std::max(farthest, (one.states[t][k].X_WB.p_WB - other.states[t][k].X_WB.p_WB).stableNorm());
+    }
+  }
+  return farthest;
+}
+
 Finding bystanders(const Scene& scene, Subject& subject) {
   return of_trajectory(scene, subject, [&](const TrajectoryCase& asked) {
     Scene more = scene;
@@ -175,8 +186,10 @@ Finding bystanders(const Scene& scene, Subject& subject) {
           if (states.size() == more.bodies.size()) states.resize(static_cast<std::size_t>(others));
         }
         if (said == asked.said) return judge::holds();
-        return judge::wrong(Defect::inconsistent, "another trajectory of the other bodies",
-                            "the same bits with a ball far away");
+        const double off = farthest_apart(said, asked.said);
+        return judge::wrong_by(off, judge::in_ulps(scene, subject.card(), 0), Defect::inconsistent,
+                               "another trajectory of the other bodies, up to " + words::text(off) + " m away",
+                               "the same bits with a ball far away");
       });
     });
   });

@@ -38,6 +38,20 @@ TEST_CASE("a body is as thick as its least height over a face, and as long as fr
   CHECK_FALSE(within_lengths(3.999, 4.001, Compound{{{Pose{}, Sphere{2}}, {Pose{}, Sphere{1}}}}));
 }
 
+TEST_CASE("a fixed body has limits of its own, where they are declared") {
+  Scene scene = of({Box{{1, 1, 1}}, Box{{100, 100, 1}}});
+  Domain domain;
+  domain.lengths = Interval{0.05, 10};
+  domain.fixed_lengths = Interval{0, 1000};
+  CHECK(*beyond(domain, scene) == "a length, m: 283 is above 10");
+  scene.bodies[1].mass = Fixed{};
+  CHECK(is_inside(domain, scene));
+  domain.fixed_lengths = Interval{0, 100};
+  CHECK(*beyond(domain, scene) == "a length, m: 283 is above 100");
+  domain.fixed_lengths.reset();
+  CHECK(*beyond(domain, scene) == "a length, m: 283 is above 10");
+}
+
 TEST_CASE("the other limits") {
   const auto inside = [](const Domain& wider, const Domain& narrower, const Scene& scene) {
     CHECK(is_inside(wider, scene));

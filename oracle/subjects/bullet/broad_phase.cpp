@@ -113,6 +113,7 @@ Card card(const std::string& name, double margin, const std::string& about, std:
   made.precision = is_double ? Precision::binary64 : Precision::binary32;
   made.broad_phase_margin = margin;
   made.boxes = BoxKind::of_turned_box;  // getAabb turns the box about a hull
+  made.domain = domain();
   made.about = about;
   made.homepage = "https://github.com/bulletphysics/bullet3";
   made.deviations = std::move(deviations);

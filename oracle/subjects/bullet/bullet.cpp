@@ -153,6 +153,7 @@ class Bullet : public Subject {
       .homepage = "https://github.com/bulletphysics/bullet3",
       .deviations = {{"", "normals flip and the error grows as two shapes near each other", issues + "889"},
                      {"", "a positive distance for boxes of margin 0 that penetrate", issues + "1703"}},
+      .domain = in_bullet::domain(),
       .boxes = BoxKind::of_turned_box,
       .reproduces = {"distance", "penetration"}};
 };

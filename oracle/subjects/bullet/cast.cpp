@@ -34,6 +34,7 @@ class BulletCast : public Subject {
                               : algorithm == "subsimplex" ? "btSubsimplexConvexCast"
                                                           : "btGjkConvexCast") +
                   (turns ? " over ways of less than half a radian" : ", which does not turn") + ", margins 0";
+    card_.domain = domain();
     card_.homepage = "https://github.com/bulletphysics/bullet3";
   }
 

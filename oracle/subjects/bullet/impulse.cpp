@@ -69,6 +69,7 @@ class BulletImpulse : public Subject {
         (tuned_ ? "restitution threshold 0, no warm starting, processing threshold 0, penetration threshold 0"
                 : "settings as shipped: restitution from 0.2 m/s on");
     if (!tuned_) card_.dynamics.restitution_threshold = btContactSolverInfo().m_restitutionVelocityThreshold;
+    card_.domain = domain();
     card_.homepage = "https://github.com/bulletphysics/bullet3";
     card_.deviations = {{"TS-IMPULSE-16", "restitution is lost in small steps",
                          "https://github.com/bulletphysics/bullet3/issues/4341"}};

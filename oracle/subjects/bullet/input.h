@@ -12,6 +12,14 @@ namespace touchstone::oracle::subjects::in_bullet {
 
 inline constexpr bool is_double = sizeof(btScalar) == sizeof(double);
 
+/// For the cards; the reason: docs/how_to/add_a_subject.md.
+inline Domain domain() {
+  Domain made;
+  made.lengths = Interval{0.05, 10};
+  made.fixed_lengths = Interval{0, 1e30};  // nothing is said of them
+  return made;
+}
+
 inline btScalar scalar(double x) { return static_cast<btScalar>(x); }
 inline btVector3 vector(const Vec3& v) { return {scalar(v.x()), scalar(v.y()), scalar(v.z())}; }
 inline Vec3 vec3(const btVector3& v) { return {v.x(), v.y(), v.z()}; }

@@ -196,6 +196,7 @@ class BulletSimulation : public Subject {
     if (!tuned_) card_.dynamics.restitution_threshold = btContactSolverInfo().m_restitutionVelocityThreshold;
     card_.dynamics.angular_speed_limit =
         ANGULAR_MOTION_THRESHOLD / dt;  // a body that should turn farther in a step turns less
+    card_.domain = domain();
     card_.homepage = "https://github.com/bulletphysics/bullet3";
     combine_by_the_lesser();
   }

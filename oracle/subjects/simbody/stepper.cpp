@@ -1,5 +1,7 @@
 #include "oracle/subjects/simbody/stepper.h"
 
+#include <algorithm>
+
 #include "oracle/subjects/simbody/muted.h"
 #include "oracle/subjects/simbody/parts.h"
 
@@ -7,8 +9,14 @@ namespace touchstone::oracle::subjects::in_simbody {
 namespace {
 
 constexpr double tolerance =
-    0x1p-40;                       ///< m/s; below twice this Simbody restores no approach and treats slip as rolling
-constexpr double step = 0x1p-100;  ///< s; a step rotates the bodies: one this short changes ω by less than one digit
+    0x1p-40;  ///< m/s; below twice this Simbody restores no approach and treats slip as rolling
+constexpr double angle =
+    0x1p-100;  ///< rad; a step rotates the bodies: by so little it changes ω by less than one digit
+
+/// s: the step in which the faster body turns by `angle`, and no longer than if it turned by 1 rad/s.
+double step(const std::array<RigidBody, 2>& bodies) {
+  return angle / std::max({1.0, bodies[0].w_WB.norm(), bodies[1].w_WB.norm()});
+}
 
 /// C as a vertex of A in contact with a plane of B: the only contact of Simbody that takes any point and any normal.
 /// The scene says that the bodies are in contact, so Simbody's tolerance does not matter.
@@ -43,7 +51,7 @@ std::array<Twist, 2> impact(const std::array<RigidBody, 2>& bodies, const PointC
   stepper.setPositionProjectionMethod(Stepper::NoPositionProjection);
   stepper.setConstraintTolerance(tolerance);
   stepper.initialize(state);
-  stepper.stepTo(step);
+  stepper.stepTo(step(bodies));
   system.realize(stepper.getState(), SimTK::Stage::Velocity);
   return {twist_of(A, stepper.getState()), twist_of(B, stepper.getState())};
 }
