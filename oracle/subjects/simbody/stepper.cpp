@@ -8,14 +8,21 @@
 namespace touchstone::oracle::subjects::in_simbody {
 namespace {
 
-constexpr double tolerance =
-    0x1p-40;  ///< m/s; below twice this Simbody restores no approach and treats slip as rolling
-constexpr double angle =
-    0x1p-100;  ///< rad; a step rotates the bodies: by so little it changes ω by less than one digit
+/// m/s: below twice this Simbody restores no approach and treats slip as rolling. A user of Simbody sets it for the
+/// motion at hand, so it is a share of the greatest speed that a body has at C.
+double tolerance(const std::array<RigidBody, 2>& bodies, const PointContact& contact) {
+  double fastest = 0;
+  for (const RigidBody& body : bodies) {
+    const double lever = (contact.p_WC - body.p_WBcm).stableNorm();
+    fastest = std::max(fastest, body.v_WBcm.stableNorm() + body.w_WB.stableNorm() * lever);
+  }
+  return fastest > 0 ? 0x1p-40 * fastest : 0x1p-40;
+}
 
-/// s: the step in which the faster body turns by `angle`, and no longer than if it turned by 1 rad/s.
+/// s: the step in which the faster body turns by 2⁻¹⁰⁰ rad, which changes ω by less than one digit; no longer than if
+/// it turned by 1 rad/s.
 double step(const std::array<RigidBody, 2>& bodies) {
-  return angle / std::max({1.0, bodies[0].w_WB.norm(), bodies[1].w_WB.norm()});
+  return 0x1p-100 / std::max({1.0, bodies[0].w_WB.stableNorm(), bodies[1].w_WB.stableNorm()});
 }
 
 /// C as a vertex of A in contact with a plane of B: the only contact of Simbody that takes any point and any normal.
@@ -49,7 +56,7 @@ std::array<Twist, 2> impact(const std::array<RigidBody, 2>& bodies, const PointC
   Stepper stepper(system);
   stepper.setRestitutionModel(contact.restitution == Restitution::newton ? Stepper::Newton : Stepper::Poisson);
   stepper.setPositionProjectionMethod(Stepper::NoPositionProjection);
-  stepper.setConstraintTolerance(tolerance);
+  stepper.setConstraintTolerance(tolerance(bodies, contact));
   stepper.initialize(state);
   stepper.stepTo(step(bodies));
   system.realize(stepper.getState(), SimTK::Stage::Velocity);
