@@ -47,6 +47,7 @@ class OdeImpulse : public Subject {
 
   Answer<Impulse> impulse(const Scene& scene) override {
     if (const auto declined = no_such_impact(scene)) return *declined;
+    start_random_numbers();
     const dWorldID world = dWorldCreate();
     dWorldSetCFM(world, 0);
     const dBodyID A = make_body(world, scene.bodies[0]), B = make_body(world, scene.bodies[1]);

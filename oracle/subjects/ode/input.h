@@ -12,6 +12,9 @@ namespace touchstone::oracle::subjects::in_ode {
 
 inline constexpr bool is_double = sizeof(dReal) == sizeof(double);
 
+/// dWorldQuickStep takes constraints in an order of random numbers. From one seed the same question has the same answer.
+inline void start_random_numbers() { dRandSetSeed(0); }
+
 inline dReal real(double x) { return static_cast<dReal>(x); }
 
 inline std::array<dReal, 4> turn(const Eigen::Quaterniond& q) {

@@ -138,6 +138,7 @@ class OdeSimulation : public Subject {
   Answer<Trajectory> simulation(const Scene& scene) override {
     if (const auto declined = no_such_motion(scene)) return *declined;
     if (std::ranges::any_of(scene.bodies, has_hull)) return Abstains{no_hulls};
+    start_random_numbers();
     World world(scene, stepper_);
     return follow(scene, dt_, world);
   }
