@@ -12,7 +12,8 @@ namespace touchstone::oracle::subjects::in_ode {
 
 inline constexpr bool is_double = sizeof(dReal) == sizeof(double);
 
-/// dWorldQuickStep takes constraints in an order of random numbers. From one seed the same question has the same answer.
+/// dWorldQuickStep takes constraints in an order of random numbers. From one seed the same question has the same
+/// answer.
 inline void start_random_numbers() { dRandSetSeed(0); }
 
 inline dReal real(double x) { return static_cast<dReal>(x); }
