@@ -36,10 +36,9 @@ Turning mirrored(Turning x, double side) {
 
 // With E = η (1 + t²)², G = g (1 + t²)²: dθ = 2 dt/(1 + t²) gives E (1 + t²)/2 ds/dt = G s, and r = 2 s/E is (dp/dt)/(1
 // + t²), so that dp/dt = (1 + t²) r, along: −mu (1 − t²) r, across: −mu 2 t r.
-std::optional<Phase> phase_by_direction(const Impact& i, const ImpactState& at) {
+bool phase_by_direction(const Impact& i, const ImpactState& at, Phase& all) {
   const Turning straight = turning(i, at.c, at.d);
-  if (std::abs(straight.eta[0]) < slowest_turn * rate(i)) return std::nullopt;
-  Phase all;
+  if (std::abs(straight.eta[0]) < slowest_turn * rate(i)) return false;
   all.by_direction = true;
   all.c = at.c;
   all.d = at.d;
@@ -78,14 +77,16 @@ std::optional<Phase> phase_by_direction(const Impact& i, const ImpactState& at) 
   // Slip cannot turn past a root of η, though if s vanishes with it the series may not show it.
   const auto still_turns = [&](double t) { return E[0] + t * (E[1] + t * (E[2] + t * (E[3] + t * E[4]))) > E[0] / 8; };
   while (all.length >= shortest_turn && !(still_turns(all.length) && still_turns(all.length / 2))) all.length /= 2;
-  if (!(all.length >= shortest_turn)) return std::nullopt;
-  return all;
+  return all.length >= shortest_turn;
 }
 
-Phase phase_by_time(const Impact& i, const ImpactState& at) {
+void phase_by_time(const Impact& i, const ImpactState& at, Phase& all) {
   const double unit = 1 / rate(i);
   const double k1 = i.k1 * unit, k2 = i.k2 * unit, m1 = i.mu * i.l1 * unit, m2 = i.mu * i.l2 * unit;
-  Phase all;
+  all.by_direction = false;
+  all.c = 1;
+  all.d = 0;
+  all.side = 1;
   for (Series* series : {&all.s, &all.along, &all.across, &all.p, &all.turn_c, &all.turn_d}) series->order = time_order;
   auto &c = all.turn_c.x, &d = all.turn_d.x, &s = all.s.x;
   std::array<double, time_order> eta, g;
@@ -117,7 +118,6 @@ Phase phase_by_time(const Impact& i, const ImpactState& at) {
     all.across.x[n + 1] = -i.mu * s_d * next * unit;
   }
   all.length = std::min({length_of(all.turn_c, 1), length_of(all.turn_d, 1), length_of(all.s, at.s), longest_time});
-  return all;
 }
 
 Series normal_speed(const Impact& i, const Phase& phase, double start) {
@@ -144,17 +144,22 @@ Series work(const Phase& phase, const Series& u) {
 }
 
 void advance(const Phase& phase, double t, double work, ImpactState& at) {
-  const double along = phase.along(t), across = phase.side * phase.across(t);
+  const auto [s, along, to_the_side, p] = values<4>({&phase.s, &phase.along, &phase.across, &phase.p}, t);
+  const double across = phase.side * to_the_side;
   at.P1 += phase.c * along - phase.d * across;
   at.P2 += phase.d * along + phase.c * across;
-  at.p += phase.p(t);
-  at.s = std::max(phase.s(t), 0.0);
+  at.p += p;
+  at.s = std::max(s, 0.0);
   at.work += work;
-  double c = phase.turn_c(t), d = phase.turn_d(t);
+  double c = 0, d = 0;
   if (phase.by_direction) {
     const double turn_c = (1 - t) * (1 + t), turn_d = 2 * t * phase.side;
     c = phase.c * turn_c - phase.d * turn_d;
     d = phase.d * turn_c + phase.c * turn_d;
+  } else {
+    const auto [turn_c, turn_d] = values<2>({&phase.turn_c, &phase.turn_d}, t);
+    c = turn_c;
+    d = turn_d;
   }
   const double length = std::sqrt(c * c + d * d);
   at.c = c / length;

@@ -1,8 +1,6 @@
 // A phase of curved sliding, as power series; two ways to compute one.
 #pragma once
 
-#include <optional>
-
 #include "fast/impulse/impact.h"
 #include "fast/impulse/series.h"
 
@@ -20,12 +18,12 @@ struct Phase {
 };
 
 /// t = tan(δ/2), δ the angle that slip has turned: s and p obey linear equations with polynomial coefficients, so a
-/// term costs 14 products. Nothing if a root of η is near: there δ says too little about s.
-std::optional<Phase> phase_by_direction(const Impact& impact, const ImpactState& at);
+/// term costs 14 products. Makes `phase`; false if a root of η is near: there δ says too little about s.
+bool phase_by_direction(const Impact& impact, const ImpactState& at, Phase& phase);
 
 /// t = τ·rate with dτ = dp/s: (c, d)' = η (−d, c), s' = g s, p' = s, without singularities. A term costs as many
 /// products as there are terms before it.
-Phase phase_by_time(const Impact& impact, const ImpactState& at);
+void phase_by_time(const Impact& impact, const ImpactState& at, Phase& phase);
 
 /// u_n along a phase, starting at `start`.
 Series normal_speed(const Impact& impact, const Phase& phase, double start);

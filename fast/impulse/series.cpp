@@ -1,7 +1,9 @@
 #include "fast/impulse/series.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 namespace touchstone::fast::impulse {
@@ -9,8 +11,8 @@ namespace {
 
 /// Newton's method inside a shrinking bracket where x rises from below the target to it or above. It squares its error:
 /// a step of 2^-28 of the bracket is the last that matters.
-double crossing(const Series& x, double target, double lo, double hi) {
-  const double below = x(lo) - target, above = x(hi) - target;
+/// `below` and `above`: x − target at lo and hi.
+double crossing(const Series& x, double target, double lo, double hi, double below, double above) {
   double t = lo + (hi - lo) * (below / (below - above));
   for (int step = 0; step < 100; ++step) {
     const auto [value, slope] = x.both(t);
@@ -27,23 +29,61 @@ double crossing(const Series& x, double target, double lo, double hi) {
   return t;
 }
 
-/// Where x, which rises at lo and falls at hi, is greatest: bisection of the sign of its slope.
+/// Where x, which rises at lo and falls at hi, is greatest: 60 bisections of the sign of its slope. Three at a time
+/// need one of four intervals each: the slopes at all seven inner ends are computed side by side, since a single sum
+/// waits for its own additions.
 double summit(const Series& x, double lo, double hi) {
-  for (int step = 0; step < 60; ++step) {
-    const double middle = lo + (hi - lo) / 2;
-    (x.slope(middle) > 0 ? lo : hi) = middle;
+  constexpr std::size_t intervals = 8;
+  for (int step = 0; step < 60; step += 3) {
+    std::array<double, intervals + 1> end;
+    end[0] = lo;
+    end[intervals] = hi;
+    for (std::size_t width = intervals; width > 1; width /= 2) {
+      for (std::size_t i = 0; i < intervals; i += width) end[i + width / 2] = end[i] + (end[i + width] - end[i]) / 2;
+    }
+    std::array<double, intervals> value, slope;
+    value.fill(x.x[x.order]);
+    slope.fill(0);
+    for (std::size_t n = x.order; n-- > 0;) {
+      for (std::size_t i = 0; i < intervals; ++i) {
+        slope[i] = slope[i] * end[i] + value[i];
+        value[i] = value[i] * end[i] + x.x[n];
+      }
+    }
+    std::size_t at = 0;
+    for (std::size_t width = intervals / 2; width > 0; width /= 2) at += slope[at + width] > 0 ? width : 0;
+    lo = end[at];
+    hi = end[at + 1];
   }
   return lo;
+}
+
+// What frexp, floor and ldexp give, without calls.
+
+int exponent_of(double x) {
+  const auto field = static_cast<int>(std::bit_cast<std::uint64_t>(x) >> 52);
+  if (field > 0 && field < 0x7ff) return field - 1022;
+  int exponent = 0;
+  std::frexp(x, &exponent);
+  return exponent;
+}
+
+double floor_of(double x) {
+  const double towards_zero = static_cast<int>(x);
+  return towards_zero - (towards_zero > x ? 1 : 0);
+}
+
+double times_power_of_two(double x, int exponent) {
+  if (std::abs(exponent) > 1000) return std::ldexp(x, exponent);
+  return x * std::bit_cast<double>(static_cast<std::uint64_t>(exponent + 1023) << 52);
 }
 
 }  // namespace
 
 double length_for(double coefficient, std::size_t n) {
   if (!(coefficient > 0)) return std::numeric_limits<double>::max();
-  int exponent = 0;
-  std::frexp(coefficient, &exponent);
-  const double wanted = (-56.0 - exponent) / static_cast<double>(n), whole = std::floor(wanted);
-  return std::ldexp(1 + 0.6931471805599453 * (wanted - whole), static_cast<int>(whole));  // 2^f ≥ 1 + f ln 2
+  const double wanted = (-56.0 - exponent_of(coefficient)) / static_cast<double>(n), whole = floor_of(wanted);
+  return times_power_of_two(1 + 0.6931471805599453 * (wanted - whole), static_cast<int>(whole));  // 2^f ≥ 1 + f ln 2
 }
 
 double length_of(const Series& x, double unit) {
@@ -52,11 +92,13 @@ double length_of(const Series& x, double unit) {
 }
 
 std::optional<double> first_reach(const Series& x, double target, double length, double& closest_miss) {
-  if (x(length) >= target) return crossing(x, target, 0, length);
-  if (!(x.slope(0) > 0 && x.slope(length) < 0)) return std::nullopt;
+  const double start = x.x[0], slope_at_start = x.x[1];
+  const auto [end, slope_at_end] = x.both(length);
+  if (end >= target) return crossing(x, target, 0, length, start - target, end - target);
+  if (!(slope_at_start > 0 && slope_at_end < 0)) return std::nullopt;
   const double top = summit(x, 0, length), miss = x(top) - target;
   closest_miss = std::min(closest_miss, std::abs(miss));
-  return miss >= 0 ? std::optional(crossing(x, target, 0, top)) : std::nullopt;
+  return miss >= 0 ? std::optional(crossing(x, target, 0, top, start - target, miss)) : std::nullopt;
 }
 
 }  // namespace touchstone::fast::impulse

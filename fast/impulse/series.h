@@ -10,10 +10,13 @@ namespace touchstone::fast::impulse {
 /// One more than the greatest order in use (fast/impulse/phase.cpp).
 inline constexpr std::size_t most_terms = 33;
 
-/// x_0 + x_1 t + … + x_order t^order.
+/// x_0 + x_1 t + … + x_order t^order; 0 at first. Further coefficients are not set: to clear them all, and to copy
+/// them, would take longer than many a sum.
 struct Series {
-  std::array<double, most_terms> x{};
+  std::array<double, most_terms> x;
   std::size_t order = 0;
+
+  Series() { x[0] = 0; }
 
   double operator()(double t) const {
     double sum = x[order];
@@ -32,9 +35,19 @@ struct Series {
     }
     return {value, slope};
   }
-
-  double slope(double t) const { return both(t).slope; }
 };
+
+/// The values of series of one order, side by side: a single sum waits for its own additions.
+template <std::size_t count>
+std::array<double, count> values(const std::array<const Series*, count>& series, double t) {
+  std::array<double, count> sums;
+  const std::size_t order = series[0]->order;
+  for (std::size_t k = 0; k < count; ++k) sums[k] = series[k]->x[order];
+  for (std::size_t n = order; n-- > 0;) {
+    for (std::size_t k = 0; k < count; ++k) sums[k] = sums[k] * t + series[k]->x[n];
+  }
+  return sums;
+}
 
 /// t with |coefficient| tⁿ ≤ 2^-56, from exponents alone: no C library's logarithm has the same bits everywhere.
 double length_for(double coefficient, std::size_t n);

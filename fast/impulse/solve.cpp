@@ -19,7 +19,7 @@ constexpr double noise = 64 * 0x1p-53;
 class ImpactSolver {
  public:
   explicit ImpactSolver(const Impact& impact)
-      : i_(impact), speeds_(std::abs(impact.u1) + std::abs(impact.u2) + std::abs(impact.un)) {
+      : i_(impact), speeds_(std::abs(impact.u1) + std::abs(impact.u2) + std::abs(impact.un)), jams_(may_jam(impact)) {
     const double greater = std::max(std::abs(impact.u1), std::abs(impact.u2));
     if (greater > 0) {  // by ratios: the square of a slip of 1e-170 underflows
       const double x = impact.u1 / greater, y = impact.u2 / greater, length = std::sqrt(x * x + y * y);
@@ -27,14 +27,20 @@ class ImpactSolver {
       at_.c = x / length;
       at_.d = y / length;
     }
-    if (jams()) closest_miss_ = std::abs(impact.un);  // the impulse is discontinuous at u_n = 0
+    if (jams_) closest_miss_ = std::abs(impact.un);  // the impulse is discontinuous at u_n = 0
     if (std::isinf(impact.mu)) stick_at_once();
   }
 
   Outcome run() {
+    outcome_.regime.approached = i_.un < 0;
+    if (outcome_.regime.approached) bounce();
     outcome_.miss = closest_miss_ / speeds_;
-    if (!(i_.un < 0)) return outcome_;
-    outcome_.regime.approached = true;
+    return outcome_;
+  }
+
+ private:
+  /// Compresses and restores until the bodies separate.
+  void bounce() {
     do {
       const double before = at_.p;
       at_.work = 0;
@@ -45,11 +51,8 @@ class ImpactSolver {
     outcome_.P1 = at_.P1;
     outcome_.P2 = at_.P2;
     outcome_.p = at_.p;
-    outcome_.miss = closest_miss_ / speeds_;
-    return outcome_;
   }
 
- private:
   void stick_at_once() {
     at_.P1 = -i_.u1 / i_.l1;
     at_.P2 = -i_.u2 / i_.l2;
@@ -71,11 +74,15 @@ class ImpactSolver {
     }
   }
 
-  /// Whether sliding can press the bodies together: u_n decreases in some direction of slip.
-  bool jams() const { return std::isfinite(i_.mu) && i_.mu * std::sqrt(i_.k1 * i_.k1 + i_.k2 * i_.k2) > i_.b; }
+  /// Whether sliding can press the bodies together: u_n decreases in some direction of slip. |k| ≤ |k1| + |k2| decides
+  /// most cases without a root; half of b is far from rounding.
+  static bool may_jam(const Impact& i) {
+    if (i.mu * (std::abs(i.k1) + std::abs(i.k2)) < i.b / 2) return false;
+    return std::isfinite(i.mu) && i.mu * std::sqrt(i.k1 * i.k1 + i.k2 * i.k2) > i.b;
+  }
 
   bool approaches_again() {
-    if (!jams()) return false;
+    if (!jams_) return false;
     const double u = normal_speed(i_, at_);
     if (i_.e > 0) closest_miss_ = std::min(closest_miss_, std::abs(u));
     if (!(u < -noise * speeds_) || ++compressions_ > most_compressions) return false;
@@ -116,6 +123,7 @@ class ImpactSolver {
 
   Impact i_;
   double speeds_;
+  bool jams_;
   ImpactState at_;
   Outcome outcome_;
   double closest_miss_ = 1e300;

@@ -55,7 +55,7 @@ std::optional<Stop> until_stop(const Impact& i, const ImpactState& at) {
   if (!turns_there(t) || !turns_there(t / 2)) return std::nullopt;  // another root is closer
   const std::array<double, 7> q{0, E[1] / 2, E[2] / 2, (E[3] + E[1]) / 2, (E[4] + E[2]) / 2, E[3] / 2, E[4] / 2};
   constexpr std::array<double, 5> one_plus_t2_squared{1, 0, 2, 0, 1};
-  std::array<double, terms> phi{};
+  std::array<double, terms> phi;
   double sum = 0, power = 1;
   int small = 0;
   for (std::size_t n = 0; n < terms; ++n) {
