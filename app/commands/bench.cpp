@@ -18,6 +18,7 @@
 
 #include "app/benchmarks/bench_plot.h"
 #include "app/benchmarks/bench_table.h"
+#include "app/benchmarks/first_call_table.h"
 #include "app/benchmarks/simulation_page.h"
 #include "app/benchmarks/work_precision.h"
 #include "app/motion/motion_scenes.h"
@@ -42,7 +43,7 @@ struct Comparison {
   int sizes = 0;      ///< how many sizes it measures by default
   int workloads = 0;  ///< how many workloads it measures by default
   std::function<std::string(const std::string& csv)> table;
-  std::function<std::string(const std::string& csv)> plot;
+  std::function<std::string(const std::string& csv)> plot;            ///< none: the table says it all
   std::function<std::string(const std::string& csv)> page = nullptr;  ///< for the documentation; none: written by hand
 };
 
@@ -68,6 +69,9 @@ const std::map<std::string, Comparison>& registry() {
        {"touchstone_broad_phase_bench", 3, 6, [](const std::string& csv) { return bench_table(bench_rows(csv)); },
         [](const std::string& csv) { return bench_plot(bench_rows(csv)); }}},
       {"distance", of_errors("touchstone_distance_bench", 5, 2, {"vertices a body", "ulps of the scene's scale"})},
+      {"first_call",
+       {"touchstone_first_call_bench", 1, 11,
+        [](const std::string& csv) { return first_call_table(first_call_rows(csv)); }, nullptr}},
       {"impulse", of_errors("touchstone_impulse_bench", 1, 7,
                             {"effort: steps, or tolerance", "units of 2^-53, in the energy norm", false})},
       {"pixel", of_errors("touchstone_pixel_bench", 6, 4,
@@ -201,10 +205,11 @@ int bench(const BenchOptions& options) {
   };
   write(".csv", output.text);
   write(".txt", table);
-  write(".svg", comparison.plot(output.text));
+  if (comparison.plot) write(".svg", comparison.plot(output.text));
   if (comparison.page) write(".md", comparison.page(output.text));
   print_lines(table + '\n');
-  print("Written to {}: {}.csv, .txt, .svg{}\n", options.out, options.name, comparison.page ? ", .md" : "");
+  print("Written to {}: {}.csv, .txt{}{}\n", options.out, options.name, comparison.plot ? ", .svg" : "",
+        comparison.page ? ", .md" : "");
   return 0;
 }
 

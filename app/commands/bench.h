@@ -17,8 +17,8 @@ struct BenchOptions {
 /// The names of the comparisons.
 std::vector<std::string> benches();
 
-/// Prints the table and writes NAME.csv, NAME.svg and NAME.txt (the table) to the folder; some comparisons also write a
-/// page NAME.md. Returns the exit code. Throws InputError if the comparison was not built.
+/// Prints the table and writes NAME.csv and NAME.txt (the table) to the folder; most comparisons also write a plot
+/// NAME.svg, some a page NAME.md. Returns the exit code. Throws InputError if the comparison was not built.
 int bench(const BenchOptions& options);
 
 }  // namespace touchstone::app

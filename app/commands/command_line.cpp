@@ -526,16 +526,18 @@ void add_bench(CLI::App& program, Options& options) {
       "bench", "Compare our speed with that of other libraries (use the launcher: ./touchstone bench)");
   add_argument(*command, "COMPARISON", options.bench.name, listed(benches()))->required()->check(one_of(benches()));
   command
-      ->add_option("--sizes", options.bench.sizes,
-                   "broad_phase: bodies; distance: vertices of a body; impulse: impacts of a class; pixel: pixels for "
-                   "a metre; simulation: steps for a second. Default: the comparison's own")
+      ->add_option(
+          "--sizes", options.bench.sizes,
+          "broad_phase: bodies; distance: vertices of a body; first_call: scenes of a row; impulse: impacts of "
+          "a class; pixel: pixels for a metre; simulation: steps for a second. Default: the comparison's own")
       ->delimiter(',')
       ->type_name("NUMBER");
   command
       ->add_option(
           "--workloads", options.bench.workloads,
           "broad_phase: coherent, settled, flickering, ratio, clustered, teleport, still, announced; distance: "
-          "coherent, cold, each also _100 and _1000, once, once_overlapping, once_touching; impulse: generic, "
+          "coherent, cold, each also _100 and _1000, once, once_overlapping, once_touching; first_call: the queries; "
+          "impulse: generic, "
           "tiny_slip, friction_to_10, rods, levers, spheres, no_slip; pixel: masks, boxes, "
           "triangles, 16-gons; simulation: names of `touchstone list motions`. Default: all")
       ->delimiter(',')

@@ -304,6 +304,7 @@ Examples:
   ./touchstone bench broad_phase                                  everything: several minutes
   ./touchstone bench broad_phase --sizes 1000,10000 --workloads coherent,settled --rounds 9 --out coherent
   ./touchstone bench distance                                     time and error of each engine
+  ./touchstone bench first_call                                   every query of fast beside the exact reference
   ./touchstone bench impulse                                      work and precision of ways to compute an impact
   ./touchstone bench pixel                                        time of masks, and overlaps that sampling misses
   ./touchstone bench simulation --workloads bouncing_ball,gas     simulators; scenes: `touchstone list motions`
@@ -311,6 +312,8 @@ Examples:
 The launcher ./touchstone builds the comparison first; the program touchstone by itself only runs what is built.
 The engines run in turn, in slices of CPU time; a figure is the median of the rounds. An engine that cannot finish one
 frame within the time limit is left out, and named. The files are a table (.csv and .txt) and a plot (.svg).
+`first_call` has no plot: it asks both once and names each row in which fast is slower; a figure is the least of the
+rounds.
 
 Exit codes:
   0  done

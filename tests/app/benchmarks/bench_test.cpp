@@ -2,6 +2,7 @@
 
 #include "app/benchmarks/bench_plot.h"
 #include "app/benchmarks/bench_table.h"
+#include "app/benchmarks/first_call_table.h"
 #include "app/benchmarks/work_precision.h"
 #include "tests/catch.h"
 
@@ -66,6 +67,30 @@ TEST_CASE("bench: error against time as a plot, an exact answer below the axis")
   CHECK_THAT(plot, Catch::Contains(">engine.gjk<"));
   CHECK_THAT(plot, !Catch::Contains(">other<"));
   CHECK_THAT(plot, !Catch::Contains("nan"));
+}
+
+// Invented figures: one row is slower than the reference, one has a scene that is, and one has no scene at all.
+const std::string first_call_csv =
+    "query,scenes,questions,fast_ns,reference_ns,worst_ratio,left_out\n"
+    "mass,8,boxes.dyadic_gap,100,2000,0.1,\n"
+    "mass,8,hulls of 20 vertices: apart,4000,2000,2.5,of 8 scenes fast leaves 1 and the reference 0\n"
+    "impulse,8,contact.rods,500,1000,1.5,\n"
+    "impulse,8,contact.levers,,,,of 8 scenes fast leaves 0 and the reference 8\n";
+
+TEST_CASE("bench: questions asked once, and each row in which fast is slower than the reference") {
+  const std::string table = first_call_table(first_call_rows(first_call_csv));
+  CHECK_THAT(table, Catch::Contains("0.10       2.00     0.05     0.10"));
+  const auto above = table.find("Rows above 1"), near = table.find("with a scene above 1"),
+             out = table.find("Left out");
+  REQUIRE(above < near);
+  REQUIRE(near < out);
+  const std::string slower = table.substr(above, near - above), one_scene = table.substr(near, out - near);
+  CHECK_THAT(slower, Catch::Contains("hulls of 20 vertices: apart"));
+  CHECK_THAT(slower, !Catch::Contains("contact.rods"));
+  CHECK_THAT(one_scene, Catch::Contains("contact.rods"));
+  CHECK_THAT(one_scene, !Catch::Contains("boxes.dyadic_gap"));
+  CHECK_THAT(table.substr(out), Catch::Contains("contact.levers"));
+  CHECK_THAT(first_call_table({}), Catch::Contains("slower than the exact reference\nnone"));
 }
 
 }  // namespace
