@@ -11,9 +11,14 @@ namespace touchstone::fast {
 /// place, and on generic scenes what is slow runs seldom. Else a fault there would change no answer: the code is never
 /// run, or an exact fallback repairs what it did.
 enum class Mark : unsigned char {
+  balance_step,       ///< fast/contact/sparse/balance: a factorisation in the search for balance
+  centre_step,        ///< fast/simulation/simultaneous_impact: an impact tried at a centre of pressure
   climb,              ///< fast/bounds/climb: one polytope at one pose
   climb_step,         ///< a vertex left for a higher one
   climb_exact,        ///< an axis along which doubles could not decide
+  contact_newton,     ///< fast/contact/sparse/newton: a factorisation
+  contact_round,      ///< fast/contact/step: the contacts of a step solved for one guess of where bodies end
+  contact_sweep,      ///< fast/contact/solver: each contact relaxed once
   depth,              ///< fast/penetration/depth_bracket: one pair of convex bodies
   depth_exact,        ///< fast/penetration/exact_depth: a vertex added
   depth_step,         ///< a vertex difference asked for
@@ -21,6 +26,7 @@ enum class Mark : unsigned char {
   descent_step,       ///< a vertex difference added
   exact_proximity,    ///< fast/lin_canny/exact_proximity: a pair that doubles could not decide
   exact_step,         ///< fast/exact/nearest: a pair of vertices added
+  face_scan,          ///< fast/lin_canny/bracket: all vertices looked at, since no neighbour shows the highest
   grid_chain,         ///< fast/broad_phase/wrapped_grid: an entry put into a chain
   grid_layout,        ///< cells laid out
   grid_long_body,     ///< a body across more rows than a level has
@@ -39,16 +45,23 @@ enum class Mark : unsigned char {
   micro_bounces,      ///< fast/simulation/contact_event: bounces within the envelope, completed at once
   pixel_exact,        ///< fast/pixel: a pixel that doubles could not decide
   pixel_seen,         ///< a part that is projected
+  plane_step,         ///< fast/simulation/prediction/pair_time_of_impact: a step to where a plane is reached
+  proxy_candidate,    ///< fast/simulation/prediction/hash_grid: a body whose box is compared
+  proxy_query,        ///< for a body whose neighbours are asked for
   rest_phase,         ///< fast/simulation/rest: a phase of a contact in closed form that ends
   step_bounce,        ///< fast/constraint/stepper: contacts solved again, with restitution
   step_force,         ///< an applied force that begins
   step_shift,         ///< a position correction
+  toi_all_normals,    ///< fast/time_of_impact/separation_query: all normals of two parts tried
   toi_balls,          ///< fast/time_of_impact/advance: two bodies far apart, as balls
   toi_doubt,          ///< a time at which the two may have touched
   toi_parting,        ///< contact at the start, along another normal
   toi_query,          ///< a separation query
   toi_search,         ///< one pair of convex parts
+  toi_wait,           ///< a later time tried, since only rounding separates the two
+  tumble_step,        ///< fast/motion/tumble: a step of the series
   walk,               ///< fast/lin_canny/walk: one pair of convex parts
+  walk_in_doubles,    ///< slopes compared in doubles, since floats cannot tell
   walk_inside,        ///< a vertex found inside the other part
   walk_restart,       ///< continued from a far face that was no closer
   walk_step,          ///< a step to a neighbouring feature
@@ -59,7 +72,7 @@ using MarkCounts = std::array<std::uint64_t, static_cast<std::size_t>(Mark::coun
 
 /// Of the thread, since it began.
 constinit inline thread_local MarkCounts mark_counts{};
-/// Adds one to the count of a place.
-inline void mark(Mark place) { ++mark_counts[static_cast<std::size_t>(place)]; }
+/// Adds to the count of a place.
+inline void mark(Mark place, std::uint64_t times = 1) { mark_counts[static_cast<std::size_t>(place)] += times; }
 
 }  // namespace touchstone::fast

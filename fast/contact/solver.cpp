@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "fast/contact/active_set.h"
+#include "fast/mark.h"
 #include "model/infinity.h"
 
 namespace touchstone::fast::contact {
@@ -35,6 +36,7 @@ double relax(ContactRow& row, const std::vector<Mobility>& bodies, std::vector<T
 double greatest(const Twist& twist, const Vec3& arm) { return twist.v.norm() + twist.w.norm() * arm.norm(); }
 
 double sweep(std::vector<ContactRow>& rows, const std::vector<Mobility>& bodies, std::vector<Twist>& twists) {
+  mark(Mark::contact_sweep);
   double change = 0;
   for (ContactRow& row : rows) change = std::max(change, relax(row, bodies, twists));
   return change;

@@ -8,6 +8,7 @@
 #include "fast/contact/sparse/balance.h"
 #include "fast/contact/sparse/newton.h"
 #include "fast/lin_canny/rotation.h"
+#include "fast/mark.h"
 #include "fast/motion/quaternion.h"
 #include "fast/motion/steady_turn.h"
 
@@ -219,6 +220,7 @@ Stepped step(const std::vector<StepBody>& step_bodies, std::vector<ContactConstr
   std::vector<double> missed(constraints.size(), 0.0);
   double change = 0;
   for (int round = 0; round < most_rounds; ++round) {
+    mark(Mark::contact_round);
     for (std::size_t i = 0; i < constraints.size(); ++i) {
       const ContactConstraint& constraint = constraints[i];
       const Nearness after =

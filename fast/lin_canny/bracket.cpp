@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "fast/mark.h"
+
 namespace touchstone::fast::lin_canny {
 namespace {
 
@@ -27,6 +29,7 @@ double height(const PosedHull& P, const FeatureId& feature, const Vec3& n, bool 
       return std::max(n.dot(hull.vertex(e.tail)), n.dot(hull.vertex(e.head)));
     }
   }
+  mark(Mark::face_scan);
   return highest_of_all(hull, n);
 }
 

@@ -10,6 +10,7 @@ namespace {
 
 /// The slopes as doubles say, for edges whose slopes are the same or 0 as floats can tell.
 int steepest_in_doubles(const Hull& hull, int v, const Vec3& d) {
+  mark(Mark::walk_in_doubles);
   int steepest = -1;
   double most = 0;
   for (const Hull::Spokes& some : hull.spokes(v)) {

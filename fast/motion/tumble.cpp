@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "fast/lin_canny/rotation.h"
+#include "fast/mark.h"
 #include "fast/motion/quaternion.h"
 
 namespace touchstone::fast::motion {
@@ -129,6 +130,7 @@ Tumble::Now Tumble::within(double time) {
   const auto end = [](const Step& s) { return s.from + s.length; };
   while (steps_.empty() || end(steps_.back()) < time) {
     Step next = steps_.empty() ? step(0, start_) : step(end(steps_.back()), sum(steps_.back(), 1));
+    mark(Mark::tumble_step);
     grow_errors(next);
     steps_.push_back(next);
   }

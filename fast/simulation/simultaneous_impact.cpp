@@ -138,6 +138,7 @@ class PressureCentre {
 
   std::optional<Mean> mean_after(const Touch& at) const {
     const BodyMotion &a = run_->world.body(a_), &b = run_->world.body(b_);
+    mark(Mark::centre_step);
     const ImpactResult result = impact(a, at_a_, b, at_b_, at, coefficients_);
     if (!(result.u_n < 0)) return {};
     Mean mean;

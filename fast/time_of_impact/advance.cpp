@@ -93,6 +93,7 @@ class Advance {
     for (double h = first_wait(query);; h *= 2) {
       const double t = std::min(t_ + h, until_);
       lin_canny::FeaturePair memory = memory_;
+      mark(Mark::toi_wait);
       ++queries_;
       const SeparationQuery next(pair_, t, memory, known_);
       if (next.overlap(query)) return hit(query, t);

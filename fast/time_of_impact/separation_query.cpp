@@ -8,6 +8,7 @@
 #include "fast/lin_canny/bracket.h"
 #include "fast/lin_canny/parting_normals.h"
 #include "fast/lin_canny/surround.h"
+#include "fast/mark.h"
 #include "fast/time_of_impact/common_middle.h"
 
 namespace touchstone::fast::time_of_impact {
@@ -47,6 +48,7 @@ class Widest {
     for (int f = 0; f < B_.hull->face_count(); ++f) ask(-B_.turned_out(B_.hull->face(f).normal));
   }
   void ask_all() {
+    mark(Mark::toi_all_normals);
     lin_canny::any_parting_normal(A_, B_, [&](const Vec3& from_B) {
       ask(-from_B);
       return false;

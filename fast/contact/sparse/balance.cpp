@@ -5,6 +5,7 @@
 
 #include "fast/contact/sparse/friction_cone.h"
 #include "fast/contact/sparse/twist_system.h"
+#include "fast/mark.h"
 
 namespace touchstone::fast::contact {
 namespace {
@@ -65,6 +66,7 @@ class Search {
 
   bool bonded() {
     for (std::size_t i = 0; i < rows_.size(); ++i) derivatives_[i] = stiffness_[i] * Mat3::Identity();
+    mark(Mark::balance_step);
     system_.factor(bonded_share, derivatives_);
     std::vector<Vec3> P(rows_.size(), Vec3::Zero());
     for (int k = 0; k < most_corrections; ++k) {
@@ -115,6 +117,7 @@ class Search {
     for (int k = 0; k < most_newton_steps_of_balance; ++k) {
       const double size = system_.greatest_speed(system_.response(gradient));
       if (size <= newton_tolerance * greatest_) break;
+      mark(Mark::balance_step);
       system_.factor(share, derivatives_);
       const Vector step = system_.solve(gradient);
       const double slope = gradient.dot(step);

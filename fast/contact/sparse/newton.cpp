@@ -6,6 +6,7 @@
 #include "fast/contact/solver.h"
 #include "fast/contact/sparse/friction_cone.h"
 #include "fast/contact/sparse/twist_system.h"
+#include "fast/mark.h"
 #include "model/infinity.h"
 
 namespace touchstone::fast::contact {
@@ -118,6 +119,7 @@ class Newton {
     double size = evaluate(v, penalty, missing);
     for (int k = 0; k < most_newton_steps_of_round && size > within; ++k) {
       if (++factorisations_ > limits_.factorisations) return false;
+      mark(Mark::contact_newton);
       system_.factor(1, stiffness_);
       const Vector step = system_.solve(missing);
       double part = 1, next_size = infinity;
@@ -140,6 +142,7 @@ class Newton {
   /// rounding is relative to that. Keeps the result if its residual is at most half as large. Returns whether it is.
   bool polish(double penalty) {
     if (++factorisations_ > limits_.factorisations) return false;
+    mark(Mark::contact_newton);
     const std::vector<ContactRow> rows_before = rows_;
     const Vector v_before = v_;
     const double residual_before = residual_;

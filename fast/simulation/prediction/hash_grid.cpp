@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fast/mark.h"
+
 namespace touchstone::fast::simulation {
 namespace {
 
@@ -121,6 +123,8 @@ std::span<const BodyId> HashGrid::neighbours(BodyId id) {
   std::size_t size = 0, kept = 0;
   const Aabb& a = proxies_[id].box;
   for (const std::size_t used : used_) size = collect(level_[used], a, size);
+  mark(Mark::proxy_query);
+  mark(Mark::proxy_candidate, size);
   for (std::size_t i = 0; i < size; ++i) __builtin_prefetch(&proxies_[found_[i]]);
   for (std::size_t i = 0; i < size; ++i) {
     const BodyId other = found_[i];

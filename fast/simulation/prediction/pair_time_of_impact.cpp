@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "fast/lin_canny/nearest_parts.h"
+#include "fast/mark.h"
 #include "fast/rounding.h"
 #include "fast/simulation/prediction/length.h"
 #include "fast/simulation/range.h"
@@ -95,6 +96,7 @@ double equally_accelerated_balls(const BodyMotion& a, const BodyMotion& b, doubl
 double by_planes(const BodyMotion& a, const BodyMotion& b, double from, double until, double envelope, double margin) {
   double t = from;
   for (int step = 0; step < most_steps; ++step) {
+    mark(Mark::plane_step);
     const double unresolved = clearance(a, b, t, never), clear = std::min(envelope / 2, unresolved) + margin;
     const Nearest at = nearest(a, b, a.path().place(t), b.path().place(t));
     const Relative rate = relative(a, b, t);
