@@ -48,6 +48,7 @@ std::vector<Property> join() {
                             simulation_instant_properties,
                             simulation_same_run_properties,
                             simulation_exact_ball_properties,
+                            simulation_impulse_properties,
                             constraint_properties}) {
     for (Property& property : query()) joined.push_back(in_its_precision(std::move(property)));
   }

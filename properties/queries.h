@@ -30,6 +30,7 @@ std::vector<Property> simulation_together_properties();
 std::vector<Property> simulation_instant_properties();
 std::vector<Property> simulation_same_run_properties();
 std::vector<Property> simulation_exact_ball_properties();
+std::vector<Property> simulation_impulse_properties();
 std::vector<Property> constraint_properties();
 
 }  // namespace touchstone::properties

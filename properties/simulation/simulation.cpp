@@ -209,20 +209,38 @@ double rounded_way(Scene pair, double time, oracle::Precision precision) {
 }
 
 // Checks the contact at the reported poses, and at the poses that ballistic motion predicts where rounding permits it.
+Finding contact_of_impact(const TrajectoryCase& asked, const Event& event, const Scene& pair) {
+  const Scene there = oracle::pair_at(pair, event.time), reported = at_reported_poses(there, event);
+  const double way = rounded_way(pair, event.time, asked.precision);
+  Finding worst = counted(is_decisive(pair, way),
+                          in_contact(asked, event, reported, tolerance::distance(reported, asked.precision) + way));
+  const double slack = tolerance::moving_distance(pair, event.time, asked.precision);
+  if (worst.outcome == Outcome::holds) {
+    worse(worst, counted(is_decisive(pair, slack), in_contact(asked, event, there, slack)));
+  }
+  return worst;
+}
+
+// A contact that lasts is followed by steps, or in closed form after bounces: its gap may be a second envelope.
+Finding contact_that_lasts(const TrajectoryCase& asked, const Event& event, const Scene& pair) {
+  const Scene reported = at_reported_poses(pair, event);
+  return in_contact(asked, event, reported, envelope(asked.scene) + tolerance::distance(reported, asked.precision));
+}
+
 Finding contacts(const Scene& scene, Subject& subject) {
-  return of_struck_pairs(
-      scene, subject, [&](const TrajectoryCase& asked, const Event& event, const Scene& pair, const Scene& there) {
-        const Scene reported = at_reported_poses(there, event);
-        const double way = rounded_way(pair, event.time, asked.precision);
-        Finding worst =
-            counted(is_decisive(pair, way),
-                    in_contact(asked, event, reported, tolerance::distance(reported, asked.precision) + way));
-        const double slack = tolerance::moving_distance(pair, event.time, asked.precision);
-        if (worst.outcome == Outcome::holds) {
-          worse(worst, counted(is_decisive(pair, slack), in_contact(asked, event, there, slack)));
-        }
-        return worst;
-      });
+  return of_timeline(scene, subject, [&](const TrajectoryCase& asked, const Timeline& timeline) {
+    Finding worst = judge::outside("no impact of bodies in ballistic motion, and no contact that lasts");
+    for (std::size_t e = 0; e < asked.events(); ++e) {
+      const Event& event = (*asked.said.events)[e];
+      const bool lasts = event.kind == Kind::contact || event.kind == Kind::completed;
+      if (!lasts && event.kind != Kind::impact) continue;
+      const std::vector<Segment> segments = segments_into(timeline, asked.said, e);
+      if (!lasts && !std::ranges::all_of(segments, &Segment::ballistic)) continue;
+      const Scene pair = segment_scene(scene, segments, event.time);
+      if (worse(worst, lasts ? contact_that_lasts(asked, event, pair) : contact_of_impact(asked, event, pair))) break;
+    }
+    return worst;
+  });
 }
 
 /// The impact that an event reports, with the velocities at the end of both segments. e and mu are the lesser ones of
@@ -468,7 +486,7 @@ std::vector<Property> simulation_properties() {
       {"simulation.contacts",
        query,
        {clause + "5"},
-       "at an impact the bodies are in contact, and its point and normal are right",
+       "at an impact, and where a contact begins, the bodies touch, and point and normal are right",
        contacts},
       {"simulation.impulses",
        query,

@@ -70,6 +70,7 @@ const std::vector<Caught> caught = {
     {"canary.sticky_together", "simulation.together_pushes", "runs.together", 0},
     {"canary.damped_together", "simulation.together_energy", "runs.cradle", 0},
     {"canary.kicks_together", "simulation.together_energy", "runs.together", 0},
+    {"canary.sums_up_the_last", "simulation.impulses_add_up", "runs.bouncing", 0},
     {"canary.nanometre", "simulation.scaled", "runs.ties", 0},
     {"canary.carries_air", "simulation.heavier", "runs.solids", 0},
     {"canary.rounded_by_samples", "simulation.sampled", "runs.ties", 0},

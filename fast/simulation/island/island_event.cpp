@@ -77,13 +77,13 @@ bool try_closed_form(Run& run, const ContactGraph& graph) {
   const ContactPair& pair = graph.contact_pairs().front();
   const Vec3 towards = body.id == pair.a ? pair.nhat_BA_W : Vec3(-pair.nhat_BA_W);
   const RestCandidate candidate{body.id, on.id, towards, without_normal(*on.body, body.state(), towards)};
-  const Vec3 v_before = body.state().velocity.v_WBcm;
   World& world = run.world;
   world.body(candidate.id).restart(world.now(), candidate.state, world.acceleration(candidate.id));
   const std::optional<RestingContact> rest = closed_form_rest(world, candidate, 1);
   if (!rest) return false;
   run.islands.take(candidate.id);
-  start_rest(run, candidate, *rest, v_before);
+  // No impulse: contacts of islands report none, so there is none since the body's last event to which this would add.
+  start_rest(run, candidate, *rest, rest->start.velocity.v_WBcm);
   return true;
 }
 
