@@ -68,7 +68,7 @@ class Report(Test):
                 self.assertTrue((self.runs / "once" / row["case"]).is_file(), row)
             if row["subject"] in ("reference", "fast"):
                 self.assertFalse(failing, row)
-        named = {row["case"] for row in self.report["rows"] if row.get("case")}
+        named = {row["case"] for row in [*self.report["rows"], *self.report["beyond"]] if row.get("case")}
         self.assertEqual(named, {"cases/" + p.name for p in (self.runs / "once/cases").iterdir()})
         self.assertGreater(len(named), 5)
 
@@ -154,9 +154,9 @@ class Commands(Test):
             self.assertIn(finding["why"], done.stdout)
 
     def test_they_run_from_anywhere(self):
-        for subject, limit, cases in [("bullet.float", 1, 30), ("exec:python3 engines/engine.py none \"it's $HOME\"", 1, 3),
+        for subject, limit, cases in [("fcl.indep", 1, 30), ("exec:python3 engines/engine.py none \"it's $HOME\"", 1, 3),
                                       ("exec:python3 engines/engine.py hangs", 0.3, 1), (f"exec:'{CANARY}' canary.nan", 1, 3)]:
-            if subject == "bullet.float" and "bullet.float" not in self.succeeds("list", "subjects"):
+            if subject == "fcl.indep" and "fcl.indep" not in self.succeeds("list", "subjects"):
                 continue
             with self.subTest(subject):
                 for command in self.told_commands("check", "--subjects", subject, "--time-limit", limit, cases=cases):
