@@ -41,7 +41,7 @@ inline constexpr int most_hangs = 3;
 
 /// The standard effort tests one subject on 1,456,000 impacts. 5 of the 16 families of contacts are stiff (tiny_slip,
 /// on_the_cone, mass_ratios, levers, jamming): 455,000 impacts; the other 1,001,000 are not. Its numbers for several
-/// subjects are chosen so that 57 engines and modes take 20 to 25 minutes on two processors.
+/// subjects are chosen so that 58 engines and modes take less than 25 minutes on two processors.
 inline const std::vector<Effort>& efforts() {
   static const std::vector<Effort> all = {
       {.name = "quick",
