@@ -8,11 +8,11 @@
 
 #include "model/sequence.h"
 #include "oracle/judge/words.h"
-#include "oracle/tolerance/tolerance.h"
 #include "oracle/truth/truth.h"
 #include "properties/cases/pair_sets.h"
 #include "properties/judging/asking.h"
 #include "properties/judging/declared_boxes.h"
+#include "properties/judging/missed_pairs.h"
 #include "properties/queries.h"
 #include "properties/transforms/scene.h"
 
@@ -23,7 +23,6 @@ using oracle::Defect;
 using oracle::Finding;
 using oracle::Subject;
 namespace judge = oracle::judge;
-namespace tolerance = oracle::tolerance;
 namespace truth = oracle::truth;
 namespace words = oracle::words;
 
@@ -48,7 +47,7 @@ reference::Rational gap(const Scene& scene, const Pair& pair) {
 // A pair whose exact boxes are no farther apart than this may be reported. It is the rounding allowance of both boxes
 // plus the declared margin (m).
 double reach(const Scene& scene, const oracle::Card& card) {
-  return 2 * tolerance::bounds(scene, card.precision) + card.broad_phase_margin;
+  return rounding_of_a_pair(scene, card.precision) + card.broad_phase_margin;
 }
 
 // Agreement with the exact answer
@@ -57,13 +56,9 @@ Finding misses_none(const Scene& scene, Subject& subject) {
   return of_pairs(scene, subject, [&](const PairSet& said) {
     const PairSet missed = without(truth::broad_phase(scene), as_set(said, scene));
     if (missed.empty()) return judge::holds();
-    double deepest = 0;  // boxes that only touch overlap by 0 and still count as missed
+    double deepest = 0;
     for (const Pair& pair : missed) deepest = std::max(deepest, -gap(scene, pair).nearest());
-    Finding finding = judge::wrong_by(deepest, judge::in_ulps(scene, subject.card(), 0), Defect::missed,
-                                      "without " + words::text(missed), "every pair whose closed boxes intersect");
-    finding.margin = Interval{deepest, deepest};
-    finding.rounding = rounding_of_a_pair(scene, subject.card().precision);
-    return finding;
+    return missed_pairs(scene, subject.card(), deepest, "without " + words::text(missed));
   });
 }
 

@@ -6,11 +6,11 @@
 
 #include "model/sequence.h"
 #include "oracle/judge/words.h"
-#include "oracle/tolerance/tolerance.h"
 #include "oracle/truth/truth.h"
 #include "properties/cases/pair_sets.h"
 #include "properties/judging/asking.h"
 #include "properties/judging/declared_boxes.h"
+#include "properties/judging/missed_pairs.h"
 #include "properties/queries.h"
 #include "properties/transforms/scene.h"
 
@@ -21,7 +21,6 @@ using oracle::Defect;
 using oracle::Finding;
 using oracle::Subject;
 namespace judge = oracle::judge;
-namespace tolerance = oracle::tolerance;
 namespace truth = oracle::truth;
 namespace words = oracle::words;
 
@@ -43,7 +42,7 @@ std::string in_frame(std::size_t f, const std::string& what) { return "frame " +
 /// them.
 judge::Allowance reach(const Scene& sequence, std::size_t f, const oracle::Card& card) {
   const Scene scene = snapshot(sequence, f);
-  return judge::in_ulps(scene, card, 2 * tolerance::bounds(scene, card.precision) + card.broad_phase_margin);
+  return judge::in_ulps(scene, card, rounding_of_a_pair(scene, card.precision) + card.broad_phase_margin);
 }
 
 bool both_there(const reference::FrameBoxes& boxes, const Pair& pair) {
@@ -64,14 +63,10 @@ Finding misses_none(const Scene& sequence, Subject& subject) {
     for (std::size_t f = 0; f < said.size(); ++f) {
       const PairSet missed = without(truth[f].pairs, as_set(said[f].pairs, sequence));
       if (missed.empty()) continue;
-      double deepest = 0;  // boxes that only touch overlap by 0 and still count as missed
+      double deepest = 0;
       for (const Pair& pair : missed) deepest = std::max(deepest, -gap(truth::sequence_bounds(sequence)[f], pair));
-      Finding finding =
-          judge::wrong_by(deepest, judge::in_ulps(snapshot(sequence, f), subject.card(), 0), Defect::missed,
-                          in_frame(f, "without " + words::text(missed)), "every pair whose closed boxes intersect");
-      finding.margin = Interval{deepest, deepest};
-      finding.rounding = rounding_of_a_pair(snapshot(sequence, f), subject.card().precision);
-      return finding;
+      return missed_pairs(snapshot(sequence, f), subject.card(), deepest,
+                          in_frame(f, "without " + words::text(missed)));
     }
     return judge::holds();
   });

@@ -4,7 +4,6 @@
 
 #include "model/box_vertices.h"
 #include "model/infinity.h"
-#include "oracle/tolerance/tolerance.h"
 #include "oracle/truth/truth.h"
 
 namespace touchstone::properties {
@@ -73,10 +72,6 @@ Scene boxed(Scene scene, oracle::BoxKind kind) {
     if (const Compound* compound = std::get_if<Compound>(&body.shape)) body.shape = Shape(box_about(*compound));
   }
   return scene;
-}
-
-double rounding_of_a_pair(const Scene& scene, oracle::Precision precision) {
-  return 2 * oracle::tolerance::bounds(scene, precision) / oracle::tolerance::ulp(scene, precision);
 }
 
 bool is_free(bool least_apart, double declared_gap, double reach, const oracle::Card& card) {

@@ -16,8 +16,4 @@ Scene boxed(Scene scene, oracle::BoxKind kind);
 /// declared_gap (m): negative for boxes that overlap.
 bool is_free(bool least_apart, double declared_gap, double reach, const oracle::Card& card);
 
-/// By how many ulps of the scene's scale two boxes may overlap and yet be apart as computed, by rounding alone: a pair
-/// that is missed for that fails with the grade A-.
-double rounding_of_a_pair(const Scene& scene, oracle::Precision precision);
-
 }  // namespace touchstone::properties
