@@ -5,7 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <sstream>
+
+#include "app/benchmarks/csv_fields.h"
 
 namespace touchstone::app {
 namespace {
@@ -127,14 +128,7 @@ std::string counted_text(const std::vector<BenchRow>& rows) {
 
 std::vector<BenchRow> bench_rows(const std::string& csv) {
   std::vector<BenchRow> rows;
-  std::istringstream lines(csv);
-  std::string line;
-  std::getline(lines, line);
-  while (std::getline(lines, line)) {
-    std::vector<std::string> fields;
-    std::istringstream in(line);
-    for (std::string field; std::getline(in, field, ',');) fields.push_back(field);
-    fields.resize(8);
+  for (const std::vector<std::string>& fields : csv_fields(csv, 8)) {
     BenchRow row{fields[0], std::stoul(fields[1]), fields[2], fields[3] == "peer", fields[4], {}, 0, fields[7]};
     if (!fields[5].empty()) row.ns = std::stod(fields[5]);
     if (!fields[6].empty()) row.count = std::stod(fields[6]);

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <sstream>
+#include "app/benchmarks/csv_fields.h"
 
 namespace touchstone::app {
 namespace {
@@ -37,14 +37,7 @@ std::string left_out_text(const std::vector<FirstCall>& rows) {
 
 std::vector<FirstCall> first_call_rows(const std::string& csv) {
   std::vector<FirstCall> rows;
-  std::istringstream lines(csv);
-  std::string line;
-  std::getline(lines, line);
-  while (std::getline(lines, line)) {
-    std::vector<std::string> fields;
-    std::istringstream in(line);
-    for (std::string field; std::getline(in, field, ',');) fields.push_back(field);
-    fields.resize(7);
+  for (const std::vector<std::string>& fields : csv_fields(csv, 7)) {
     FirstCall row{fields[0], fields[1], fields[2], {}, {}, 0, fields[6]};
     if (!fields[3].empty()) {
       row.fast_ns = std::stod(fields[3]);

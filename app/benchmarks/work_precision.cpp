@@ -4,7 +4,8 @@
 
 #include <algorithm>
 #include <map>
-#include <sstream>
+
+#include "app/benchmarks/csv_fields.h"
 
 namespace touchstone::app {
 namespace {
@@ -104,14 +105,7 @@ std::optional<double> number(const std::string& field) {
 
 std::vector<WorkPrecision> work_precision_rows(const std::string& csv) {
   std::vector<WorkPrecision> rows;
-  std::istringstream lines(csv);
-  std::string line;
-  std::getline(lines, line);
-  while (std::getline(lines, line)) {
-    std::vector<std::string> fields;
-    std::istringstream in(line);
-    for (std::string field; std::getline(in, field, ',');) fields.push_back(field);
-    fields.resize(8);
+  for (const std::vector<std::string>& fields : csv_fields(csv, 8)) {
     rows.push_back({fields[0], fields[1], fields[2], fields[3], number(fields[4]), number(fields[5]), number(fields[6]),
                     fields[7]});
   }
