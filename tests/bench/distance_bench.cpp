@@ -7,11 +7,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <ctime>
 #include <string>
 
 #include "reference/distance.h"
 #include "tests/bench/command_line.h"
+#include "tests/bench/cpu_time.h"
 #include "tests/bench/distance/contestant.h"
 
 namespace touchstone::bench {
@@ -28,12 +28,6 @@ struct Runner {
 constexpr std::size_t frame_count = 2000;
 constexpr std::size_t judged_frames = 200;
 constexpr double scale = 5;
-
-double cpu_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 double median(std::vector<double> values) {
   std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());

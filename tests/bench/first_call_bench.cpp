@@ -6,23 +6,17 @@
 // the two times of one scene. Scenes that one of the two does not answer, or not to the end, are left out and counted.
 #include <algorithm>
 #include <cstdio>
-#include <ctime>
 #include <exception>
 
 #include "model/infinity.h"
 #include "tests/bench/command_line.h"
+#include "tests/bench/cpu_time.h"
 #include "tests/bench/first_call/questions.h"
 
 namespace touchstone::bench {
 namespace {
 
 constexpr double most_seconds = 2;  // of CPU time a row; a round that has begun is finished
-
-double cpu_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 /// The least time of a scene (s) by each of the two.
 struct Least {

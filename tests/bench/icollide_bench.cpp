@@ -4,8 +4,6 @@
 // Prints CSV: varied,value,bounds,strategy,bodies,boxes_ns,broad_ns,near_pairs,narrow_ns,frame_us,frames_per_second.
 // boxes_ns and broad_ns are per body and frame, near_pairs (pairs of boxes) per body. narrow_ns is per near pair: it is
 // measured on the cubes' pairs with cached closest features, and used for the tight boxes' pairs as well.
-#include <time.h>
-
 #include <cstdio>
 #include <memory>
 #include <set>
@@ -15,6 +13,7 @@
 #include "fast/bounds/tight_box.h"
 #include "fast/broad_phase/strategies.h"
 #include "fast/collider.h"
+#include "tests/bench/cpu_time.h"
 #include "tests/bench/icollide/world.h"
 
 namespace touchstone::bench {
@@ -23,17 +22,11 @@ namespace {
 constexpr int warm_frames = 10;
 constexpr int frames = 60;
 
-double cpu_ns() {
-  timespec t{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return 1e9 * static_cast<double>(t.tv_sec) + static_cast<double>(t.tv_nsec);
-}
-
 template <class Work>
 double timed(Work&& work) {
-  const double start = cpu_ns();
+  const double start = cpu_seconds();
   work();
-  return cpu_ns() - start;
+  return 1e9 * (cpu_seconds() - start);
 }
 
 /// One kind of bounds with one strategy, and its cost so far.

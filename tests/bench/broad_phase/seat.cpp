@@ -7,8 +7,9 @@
 #include <algorithm>
 #include <array>
 #include <csignal>
-#include <ctime>
 #include <stdexcept>
+
+#include "tests/bench/cpu_time.h"
 
 namespace touchstone::bench {
 namespace {
@@ -19,13 +20,6 @@ struct Round {
   double ns = 0;
   double pairs_per_body = 0;
 };
-
-/// CPU time of the only thread: with RLIMIT_CPU set, the clock of the process has the resolution of a tick.
-double cpu_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 class Player {
  public:
