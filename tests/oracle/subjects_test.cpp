@@ -318,6 +318,22 @@ TEST_CASE("oracle: impulse: masses by density, centres of mass off the origin") 
   expect_impulse(scene, {Velocity{{0, 0, -2 + 4.0 / 3}, {0, 8.0 / 3, 0}}, {}});
 }
 
+// The two do not approach, so nothing changes. In a step of 2⁻¹⁰⁰ s the body would turn by 0.02 rad.
+TEST_CASE("oracle: impulse: Simbody's step turns no body, however fast it spins") {
+  Body spinning = body(Box{{1, 2, 1}}, {0, 0, 0});
+  spinning.velocity.w_WB = {0, 0x1p94, 0x1p93};
+  Body fixed = body(Sphere{1}, {0, 0, 0});
+  fixed.mass = Fixed{};
+  Scene scene = pair(spinning, fixed);
+  scene.contact = Contact{{0, 0, 0}, {0, 0, 1}, Law::poisson, 0, 0};
+  for (const auto& subject : answering("impulse")) {
+    CAPTURE(subject->card().name);
+    if (subject->card().name != "simbody.poisson") continue;
+    const Vec3 change = said(subject->impulse(scene)).after[0].w_WB - spinning.velocity.w_WB;
+    CHECK(change.norm() <= 0x1p-50 * spinning.velocity.w_WB.norm());
+  }
+}
+
 TEST_CASE("a subject in Python") {
   const auto subject = connect("exec:python3 '" TOUCHSTONE_SOURCE "/oracle/subjects/python/sphere_engine.py'", "");
   const Distance spheres = said(subject->distance(pair(body(Sphere{1}, {13, 24, 5}), body(Sphere{2}, {10, 20, 5}))));

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "oracle/judge/grade.h"
 #include "oracle/subjects/canaries/canaries.h"
 #include "properties/property.h"
 #include "properties/scenes/domain.h"
@@ -128,4 +129,13 @@ TEST_CASE("each canary about simulations and constraints is caught on a drawn sc
     INFO(canary.id);
     CHECK((!is_about_runs(canary) || names.contains(canary.id)));
   }
+}
+
+// The canary moves a body by 10⁻¹² m: a difference of rounding is not graded as one of a metre.
+TEST_CASE("simulation.bystanders: the error is how far a body is moved") {
+  const auto subject = oracle::subjects::canary("canary.crowded").make(tests::truthful());
+  const Scene scene = draw(family("runs.on_a_table"), 1, 0);
+  const oracle::Finding finding = properties::find("simulation.bystanders").check(scene, *subject);
+  CHECK(finding.error > 0);
+  CHECK(oracle::grade(finding) < oracle::Grade::D);
 }
