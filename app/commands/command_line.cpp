@@ -537,8 +537,7 @@ void add_bench(CLI::App& program, Options& options) {
           "--workloads", options.bench.workloads,
           "broad_phase: coherent, settled, flickering, ratio, clustered, teleport, still, announced; distance: "
           "coherent, cold, each also _100 and _1000, once, once_overlapping, once_touching; first_call: the queries; "
-          "impulse: generic, "
-          "tiny_slip, friction_to_10, rods, levers, spheres, no_slip; pixel: masks, boxes, "
+          "impulse: generic, tiny_slip, friction_to_10, rods, levers, spheres, no_slip; pixel: masks, boxes, "
           "triangles, 16-gons; simulation: names of `touchstone list motions`. Default: all")
       ->delimiter(',')
       ->type_name("WORKLOAD");

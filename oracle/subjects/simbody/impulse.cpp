@@ -13,8 +13,7 @@ class SimbodyImpulse : public Subject {
     card_.answers = {"impulse"};
     card_.about =
         "SemiExplicitEulerTimeStepper over one PointPlaneContact (the plane is B's) by a step in which no body turns "
-        "by "
-        "more than 2^-100 rad, PLUS impulse solver, " +
+        "by more than 2^-100 rad, PLUS impulse solver, " +
         law + "'s restitution, constraint tolerance 2^-40 of the greatest speed at C, no position projection";
     card_.homepage = "https://github.com/simbody/simbody";
   }
