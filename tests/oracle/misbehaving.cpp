@@ -34,8 +34,8 @@ void spin() {
 }
 
 void flood() {
-  const std::string line(99, 'x');
-  for (int i = 0; i < 100000; ++i) std::fprintf(stderr, "%s\n", line.c_str());
+  const std::string line(9999, 'x');
+  for (int i = 0; i < 1000; ++i) std::fprintf(stderr, "%s\n", line.c_str());
 }
 
 /// Sets flush-to-zero and denormals-are-zero, as a library built with -ffast-math does.
