@@ -9,6 +9,7 @@
 #include "model/input_error.h"
 #include "oracle/query.h"
 #include "oracle/rotation.h"
+#include "oracle/subject.h"
 #include "oracle/subjects/touchstone/fast.h"
 #include "oracle/subjects/touchstone/reference.h"
 #include "reference/validity.h"

@@ -19,6 +19,7 @@
 #include "model/input_error.h"
 #include "model/json.h"
 #include "model/near_names.h"
+#include "oracle/subject.h"
 #include "oracle/subjects/touchstone/fast.h"
 #include "properties/property.h"
 

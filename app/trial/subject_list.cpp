@@ -6,6 +6,7 @@
 #include "app/system/program_folder.h"
 #include "model/input_error.h"
 #include "model/near_names.h"
+#include "oracle/subject.h"
 #include "oracle/subjects/touchstone/fast.h"
 #include "oracle/subjects/touchstone/reference.h"
 
@@ -24,7 +25,7 @@ void add_names(const std::string& words, std::vector<std::string>& names) {
 oracle::PipeLimits limits_of(double time_limit, double simulation_factor) {
   oracle::PipeLimits limits;
   limits.cpu_seconds = time_limit;
-  limits.wall_seconds = 10 * time_limit;
+  limits.wall_seconds = std::max(10.0, 10 * time_limit);  // on a busy machine a program takes seconds to start
   limits.simulation_factor = simulation_factor;
   limits.given_up = interrupted;
   return limits;

@@ -12,7 +12,7 @@
 namespace touchstone::app {
 
 /// The limits from a time limit of CPU time per query, s: `simulation_factor` times as much for a trajectory, and in
-/// wall-clock time ten times that, for a subject that sleeps.
+/// wall-clock time ten times that, and 10 s at least, for a subject that sleeps.
 oracle::PipeLimits limits_of(double time_limit, double simulation_factor = patient_simulation_factor);
 
 /// Connects to NAME (a program beside this one), exec:COMMAND LINE, or inproc:reference or inproc:fast. Throws

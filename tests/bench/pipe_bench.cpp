@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "oracle/process/pipe.h"
+#include "oracle/subject.h"
 #include "oracle/subjects/libccd/libccd.h"
 #include "reference/validity.h"
 

@@ -10,6 +10,7 @@
 
 #include "app/motion/motion_scenes.h"
 #include "fast/simulation.h"
+#include "oracle/subject.h"
 #include "oracle/subjects/bullet/simulation.h"
 #include "oracle/subjects/ode/simulation.h"
 #include "oracle/subjects/simbody/simulation.h"
@@ -82,7 +83,7 @@ const std::vector<Stepper>& steppers() {
       {"bullet.tuned", [](double dt) { return make_bullet_simulation("simulation_tuned", dt); }},
       {"ode", [](double dt) { return make_ode_simulation("simulation", dt); }},
       {"ode.quick", [](double dt) { return make_ode_simulation("simulation_quick", dt); }},
-      {"simbody", make_simbody_simulation},
+      {"simbody", [](double dt) { return make_simbody_simulation(dt); }},
   };
   return all;
 }

@@ -12,6 +12,7 @@
 
 #include "model/input_error.h"
 #include "oracle/case.h"
+#include "oracle/subject.h"
 #include "oracle/subjects/touchstone/fast.h"
 #include "oracle/subjects/touchstone/reference.h"
 #include "properties/fuzzing/recipe.h"

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "oracle/case.h"
+#include "oracle/subject.h"
 #include "oracle/subjects/touchstone/fast.h"
 #include "oracle/subjects/touchstone/reference.h"
 #include "oracle/truth/truth.h"

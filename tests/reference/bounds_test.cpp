@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <array>
 
-#include "reference/convex_hull.h"
 #include "tests/catch.h"
+#include "tests/reference/cuboid.h"
 #include "tests/reference/hard_pairs.h"
 
 namespace touchstone::reference {
 namespace {
 
+using tests::cuboid;
 using tests::Dice;
 using Row = std::array<long long, 3>;
 
@@ -18,13 +19,6 @@ void require_equal(const ExactBox& a, const ExactBox& b) {
     REQUIRE(a.lo[i] == b.lo[i]);
     REQUIRE(a.hi[i] == b.hi[i]);
   }
-}
-
-Polytope cuboid(const Vec3& h) {
-  std::vector<Vec3> corners;
-  for (int i = 0; i < 8; ++i)
-    corners.emplace_back(i & 1 ? h.x() : -h.x(), i & 2 ? h.y() : -h.y(), i & 4 ? h.z() : -h.z());
-  return convex_hull(corners);
 }
 
 /// |q|² R(q) in integers, by columns q e q*, so that it shares no formula with the code under test.

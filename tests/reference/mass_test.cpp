@@ -4,22 +4,17 @@
 
 #include "reference/convex_hull.h"
 #include "tests/catch.h"
+#include "tests/reference/cuboid.h"
 #include "tests/reference/hard_pairs.h"
 
 namespace touchstone::reference {
 namespace {
 
+using tests::cuboid;
 using tests::Dice;
 
 bool same(const SolidTruth::Value& a, const SolidTruth::Value& b) {
   return a.rational == b.rational && a.pi_multiple == b.pi_multiple;
-}
-
-Polytope cuboid(const Vec3& h) {
-  std::vector<Vec3> corners;
-  for (int i = 0; i < 8; ++i)
-    corners.emplace_back(i & 1 ? h.x() : -h.x(), i & 2 ? h.y() : -h.y(), i & 4 ? h.z() : -h.z());
-  return convex_hull(corners);
 }
 
 Compound posed(const ConvexShape& shape, const Vec3& p, const Quaternion& q = {}) {

@@ -7,6 +7,7 @@
 
 #include "reference/simultaneous.h"
 #include "tests/catch.h"
+#include "tests/reference/exact_text.h"
 #include "tests/reference/moving_scenes.h"
 
 namespace touchstone::tests {
@@ -16,8 +17,6 @@ using reference::all_rounds;
 using reference::AllRounds;
 using reference::ContactRegion;
 using reference::ExactVec3;
-
-std::string text(const ExactVec3& v) { return v[0].text() + ", " + v[1].text() + ", " + v[2].text(); }
 
 /// Bodies, and the regions at which they touch. Only masses, velocities, poses and materials of the bodies matter.
 struct Impacts {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tests/catch.h"
+#include "tests/reference/exact_text.h"
 #include "tests/reference/moving_scenes.h"
 
 // Expected values are fractions that were computed on paper.
@@ -17,8 +18,6 @@ using reference::compression;
 using reference::ContactRegion;
 using reference::ExactVec3;
 using reference::RegionImpulse;
-
-std::string text(const ExactVec3& v) { return v[0].text() + ", " + v[1].text() + ", " + v[2].text(); }
 
 /// A cube of half side 1 and mass 1 with moments 1 on a table. u = v_z + y w_x - x w_y at its bottom.
 Scene cube_on_table(const Velocity& V) {

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "model/sequence.h"
+#include "oracle/subject.h"
 #include "oracle/subjects/bullet/input.h"
 #include "oracle/subjects/common/broad_phase_world.h"
 

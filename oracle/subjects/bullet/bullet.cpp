@@ -9,6 +9,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "oracle/subject.h"
 #include "oracle/subjects/bullet/input.h"
 #include "oracle/subjects/bullet/snippet.h"
 

@@ -7,6 +7,7 @@
 
 #include <stdexcept>
 
+#include "oracle/subject.h"
 #include "oracle/subjects/bullet/input.h"
 #include "oracle/subjects/common/cast.h"
 

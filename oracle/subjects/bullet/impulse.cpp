@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "oracle/subject.h"
 #include "oracle/subjects/bullet/input.h"
 #include "oracle/subjects/common/impact_input.h"
 

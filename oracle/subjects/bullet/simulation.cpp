@@ -5,6 +5,7 @@
 #include <Eigen/Eigenvalues>
 #include <cmath>
 
+#include "oracle/subject.h"
 #include "oracle/subjects/bullet/input.h"
 #include "oracle/subjects/common/impact_input.h"
 #include "oracle/subjects/common/simulation_world.h"
@@ -219,6 +220,10 @@ class BulletSimulation : public Subject {
 };
 
 }  // namespace
+
+std::unique_ptr<Subject> make_bullet_simulation(const std::string& settings) {
+  return make_bullet_simulation(settings, 1.0 / 256);
+}
 
 std::unique_ptr<Subject> make_bullet_simulation(const std::string& settings, double dt) {
   return std::make_unique<BulletSimulation>(settings, dt);

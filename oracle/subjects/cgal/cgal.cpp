@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "oracle/subject.h"
 #include "oracle/subjects/common/broad_phase_world.h"
 #include "oracle/truth/truth.h"
 

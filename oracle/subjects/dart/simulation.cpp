@@ -10,6 +10,7 @@
 #include <dart/dynamics/WeldJoint.hpp>
 #include <dart/simulation/World.hpp>
 
+#include "oracle/subject.h"
 #include "oracle/subjects/common/impact_input.h"
 #include "oracle/subjects/common/simulation_world.h"
 
@@ -141,6 +142,8 @@ class DartSimulation : public Subject {
 };
 
 }  // namespace
+
+std::unique_ptr<Subject> make_dart_simulation() { return make_dart_simulation(1.0 / 256); }
 
 std::unique_ptr<Subject> make_dart_simulation(double dt) { return std::make_unique<DartSimulation>(dt); }
 

@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "oracle/subject.h"
 #include "oracle/subjects/common/cast.h"
 #include "oracle/subjects/fcl/input.h"
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "oracle/subject.h"
 #include "oracle/subjects/fcl/input.h"
 #include "oracle/subjects/fcl/snippet.h"
 

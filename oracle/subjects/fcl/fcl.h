@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "oracle/subject.h"
+#include "oracle/subject_fwd.h"
 
 namespace touchstone::oracle::subjects {
 

@@ -13,6 +13,7 @@
 #include <numeric>
 
 #include "model/input_error.h"
+#include "oracle/subject.h"
 #include "oracle/subjects/common/broad_phase_world.h"
 #include "oracle/subjects/fcl/input.h"
 #include "oracle/tolerance/tolerance.h"
@@ -24,9 +25,11 @@ using namespace in_fcl;
 using Manager = std::unique_ptr<::fcl::BroadPhaseCollisionManagerd>;
 using Object = ::fcl::CollisionObjectd;
 
+/// The spatial hash calls back for all objects that share a cell or a key, however far apart: a callback is expected to
+/// look closer. The other managers have compared the boxes, so for them the comparison changes nothing.
 bool note_pair(Object* a, Object* b, void* pairs) {
   const auto name = [](const Object* object) { return *static_cast<const int*>(object->getUserData()); };
-  static_cast<PairSet*>(pairs)->push_back(std::minmax(name(a), name(b)));
+  if (a->getAABB().overlap(b->getAABB())) static_cast<PairSet*>(pairs)->push_back(std::minmax(name(a), name(b)));
   return false;  // continue the traversal
 }
 
@@ -86,7 +89,7 @@ Manager made(const Scene&) {
 }
 
 /// The user chooses the cell size and the world's extent: here, a cell as large as the largest body, and a world that
-/// contains all bodies.
+/// contains all bodies. SpatialHash numbers the cells in 32 bits, so there are some 2⁹ at most along an axis.
 Manager spatial_hash(const Scene& scene) {
   double radius = 0, furthest = 0;
   for (const Body& body : scene.bodies) {
@@ -98,7 +101,7 @@ Manager spatial_hash(const Scene& scene) {
       if (placement.X_WB) furthest = std::max(furthest, placement.X_WB->p_WB.cwiseAbs().maxCoeff());
     }
   }
-  const double cell = radius > 0 ? 2 * radius : 1;
+  const double cell = radius > 0 ? std::max(2 * radius, furthest / 0x1p8) : 1;
   const Vec3 corner = Vec3::Constant(furthest + cell);
   return std::make_unique<::fcl::SpatialHashingCollisionManager<double>>(cell, -corner, corner);
 }
@@ -114,7 +117,10 @@ const std::map<std::string, Entry>& managers() {
       {"sap", {"SaPCollisionManager", made<::fcl::SaPCollisionManagerd>}},
       {"ssap", {"SSaPCollisionManager", made<::fcl::SSaPCollisionManagerd>}},
       {"interval_tree", {"IntervalTreeCollisionManager", made<::fcl::IntervalTreeCollisionManagerd>}},
-      {"spatial_hash", {"SpatialHashingCollisionManager, a cell as large as the largest body", spatial_hash}},
+      {"spatial_hash",
+       {"SpatialHashingCollisionManager, a cell as large as the largest body or 1/512 of the world, boxes compared in "
+        "the callback",
+        spatial_hash}},
       {"dynamic_tree", {"DynamicAABBTreeCollisionManager", made<::fcl::DynamicAABBTreeCollisionManagerd>}},
       {"dynamic_tree_array",
        {"DynamicAABBTreeCollisionManager_Array", made<::fcl::DynamicAABBTreeCollisionManager_Array<double>>}}};

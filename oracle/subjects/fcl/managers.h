@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "oracle/subject.h"
+#include "oracle/subject_fwd.h"
 
 namespace touchstone::oracle::subjects {
 

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "model/box_vertices.h"
+#include "oracle/subject.h"
 #include "oracle/subjects/common/engine.h"
 #include "oracle/subjects/libccd/snippet.h"
 

@@ -1,5 +1,6 @@
 #include "oracle/subjects/ode/impulse.h"
 
+#include "oracle/subject.h"
 #include "oracle/subjects/ode/input.h"
 
 namespace touchstone::oracle::subjects {

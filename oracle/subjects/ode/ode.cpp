@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <variant>
 
+#include "oracle/subject.h"
 #include "oracle/subjects/common/broad_phase_world.h"
 #include "oracle/subjects/ode/input.h"
 

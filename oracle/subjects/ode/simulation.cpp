@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "oracle/subject.h"
 #include "oracle/subjects/common/simulation_world.h"
 #include "oracle/subjects/ode/input.h"
 
@@ -150,6 +151,10 @@ class OdeSimulation : public Subject {
 };
 
 }  // namespace
+
+std::unique_ptr<Subject> make_ode_simulation(const std::string& stepper) {
+  return make_ode_simulation(stepper, 1.0 / 256);
+}
 
 std::unique_ptr<Subject> make_ode_simulation(const std::string& stepper, double dt) {
   return std::make_unique<OdeSimulation>(stepper, dt);

@@ -1,5 +1,6 @@
 #include "oracle/subjects/simbody/impulse.h"
 
+#include "oracle/subject.h"
 #include "oracle/subjects/simbody/input.h"
 
 namespace touchstone::oracle::subjects {

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "model/box_vertices.h"
+#include "oracle/subject.h"
 #include "oracle/subjects/common/simulation_world.h"
 #include "oracle/subjects/simbody/input.h"
 #include "oracle/subjects/simbody/rigid_bodies.h"
@@ -191,6 +192,8 @@ class SimbodySimulation : public Subject {
 };
 
 }  // namespace
+
+std::unique_ptr<Subject> make_simbody_simulation() { return make_simbody_simulation(1.0 / 256); }
 
 std::unique_ptr<Subject> make_simbody_simulation(double dt) { return std::make_unique<SimbodySimulation>(dt); }
 

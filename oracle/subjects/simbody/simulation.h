@@ -3,11 +3,12 @@
 
 #include <memory>
 
-#include "oracle/subject.h"
+#include "oracle/subject_fwd.h"
 
 namespace touchstone::oracle::subjects {
 
 /// dt (s): the longest step.
-std::unique_ptr<Subject> make_simbody_simulation(double dt = 1.0 / 256);
+std::unique_ptr<Subject> make_simbody_simulation();
+std::unique_ptr<Subject> make_simbody_simulation(double dt);
 
 }  // namespace touchstone::oracle::subjects

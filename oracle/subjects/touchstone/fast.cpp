@@ -14,6 +14,7 @@
 #include "fast/simulation.h"
 #include "fast/time_of_impact.h"
 #include "model/input_error.h"
+#include "oracle/subject.h"
 
 namespace touchstone::oracle::subjects {
 namespace {

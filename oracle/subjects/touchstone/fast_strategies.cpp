@@ -5,6 +5,7 @@
 #include "fast/bounds.h"
 #include "fast/broad_phase/strategies.h"
 #include "model/input_error.h"
+#include "oracle/subjects/common/broad_phase_world.h"
 
 namespace touchstone::oracle::subjects {
 namespace {
@@ -45,12 +46,12 @@ class FastWorld : public World {
   const Scene& scene_;
 };
 
-}  // namespace
-
 MakeWorld world_of_fast_strategy(const std::string& name) {
   const auto make = fast::find_strategy(name).make;
   return [make](const Scene& scene) { return std::make_unique<FastWorld>(make(), scene); };
 }
+
+}  // namespace
 
 std::unique_ptr<Subject> make_fast_strategy(const std::string& name) {
   Card card;

@@ -4,12 +4,11 @@
 #include <memory>
 #include <string>
 
-#include "oracle/subjects/common/broad_phase_world.h"
+#include "oracle/subject_fwd.h"
 
 namespace touchstone::oracle::subjects {
 
 /// Throws InputError for an unknown strategy.
 std::unique_ptr<Subject> make_fast_strategy(const std::string& name);
-MakeWorld world_of_fast_strategy(const std::string& name);
 
 }  // namespace touchstone::oracle::subjects

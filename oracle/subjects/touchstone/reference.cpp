@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "model/input_error.h"
+#include "oracle/subject.h"
 #include "oracle/subjects/common/engine.h"
 #include "reference/bounds.h"
 #include "reference/broad_phase.h"

@@ -6,6 +6,7 @@
 
 #include "app/adapter/paper/paper_scene.h"
 #include "oracle/query.h"
+#include "oracle/subject.h"
 #include "oracle/subjects/touchstone/reference.h"
 #include "tests/catch.h"
 

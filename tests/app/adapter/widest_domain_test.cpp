@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "oracle/passing_on.h"
+#include "oracle/subject.h"
 #include "oracle/subjects/touchstone/reference.h"
 #include "oracle/tolerance/tolerance.h"
 #include "tests/catch.h"

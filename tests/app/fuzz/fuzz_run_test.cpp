@@ -8,6 +8,7 @@
 
 #include "oracle/judge/judge.h"
 #include "oracle/passing_on.h"
+#include "oracle/subject.h"
 #include "oracle/subjects/canaries/canaries.h"
 #include "oracle/subjects/touchstone/fast.h"
 #include "oracle/subjects/touchstone/reference.h"

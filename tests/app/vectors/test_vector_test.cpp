@@ -4,6 +4,7 @@
 #include <map>
 #include <string>
 
+#include "oracle/subject.h"
 #include "oracle/subjects/touchstone/fast.h"
 #include "properties/property.h"
 #include "tests/catch.h"

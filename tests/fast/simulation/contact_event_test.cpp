@@ -8,8 +8,6 @@
 namespace touchstone::fast::simulation {
 namespace {
 
-const Vec3 still = Vec3::Zero(), g(0, 0, -10);
-
 /// Runs up to the first predicted contact, and resolves it.
 void resolve_first(Run& run) {
   begin_frame(run);
@@ -19,7 +17,7 @@ void resolve_first(Run& run) {
 }
 
 TEST_CASE("contact event: a fast ball bounces") {
-  const Scene scene = moving_scene({ball(1, {0, 0, 6}, still, {0.5, 0}), table()}, g, {4});
+  const Scene scene = moving_scene({ball(1, {0, 0, 6}, still, {0.5, 0}), table()}, g_W, {4});
   Run run(scene, {.frame = 4});
   resolve_first(run);
   CHECK(run.recorder.statistics().of(Event::Kind::impact) == 1);
@@ -30,7 +28,7 @@ TEST_CASE("contact event: a fast ball bounces") {
 }
 
 TEST_CASE("contact event: a slow ball rests on a face") {
-  const Scene scene = moving_scene({ball(1, {0, 0, 1 + 1e-12}, still, {0.5, 0}), table()}, g, {4});
+  const Scene scene = moving_scene({ball(1, {0, 0, 1 + 1e-12}, still, {0.5, 0}), table()}, g_W, {4});
   Run run(scene, {.frame = 2});
   resolve_first(run);
   CHECK(run.rests.rests_on(0, 1));
@@ -39,7 +37,7 @@ TEST_CASE("contact event: a slow ball rests on a face") {
 }
 
 TEST_CASE("contact event: an inelastic ball rests at once, its micro-bounces completed") {
-  const Scene scene = moving_scene({ball(1, {0, 0, 6}, still, {0, 0}), table()}, g, {4});
+  const Scene scene = moving_scene({ball(1, {0, 0, 6}, still, {0, 0}), table()}, g_W, {4});
   Run run(scene, {.frame = 2});
   resolve_first(run);
   CHECK(run.recorder.statistics().of(Event::Kind::impact) == 1);
@@ -50,7 +48,7 @@ TEST_CASE("contact event: an inelastic ball rests at once, its micro-bounces com
 TEST_CASE("contact event: a slow contact without closed form joins an island, or micro-bounces") {
   Body turntable = table();
   turntable.velocity.w_WB = {0, 0, 1};
-  const Scene scene = moving_scene({ball(1, {0, 0, 1 + 1e-12}, still, {0.5, 0}), turntable}, g, {4});
+  const Scene scene = moving_scene({ball(1, {0, 0, 1 + 1e-12}, still, {0.5, 0}), turntable}, g_W, {4});
   Run island(scene, {.frame = 2});
   resolve_first(island);
   REQUIRE(island.islands.of(0) != nullptr);
@@ -63,7 +61,7 @@ TEST_CASE("contact event: a slow contact without closed form joins an island, or
 }
 
 TEST_CASE("contact event: two that are farther apart than predicted are predicted again") {
-  const Scene scene = moving_scene({ball(1, {0, 0, 6}, still, {}), table()}, g, {4});
+  const Scene scene = moving_scene({ball(1, {0, 0, 6}, still, {}), table()}, g_W, {4});
   Run run(scene, {.frame = 2});
   begin_frame(run);
   run.schedule.pop();
@@ -99,7 +97,7 @@ TEST_CASE("contact event: a search that was cut off stops the run where it ended
 }
 
 TEST_CASE("contact event: a run with more events than allowed stops") {
-  const Scene scene = moving_scene({ball(1, {0, 0, 6}, still, {1, 0}), table()}, g, {4});
+  const Scene scene = moving_scene({ball(1, {0, 0, 6}, still, {1, 0}), table()}, g_W, {4});
   Run run(scene, {.frame = 2, .most_events = 0});
   resolve_first(run);
   CHECK(run.stopped());

@@ -7,8 +7,6 @@
 namespace touchstone::fast::simulation {
 namespace {
 
-const Vec3 still = Vec3::Zero(), up(0, 0, 1);
-
 TEST_CASE("impact event: both bodies continue with their new velocities, and are predicted again") {
   const Scene scene = moving_scene(
       {ball(1, {-1, 0, 0}, {3, 0, 0}, {1, 0}), ball(1, {1, 0, 0}, still, {1, 0}), ball(1, {5, 0, 0}, still, {1, 0})},

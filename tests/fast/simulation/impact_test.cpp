@@ -9,8 +9,6 @@
 namespace touchstone::fast::simulation {
 namespace {
 
-const Vec3 still = Vec3::Zero();
-
 struct Two {
   Two(Body first, Body second)
       : body_a(std::move(first)), body_b(std::move(second)), a(body_a, 0, still), b(body_b, 0, still) {}

@@ -9,10 +9,8 @@
 namespace touchstone::fast::simulation {
 namespace {
 
-const Vec3 still = Vec3::Zero(), g(0, 0, -10);
-
 TEST_CASE("later: bodies in ballistic motion are predicted again at once") {
-  const Scene scene = moving_scene({ball(1, {0, 0, 6}, still, {}), table()}, g, {4});
+  const Scene scene = moving_scene({ball(1, {0, 0, 6}, still, {}), table()}, g_W, {4});
   Run run(scene, {.frame = 4});
   run.schedule.begin_frame();
   recheck(run, 0, 1);
@@ -21,7 +19,7 @@ TEST_CASE("later: bodies in ballistic motion are predicted again at once") {
 }
 
 TEST_CASE("later: a pair that separates is queried after a time in which it cannot approach noticeably") {
-  Scene scene = moving_scene({ball(1, {0, 0, 1}, still, {}), table()}, g, {4});
+  Scene scene = moving_scene({ball(1, {0, 0, 1}, still, {}), table()}, g_W, {4});
   scene.motion->envelope = 0x1p-20;
   Run run(scene, {.frame = 4});
   run.schedule.begin_frame();

@@ -9,7 +9,6 @@
 namespace touchstone::fast::simulation {
 namespace {
 
-const Vec3 g(0, 0, -10);
 constexpr double envelope = 0x1p-20;
 
 Scene with_envelope(std::vector<Body> bodies, const Vec3& gravity) {
@@ -58,7 +57,7 @@ TEST_CASE("response: every class of contact") {
 }
 
 TEST_CASE("response: the rebound speed is that of a micro-bounce as high as the envelope") {
-  const Scene scene = with_envelope({ball(1, {0, 0, 2}, Vec3::Zero(), {}), ball(1, {0, 0, 5}, Vec3::Zero(), {})}, g);
+  const Scene scene = with_envelope({ball(1, {0, 0, 2}, Vec3::Zero(), {}), ball(1, {0, 0, 5}, Vec3::Zero(), {})}, g_W);
   const World world(scene);
   const Islands islands(world);
   CHECK(rebound_speed(world, islands, 0, 1) == Approx(std::sqrt(2 * 10 * envelope)));
@@ -86,7 +85,7 @@ TEST_CASE("response: rotation presses a body with corners as the centripetal acc
 }
 
 TEST_CASE("response: the bounce speed of a contact that begins follows from what presses along its normal") {
-  const Scene scene = with_envelope({ball(1, {0, 0, 1}, Vec3::Zero(), {}), table()}, g);
+  const Scene scene = with_envelope({ball(1, {0, 0, 1}, Vec3::Zero(), {}), table()}, g_W);
   const World world(scene);
   const Islands islands(world);
   const Touch upright{0, Vec3::Zero(), {0, 0, 1}}, slope{0, Vec3::Zero(), {0.8, 0, 0.6}};

@@ -7,6 +7,8 @@
 
 namespace touchstone::fast {
 
+inline const Vec3 still = Vec3::Zero(), up(0, 0, 1), g_W(0, 0, -10);
+
 inline Body ball(double radius, const Vec3& p, const Vec3& v, const Material& material, double mass = 1) {
   Body body;
   body.shape = Sphere{radius};

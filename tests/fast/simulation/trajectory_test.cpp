@@ -7,10 +7,8 @@
 namespace touchstone::fast::simulation {
 namespace {
 
-const Vec3 still = Vec3::Zero(), g(0, 0, -10);
-
 TEST_CASE("trajectory: a frame begins with the contacts that may happen in it") {
-  const Scene scene = moving_scene({ball(1, {0, 0, 6}, still, {}), table()}, g, {4});
+  const Scene scene = moving_scene({ball(1, {0, 0, 6}, still, {}), table()}, g_W, {4});
   Run run(scene, {.frame = 2});
   begin_frame(run);
   REQUIRE(run.schedule.next() != nullptr);
@@ -31,7 +29,7 @@ TEST_CASE("trajectory: a tumbling body that cannot be followed for a frame stops
 }
 
 TEST_CASE("trajectory: a body continues from the state, under what accelerates it; a fixed one is left alone") {
-  const Scene scene = moving_scene({ball(1, {0, 0, 6}, still, {}), table()}, g, {4});
+  const Scene scene = moving_scene({ball(1, {0, 0, 6}, still, {}), table()}, g_W, {4});
   Run run(scene, {.frame = 2});
   begin_frame(run);
   run.advance_to(0.5);

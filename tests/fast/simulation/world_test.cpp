@@ -8,8 +8,6 @@
 namespace touchstone::fast::simulation {
 namespace {
 
-const Vec3 g(0, 0, -10);
-
 TEST_CASE("world: needs a motion") {
   Scene scene;
   scene.bodies = {ball(1, Vec3::Zero(), Vec3::Zero(), {})};
@@ -19,7 +17,7 @@ TEST_CASE("world: needs a motion") {
 TEST_CASE("world: lengths follow from the least body that moves") {
   // Sizes: 2 m and 1 m (half the shortest side); the table does not move.
   const Scene scene =
-      moving_scene({ball(2, {0, 0, 9}, Vec3::Zero(), {}), brick({1, 2, 3}, {0, 0, 4}, {}), table(0.5)}, g, {0.5, 3});
+      moving_scene({ball(2, {0, 0, 9}, Vec3::Zero(), {}), brick({1, 2, 3}, {0, 0, 4}, {}), table(0.5)}, g_W, {0.5, 3});
   const World world(scene);
   CHECK(world.envelope() == 0x1p-30);
   CHECK(world.reach() == 0x1p-8);
@@ -27,7 +25,7 @@ TEST_CASE("world: lengths follow from the least body that moves") {
 }
 
 TEST_CASE("world: time never goes back") {
-  const Scene scene = moving_scene({table()}, g, {1});
+  const Scene scene = moving_scene({table()}, g_W, {1});
   World world(scene);
   CHECK(world.now() == 0);
   world.advance_to(0.75);
@@ -37,7 +35,7 @@ TEST_CASE("world: time never goes back") {
 
 TEST_CASE("world: coefficients are the lesser of two, start times are 0 unless given") {
   Scene scene = moving_scene(
-      {ball(1, {0, 0, 2}, Vec3::Zero(), {0.5, 0.25}), ball(1, {0, 0, 5}, Vec3::Zero(), {0.75, 0.125})}, g, {1});
+      {ball(1, {0, 0, 2}, Vec3::Zero(), {0.5, 0.25}), ball(1, {0, 0, 5}, Vec3::Zero(), {0.75, 0.125})}, g_W, {1});
   scene.motion->law = Law::newton;
   CHECK(World(scene).start_time(1) == 0);
   scene.motion->start_times = {0, 0.5};
@@ -50,10 +48,10 @@ TEST_CASE("world: coefficients are the lesser of two, start times are 0 unless g
 }
 
 TEST_CASE("world: an applied force replaces the one before, and adds to gravity") {
-  Scene scene = moving_scene({ball(1, {0, 0, 2}, Vec3::Zero(), {}, 2)}, g, {4});
+  Scene scene = moving_scene({ball(1, {0, 0, 2}, Vec3::Zero(), {}, 2)}, g_W, {4});
   scene.motion->forces = {{1, 0, {4, 0, 0}}, {2, 0, {0, 6, 0}}};
   World world(scene);
-  CHECK(world.acceleration(0) == g);
+  CHECK(world.acceleration(0) == g_W);
   CHECK(world.next_force_time() == 1);
   CHECK(world.apply_next_force().force_W == Vec3(4, 0, 0));
   CHECK(world.acceleration(0) == Vec3(2, 0, -10));
@@ -61,12 +59,12 @@ TEST_CASE("world: an applied force replaces the one before, and adds to gravity"
   world.apply_next_force();
   CHECK(world.acceleration(0) == Vec3(0, 3, -10));
   CHECK(world.next_force_time() == never);
-  CHECK(world.body(0).path().a == g);  // the trajectory is renewed by the event, not here
+  CHECK(world.body(0).path().a == g_W);  // the trajectory is renewed by the event, not here
 }
 
 TEST_CASE("world: impacts are counted by body, and are at this time only until time goes on") {
   const Scene scene =
-      moving_scene({ball(1, {0, 0, 2}, Vec3::Zero(), {}), ball(1, {0, 0, 5}, Vec3::Zero(), {}), table()}, g, {1});
+      moving_scene({ball(1, {0, 0, 2}, Vec3::Zero(), {}), ball(1, {0, 0, 5}, Vec3::Zero(), {}), table()}, g_W, {1});
   World world(scene);
   CHECK_FALSE(world.had_impact_now(0));
   world.count_impact(0);
@@ -84,7 +82,7 @@ TEST_CASE("world: a body that will have turned by 2^13 radians restarts from its
   Body slow = brick({1, 1, 1}, {0, 0, 4}, {}), fast = brick({1, 1, 1}, {9, 0, 4}, {});
   slow.velocity.w_WB = {0, 0, 8000};
   fast.velocity.w_WB = {0, 0, 9000};
-  const Scene scene = moving_scene({slow, fast}, g, {1});
+  const Scene scene = moving_scene({slow, fast}, g_W, {1});
   World world(scene);
   world.advance_to(0.5);
   CHECK(world.keep_orientation(0, 1));

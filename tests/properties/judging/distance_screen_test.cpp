@@ -8,6 +8,7 @@
 #include <functional>
 #include <string>
 
+#include "oracle/subject.h"
 #include "oracle/subjects/touchstone/fast.h"
 #include "oracle/tolerance/tolerance.h"
 #include "oracle/truth/truth.h"

@@ -6,6 +6,7 @@
 
 #include "fast/mark.h"
 #include "model/json.h"
+#include "oracle/subject.h"
 #include "oracle/subjects/touchstone/fast.h"
 #include "properties/scenes/domain.h"
 #include "tests/catch.h"

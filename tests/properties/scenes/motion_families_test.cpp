@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "model/limits.h"
+#include "oracle/subject.h"
 #include "oracle/subjects/touchstone/fast.h"
 #include "oracle/truth/truth.h"
 #include "properties/property.h"

@@ -7,9 +7,6 @@
 namespace touchstone::fast::simulation {
 namespace {
 
-const Vec3 still = Vec3::Zero();
-constexpr double near = 0x1p-10, reach = 0.125;
-
 Body ball_at(double x, double height, const Vec3& v = still) { return ball(1, {x, 0, 1 + height}, v, {}); }
 
 std::vector<BodyId> ids(const ContactGraph& graph) {

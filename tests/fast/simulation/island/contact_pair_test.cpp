@@ -9,8 +9,6 @@
 namespace touchstone::fast::simulation {
 namespace {
 
-constexpr double near = 0x1p-10, reach = 0.125;
-
 IslandBodies box_above_table(double gap, const Vec3& v = Vec3::Zero()) {
   Body box = brick({1, 2, 1}, {0, 0, 1 + gap}, {});
   box.velocity.v_WBcm = v;

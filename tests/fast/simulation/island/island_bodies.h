@@ -6,6 +6,8 @@
 
 namespace touchstone::fast::simulation {
 
+inline constexpr double near = 0x1p-10, reach = 0.125;
+
 struct IslandBodies {
   IslandBodies(std::vector<Body> given, const Vec3& applied) : bodies(std::move(given)), acceleration(applied) {
     for (const Body& body : bodies) motions.emplace_back(body, 0, applied);

@@ -9,13 +9,11 @@
 namespace touchstone::fast::simulation {
 namespace {
 
-const Vec3 still = Vec3::Zero(), g(0, 0, -10);
-
 /// A turntable (0), so that no contact has a closed form, and a ball (1) on a ball (2) on it, beside a third one (3).
 struct Stack {
   explicit Stack(const Vec3& v = still)
       : scene(moving_scene(
-            {turntable(), ball(1, {0, 0, 3}, v, {}), ball(1, {0, 0, 1}, still, {}), ball(1, {9, 0, 1}, still, {})}, g,
+            {turntable(), ball(1, {0, 0, 3}, v, {}), ball(1, {0, 0, 1}, still, {}), ball(1, {9, 0, 1}, still, {})}, g_W,
             {4})),
         run(scene, {.frame = 2}) {
     run.schedule.begin_frame();
@@ -33,7 +31,7 @@ struct Stack {
 /// A table (0), a ball (2) that rests on it, and a ball (1) on that.
 struct OnResting {
   OnResting()
-      : scene(moving_scene({table(), ball(1, {0, 0, 3}, still, {}), ball(1, {0, 0, 1}, still, {})}, g, {4})),
+      : scene(moving_scene({table(), ball(1, {0, 0, 3}, still, {}), ball(1, {0, 0, 1}, still, {})}, g_W, {4})),
         run(scene, {.frame = 2}) {
     run.schedule.begin_frame();
     RestingContact rest;
@@ -109,7 +107,7 @@ TEST_CASE("island event: an island at rest sleeps, and is not cut by time") {
 }
 
 TEST_CASE("island event: a body on a face of a fixed block returns to the closed form") {
-  const Scene scene = moving_scene({table(), ball(1, {0, 0, 1}, {1, 0, 0}, {})}, g, {4});
+  const Scene scene = moving_scene({table(), ball(1, {0, 0, 1}, {1, 0, 0}, {})}, g_W, {4});
   Run run(scene, {.frame = 2});
   run.schedule.begin_frame();
   REQUIRE(merge_islands(run, 0, 1));
@@ -128,7 +126,7 @@ TEST_CASE("island event: a body that separates is released and moves ballistical
   CHECK(stack.run.islands.of(2) != nullptr);
   CHECK(stack.run.recorder.statistics().of(Event::Kind::release) == 1);
   CHECK(stack.run.world.body(1).path().v == Vec3(0, 0, 3));
-  CHECK(stack.run.world.body(1).path().a == g);
+  CHECK(stack.run.world.body(1).path().a == g_W);
 }
 
 TEST_CASE("island event: a fast approach within an island is an impact") {

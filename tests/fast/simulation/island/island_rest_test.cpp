@@ -7,9 +7,6 @@
 namespace touchstone::fast::simulation {
 namespace {
 
-const Vec3 still = Vec3::Zero(), g(0, 0, -10);
-constexpr double near = 0x1p-10, reach = 0.125;
-
 TEST_CASE("island rest: an island sleeps if it is slow and contacts carry the weight") {
   const auto sleeps = [](const Body& body, const Vec3& acceleration) {
     const IslandBodies bodies({body, table()}, acceleration);
@@ -18,9 +15,9 @@ TEST_CASE("island rest: an island sleeps if it is slow and contacts carry the we
     CHECK(graph.state(0).velocity.v_WBcm == (passes ? still : body.velocity.v_WBcm));
     return passes;
   };
-  CHECK(sleeps(ball(1, {0, 0, 1}, {0.25, 0, 0}, {}), g));
-  CHECK_FALSE(sleeps(ball(1, {0, 0, 1}, {0.75, 0, 0}, {}), g));
-  CHECK_FALSE(sleeps(ball(1, {0, 0, 9}, still, {}), g));
+  CHECK(sleeps(ball(1, {0, 0, 1}, {0.25, 0, 0}, {}), g_W));
+  CHECK_FALSE(sleeps(ball(1, {0, 0, 1}, {0.75, 0, 0}, {}), g_W));
+  CHECK_FALSE(sleeps(ball(1, {0, 0, 9}, still, {}), g_W));
   CHECK(sleeps(ball(1, {0, 0, 9}, {0.25, 0, 0}, {}), still));  // nothing to carry
   // A block on a slope of 2 to 10 needs μ ≥ 0.2.
   CHECK(sleeps(brick({1, 1, 1}, {0, 0, 1}, {0, 0.21}), {2, 0, -10}));
@@ -30,22 +27,22 @@ TEST_CASE("island rest: an island sleeps if it is slow and contacts carry the we
 TEST_CASE("island rest: turning counts as fast as the farthest corner, and a moving support never sleeps") {
   Body box = brick({1, 2, 2}, {0, 0, 2}, {});  // radius 3
   box.velocity.w_WB = {0, 0, 0.125};
-  const IslandBodies turning({box, table()}, g);
+  const IslandBodies turning({box, table()}, g_W);
   ContactGraph graph = turning.graph(near, reach);
   CHECK_FALSE(rest_test(graph, 0.25));
   Body moving = table();
   moving.velocity.v_WBcm = {1e-9, 0, 0};
-  const IslandBodies on_moving({ball(1, {0, 0, 1}, still, {}), moving}, g);
+  const IslandBodies on_moving({ball(1, {0, 0, 1}, still, {}), moving}, g_W);
   ContactGraph carried = on_moving.graph(near, reach);
   CHECK_FALSE(rest_test(carried, 0.25));
 }
 
 TEST_CASE("island rest: approach is removed without restitution, separation is kept") {
-  const IslandBodies down({ball(1, {0, 0, 1}, {0, 0, -3}, {1, 0}), table()}, g);
+  const IslandBodies down({ball(1, {0, 0, 1}, {0, 0, -3}, {1, 0}), table()}, g_W);
   ContactGraph falls = down.graph(near, reach);
   remove_approach(falls);
   CHECK(falls.state(0).velocity.v_WBcm.norm() < 1e-12);
-  const IslandBodies away({ball(1, {0, 0, 1}, {0, 0, 3}, {1, 0}), table()}, g);
+  const IslandBodies away({ball(1, {0, 0, 1}, {0, 0, 3}, {1, 0}), table()}, g_W);
   ContactGraph rises = away.graph(near, reach);
   remove_approach(rises);
   CHECK(rises.state(0).velocity.v_WBcm == Vec3(0, 0, 3));
@@ -54,7 +51,7 @@ TEST_CASE("island rest: approach is removed without restitution, separation is k
 TEST_CASE("island rest: kinetic and potential energy of what is not fixed") {
   Body body = ball(1, {0, 0, 5}, {3, 0, 0}, {}, 2);
   body.velocity.w_WB = {0, 0, 10};
-  const IslandBodies bodies({body, table()}, g);
+  const IslandBodies bodies({body, table()}, g_W);
   const ContactGraph graph = bodies.graph(near, reach);
   CHECK(energy(graph) == Approx(9 + 0.5 * 0.8 * 100 + 2 * 10 * 5));
 }

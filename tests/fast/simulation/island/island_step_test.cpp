@@ -7,9 +7,6 @@
 namespace touchstone::fast::simulation {
 namespace {
 
-const Vec3 still = Vec3::Zero(), g(0, 0, -10);
-constexpr double near = 0x1p-10, reach = 0.125;
-
 TEST_CASE("island step: the length is a part of the time in which a body falls or moves by its size, or turns") {
   Body body = ball(1, {0, 0, 9}, {3, 0, 4}, {});
   body.velocity.w_WB = {0, 2, 0};
@@ -21,7 +18,7 @@ TEST_CASE("island step: the length is a part of the time in which a body falls o
 }
 
 TEST_CASE("island step: without contacts the step is a parabola") {
-  const IslandBodies bodies({ball(1, {0, 0, 9}, {2, 0, 0}, {})}, g);
+  const IslandBodies bodies({ball(1, {0, 0, 9}, {2, 0, 0}, {})}, g_W);
   const ContactGraph graph = bodies.graph(near, reach);
   const StepPlan plan = solve_step(graph, 0.5, 0.5);
   CHECK(plan.h == 0.5);
@@ -32,7 +29,7 @@ TEST_CASE("island step: without contacts the step is a parabola") {
 }
 
 TEST_CASE("island step: a ball that lies on a table stays there, and its contact carries its weight") {
-  const IslandBodies bodies({ball(1, {0, 0, 1}, still, {}, 2), table()}, g);
+  const IslandBodies bodies({ball(1, {0, 0, 1}, still, {}, 2), table()}, g_W);
   const ContactGraph graph = bodies.graph(near, reach);
   CHECK(constraints(graph).size() == 1);
   CHECK(step_bodies(graph).size() == 2);
@@ -46,13 +43,13 @@ TEST_CASE("island step: a ball that lies on a table stays there, and its contact
 }
 
 TEST_CASE("island step: a residual may be size/steps^3, or what counts as touching, and what rounding adds") {
-  const IslandBodies bodies({ball(1, {0, 0, 1}, still, {}), ball(0.5, {0, 3, 0.5}, still, {}), table()}, g);
+  const IslandBodies bodies({ball(1, {0, 0, 1}, still, {}), ball(0.5, {0, 3, 0.5}, still, {}), table()}, g_W);
   const ContactGraph graph = bodies.graph(0x1p-30, reach);
   CHECK(accuracy(graph) == 0x1p-40);
   CHECK(residual_bound(graph, 32) ==
         Approx(0.5 / 32768).epsilon(1e-6));  // the smaller ball's; the table does not count
   CHECK(residual_bound(graph, 1e6) == Approx(0x1p-30).epsilon(0.01));
-  const IslandBodies far({ball(1, {0x1p30, 0, 1}, still, {})}, g);
+  const IslandBodies far({ball(1, {0x1p30, 0, 1}, still, {})}, g_W);
   CHECK(residual_bound(far.graph(0x1p-30, reach), 1e6) == Approx(0x1p-16).epsilon(1e-3));
 }
 
@@ -69,7 +66,7 @@ TEST_CASE("island step: a step ends where a ball that did not touch comes down")
 
 TEST_CASE("island step: it ends where a ball comes down that falls ever faster, wherever in the step that is") {
   for (const double height : {0x1p-10, 0x1p-7, 0x1p-4}) {
-    const IslandBodies bodies({ball(1, {0, 0, 1 + near + height}, still, {}), table()}, g);
+    const IslandBodies bodies({ball(1, {0, 0, 1 + near + height}, still, {}), table()}, g_W);
     const ContactGraph graph = bodies.graph(near, reach);
     const StepPlan plan = plan_step(graph, 0.125, 0.125);
     const double gap = near + height - 5 * plan.h * plan.h;
@@ -85,7 +82,7 @@ TEST_CASE("island step: how deep two bodies are at its end") {
 }
 
 TEST_CASE("island step: the deviation is a quarter of what the velocity changes in the step") {
-  const IslandBodies falls({ball(1, {0, 0, 9}, still, {})}, g);
+  const IslandBodies falls({ball(1, {0, 0, 9}, still, {})}, g_W);
   const ContactGraph graph = falls.graph(near, reach);
   CHECK(deviation(graph, solve_step(graph, 0.5, 0.5)) == Approx(0.5 * 5 / 4));
   // A box of radius 3 that turns by 0.5 rad: an eighth of its cube for each metre.

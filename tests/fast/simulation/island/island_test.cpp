@@ -7,9 +7,6 @@
 namespace touchstone::fast::simulation {
 namespace {
 
-const Vec3 still = Vec3::Zero(), g(0, 0, -10);
-constexpr double near = 0x1p-10, reach = 0.125;
-
 TEST_CASE("island: it waits until its step begins, and the step lasts a part of the fall by its size") {
   const IslandBodies falls({ball(2, {0, 0, 50}, still, {})}, {0, 0, -8});
   Island island(falls.graph(near, reach), 3);
@@ -83,7 +80,7 @@ TEST_CASE("island: shortened steps grow ever faster, and at once when their cont
 }
 
 TEST_CASE("island: asleep nothing moves, for however long") {
-  const IslandBodies lies({ball(1, {0, 0, 1}, still, {}), table()}, g);
+  const IslandBodies lies({ball(1, {0, 0, 1}, still, {}), table()}, g_W);
   Island island(lies.graph(near, reach), 0);
   island.sleep();
   CHECK(island.sleeps());
@@ -97,7 +94,7 @@ TEST_CASE("island: asleep nothing moves, for however long") {
 }
 
 TEST_CASE("island: four impacts for each contact pair at one time, and as many at the next") {
-  const IslandBodies lies({ball(1, {0, 0, 1}, still, {}), table()}, g);
+  const IslandBodies lies({ball(1, {0, 0, 1}, still, {}), table()}, g_W);
   Island island(lies.graph(near, reach), 0);
   for (int i = 0; i < 4; ++i) CHECK(island.allows_impact());
   CHECK_FALSE(island.allows_impact());

@@ -7,8 +7,6 @@
 namespace touchstone::fast::simulation {
 namespace {
 
-const Vec3 still = Vec3::Zero();
-
 /// A table (0) and three balls on it, far apart.
 struct Balls {
   Balls()

@@ -10,8 +10,6 @@
 namespace touchstone::fast::simulation {
 namespace {
 
-const Vec3 still = Vec3::Zero();
-
 struct Parts {
   explicit Parts(std::vector<Body> bodies, double frame = 1)
       : scene(moving_scene(std::move(bodies), still, {3.5})),

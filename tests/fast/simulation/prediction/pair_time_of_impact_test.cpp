@@ -9,11 +9,10 @@
 namespace touchstone::fast::simulation {
 namespace {
 
-const Vec3 still = Vec3::Zero(), g(0, 0, -10);
 constexpr double envelope = 0x1p-30;
 
 struct Two {
-  Two(Body first, Body second, const Vec3& gravity = g)
+  Two(Body first, Body second, const Vec3& gravity = g_W)
       : body_a(std::move(first)), body_b(std::move(second)), a(body_a, 0, gravity), b(body_b, 0, gravity) {}
 
   double first_contact(double until = 10) {
@@ -61,7 +60,7 @@ TEST_CASE("pair time of impact: the depth of a ball whose centre is inside a blo
 
 TEST_CASE("pair time of impact: other bodies are found within the envelope, before they touch") {
   Two boxes(brick({1, 1, 1}, {-3, 0, 0}, {}), brick({1, 1, 1}, {3, 0.5, 0}, {}));
-  boxes.a.restart(0, {boxes.body_a.X_WB, {{2, 0, 0}, still}}, g);
+  boxes.a.restart(0, {boxes.body_a.X_WB, {{2, 0, 0}, still}}, g_W);
   CHECK_FALSE(has_closed_form(boxes.a, boxes.b));
   const double t = boxes.first_contact();
   CHECK(t <= 2);
@@ -74,7 +73,7 @@ TEST_CASE("pair time of impact: other bodies are found within the envelope, befo
 
 TEST_CASE("pair time of impact: a search that takes more queries than allowed tells so, and where it ended") {
   Two boxes(brick({1, 0.5, 0.75}, {0, 0, 0}, {}), brick({1, 1, 1}, {3, 0, 0}, {}));
-  boxes.a.restart(0, {boxes.body_a.X_WB, {{0.5, 0, 0}, {0, 0x1p63, 0.25}}}, g);
+  boxes.a.restart(0, {boxes.body_a.X_WB, {{0.5, 0, 0}, {0, 0x1p63, 0.25}}}, g_W);
   const double t = boxes.first_contact(2);
   CHECK(boxes.memory.is_cut_off);
   CHECK(t >= 0);

@@ -7,12 +7,10 @@
 namespace touchstone::fast::simulation {
 namespace {
 
-const Vec3 still = Vec3::Zero(), up(0, 0, 1), g(0, 0, -10);
-
 /// A ball (0) on a table (1).
 struct OnTable {
   explicit OnTable(const Vec3& v)
-      : scene(moving_scene({ball(1, up, v, {0, 0.5}), table()}, g, {4})), run(scene, {.frame = 4}) {
+      : scene(moving_scene({ball(1, up, v, {0, 0.5}), table()}, g_W, {4})), run(scene, {.frame = 4}) {
     run.schedule.begin_frame();
     run.schedule.predict_frame();
   }
@@ -24,7 +22,7 @@ struct OnTable {
 };
 
 TEST_CASE("rest event: only a body that moves may rest on a fixed one") {
-  const Scene scene = moving_scene({table(), ball(1, up, {1, 0, -1}, {}), ball(1, {9, 0, 1}, still, {})}, g, {1});
+  const Scene scene = moving_scene({table(), ball(1, up, {1, 0, -1}, {}), ball(1, {9, 0, 1}, still, {})}, g_W, {1});
   const World world(scene);
   CHECK_FALSE(rest_candidate(world, 1, 2, {0, still, up}).has_value());
   const std::optional<RestCandidate> found = rest_candidate(world, 0, 1, {0, still, -up});
@@ -39,7 +37,7 @@ TEST_CASE("rest event: only a body that moves may rest on a fixed one") {
 TEST_CASE("rest event: no closed form on a body that is no block") {
   Body turntable = table();
   turntable.velocity.w_WB = {0, 0, 1};
-  const Scene scene = moving_scene({ball(1, up, still, {}), turntable}, g, {1});
+  const Scene scene = moving_scene({ball(1, up, still, {}), turntable}, g_W, {1});
   const World world(scene);
   const std::optional<RestCandidate> found = rest_candidate(world, 0, 1, {0, still, up});
   REQUIRE(found.has_value());
@@ -126,7 +124,7 @@ TEST_CASE("rest event: a ball that leaves the face is released, and flies") {
   ball.run.advance_to(0.5);
   end_rest_phase(ball.run, 0);
   CHECK(ball.run.rests.of(0) == nullptr);
-  CHECK(ball.run.world.body(0).path().a == g);
+  CHECK(ball.run.world.body(0).path().a == g_W);
   CHECK(ball.run.world.body(0).path().since == 0.5);
   CHECK(ball.last_event().kind == Event::Kind::release);
 }

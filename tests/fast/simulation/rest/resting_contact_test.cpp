@@ -9,8 +9,6 @@
 namespace touchstone::fast::simulation {
 namespace {
 
-const Vec3 still = Vec3::Zero(), up(0, 0, 1), g(0, 0, -10);
-
 std::optional<RestingContact> on_table(const Body& body, const Vec3& gravity, double friction, double half_side = 100) {
   const Body support = table(half_side);
   return ball_on_face(BodyMotion(body, 0, gravity), BodyMotion(support, 0, still), {body.X_WB, body.velocity}, 0, up,
@@ -25,7 +23,7 @@ TEST_CASE("resting contact: a micro-bounce of that speed is as high as the envel
 }
 
 TEST_CASE("resting contact: a ball slides until it rolls, after 2v/(7 μ g)") {
-  const auto rest = on_table(ball(1, {0, 0, 1}, {7, 0, 0}, {}), g, 0.5);
+  const auto rest = on_table(ball(1, {0, 0, 1}, {7, 0, 0}, {}), g_W, 0.5);
   REQUIRE(rest.has_value());
   CHECK(rest->acceleration.x() == Approx(-5));
   CHECK(rest->alpha.y() == Approx(12.5));  // μ m g r / (2/5 m r²)
@@ -50,7 +48,7 @@ TEST_CASE("resting contact: a ball rolls down a slope with 5/7 of what pulls it,
 
 TEST_CASE("resting contact: slip across the slope, and contact at an edge, have no closed form") {
   CHECK_FALSE(on_table(ball(1, {0, 0, 1}, {0, 3, 0}, {}), {2, 0, -10}, 0.5).has_value());
-  CHECK_FALSE(on_table(ball(1, {2.5, 0, 1}, still, {}), g, 0.5, 2).has_value());
+  CHECK_FALSE(on_table(ball(1, {2.5, 0, 1}, still, {}), g_W, 0.5, 2).has_value());
 }
 
 TEST_CASE("resting contact: a block lies, slides until it stops, or tips") {
@@ -62,30 +60,30 @@ TEST_CASE("resting contact: a block lies, slides until it stops, or tips") {
     return body_on_face(BodyMotion(block, 0, gravity), BodyMotion(support, 0, still), {block.X_WB, {v, still}}, 0, up,
                         corners, gravity, friction, 1e-3);
   };
-  const auto lies = rest({1, 1, 1}, {1e-4, 0, 0}, g, 0.5);
+  const auto lies = rest({1, 1, 1}, {1e-4, 0, 0}, g_W, 0.5);
   REQUIRE(lies.has_value());
   CHECK(lies->start.velocity.v_WBcm == still);
   CHECK(lies->acceleration == still);
-  const auto slides = rest({1, 1, 1}, {3, 0, 0}, g, 0.5);
+  const auto slides = rest({1, 1, 1}, {3, 0, 0}, g_W, 0.5);
   REQUIRE(slides.has_value());
   CHECK(slides->acceleration.x() == Approx(-5));
   CHECK(slides->until == Approx(0.6));
   CHECK(slides->ends_by == RestingContact::End::slip_ends);
-  CHECK_FALSE(rest({1, 1, 4}, {3, 0, 0}, g, 0.5).has_value());  // the force would act 2 m in front of the centre
-  CHECK_FALSE(rest({1, 1, 1}, {0, 0, 0.1}, g, 0.5).has_value());
+  CHECK_FALSE(rest({1, 1, 4}, {3, 0, 0}, g_W, 0.5).has_value());  // the force would act 2 m in front of the centre
+  CHECK_FALSE(rest({1, 1, 1}, {0, 0, 0.1}, g_W, 0.5).has_value());
   CHECK_FALSE(rest({1, 1, 1}, {0, 3, 0}, {6, 0, -10}, 0.5).has_value());
 }
 
 TEST_CASE("resting contact: what remains of a velocity at the end of slip, and without its normal part") {
   const Body body = ball(2, {0, 0, 2}, {3, 0, -1}, {}), support = table();
-  const BodyMotion moving(body, 0, g), on(support, 0, still);
+  const BodyMotion moving(body, 0, g_W), on(support, 0, still);
   const State state{body.X_WB, body.velocity};
   CHECK(without_normal(on, state, up).velocity.v_WBcm == Vec3(3, 0, 0));
   const State rolls = without_slip(moving, on, without_normal(on, state, up), up);
   CHECK(rolls.velocity.v_WBcm == Vec3(3, 0, 0));
   CHECK(rolls.velocity.w_WB == Vec3(0, 1.5, 0));
   const Body block = brick({1, 1, 1}, {0, 0, 1}, {});
-  CHECK(without_slip(BodyMotion(block, 0, g), on, {block.X_WB, {{1, 0, 0}, still}}, up).velocity.v_WBcm == still);
+  CHECK(without_slip(BodyMotion(block, 0, g_W), on, {block.X_WB, {{1, 0, 0}, still}}, up).velocity.v_WBcm == still);
 }
 
 TEST_CASE("resting contact: a normal that is off by rounding becomes the face's") {
