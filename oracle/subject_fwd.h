@@ -4,5 +4,7 @@
 #include <memory>
 
 namespace touchstone::oracle {
+
 class Subject;
-}
+
+}  // namespace touchstone::oracle

@@ -2,6 +2,7 @@
 open. axe-core is the file that TOUCHSTONE_AXE names, or the one below node_modules beside this file (`npm ci` there makes
 it). Without it, says so and exits with code 77, which CTest reports as skipped."""
 
+import lzma
 import os
 import pathlib
 import sys
@@ -45,6 +46,11 @@ class Accessibility(Test):
     def test_replay(self):
         self.make("simulate", "bouncing_ball", "--beside", "constraint", "--replay", "replay.html")
         self.has_none("replay.html")
+
+    def test_the_published_report(self):
+        published = HERE.parents[2] / "docs/reports/engines/index.html.xz"
+        (self.runs / "published.html").write_bytes(lzma.decompress(published.read_bytes()))
+        self.has_none("published.html")
 
     def test_a_bad_page_is_seen(self):
         (self.runs / "bad.html").write_text("<!doctype html><title>x</title><img src='data:,'><button></button>")
