@@ -2,6 +2,8 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <utility>
+#include <vector>
 
 #include "fast/lin_canny/posed_hull.h"
 #include "model/infinity.h"
@@ -19,12 +21,18 @@ bool any_parting_normal(const PosedHull& A, const PosedHull& B, Found&& found) {
   for (int f = 0; f < B.hull->face_count(); ++f) {
     if (found(B.turned_out(B.hull->face(f).normal))) return true;
   }
+  std::vector<std::pair<Vec3, double>> edges_of_B;  // turned and measured once, not once for each edge of A
+  for (int j = 0; j < B.hull->edge_count(); ++j) {
+    const Vec3 e = B.edge_vector(j);
+    edges_of_B.emplace_back(e, e.norm());
+  }
   for (int i = 0; i < A.hull->edge_count(); ++i) {
     const Vec3 d = A.edge_vector(i);
-    for (int j = 0; j < B.hull->edge_count(); ++j) {
-      const Vec3 e = B.edge_vector(j), n = d.cross(e);
+    const double least = 0x1p-20 * d.norm();
+    for (const auto& [e, length] : edges_of_B) {
+      const Vec3 n = d.cross(e);
       const double size = n.norm();
-      if (!(size > 0x1p-20 * d.norm() * e.norm())) continue;
+      if (!(size > least * length)) continue;
       if (found(Vec3(n / size)) || found(Vec3(-n / size))) return true;
     }
   }
