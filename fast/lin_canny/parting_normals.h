@@ -2,7 +2,8 @@
 #pragma once
 
 #include <Eigen/Geometry>
-#include <utility>
+#include <array>
+#include <cstddef>
 #include <vector>
 
 #include "fast/lin_canny/posed_hull.h"
@@ -10,9 +11,27 @@
 
 namespace touchstone::fast::lin_canny {
 
+/// An edge of a posed hull, and the directions in its two faces that lead away from it at right angles.
+struct TurnedEdge {
+  TurnedEdge(const PosedHull& hull, int index)
+      : along(hull.edge_vector(index)),
+        length(along.norm()),
+        into{hull.turned_out(normal(hull, index, 0)).cross(along),
+             along.cross(hull.turned_out(normal(hull, index, 1)))} {}
+
+  static const Vec3& normal(const PosedHull& hull, int index, std::size_t side) {
+    return hull.hull->face(hull.hull->edge(index).face[side]).normal;
+  }
+
+  Vec3 along;
+  double length;
+  std::array<Vec3, 2> into;
+};
+
 /// Whether `found` returns true for one of the normals, from B to A, of planes along a face of B, a face of A, or an
 /// edge of each. Calls it in a fixed order, and stops at the first true. Edges within 2⁻²⁰ of parallel define no
-/// direction.
+/// direction. A plane along two edges that cuts a face beside one of them, at a slope above 2⁻³⁰, is left out: it is
+/// along no face of the Minkowski difference, so it is not needed, and few of the thousands of planes are.
 template <class Found>
 bool any_parting_normal(const PosedHull& A, const PosedHull& B, Found&& found) {
   for (int f = 0; f < A.hull->face_count(); ++f) {
@@ -21,19 +40,21 @@ bool any_parting_normal(const PosedHull& A, const PosedHull& B, Found&& found) {
   for (int f = 0; f < B.hull->face_count(); ++f) {
     if (found(B.turned_out(B.hull->face(f).normal))) return true;
   }
-  std::vector<std::pair<Vec3, double>> edges_of_B;  // turned and measured once, not once for each edge of A
-  for (int j = 0; j < B.hull->edge_count(); ++j) {
-    const Vec3 e = B.edge_vector(j);
-    edges_of_B.emplace_back(e, e.norm());
-  }
+  std::vector<TurnedEdge> edges_of_B;
+  for (int j = 0; j < B.hull->edge_count(); ++j) edges_of_B.emplace_back(B, j);
   for (int i = 0; i < A.hull->edge_count(); ++i) {
-    const Vec3 d = A.edge_vector(i);
-    const double least = 0x1p-20 * d.norm();
-    for (const auto& [e, length] : edges_of_B) {
-      const Vec3 n = d.cross(e);
+    const TurnedEdge a(A, i);
+    for (const TurnedEdge& b : edges_of_B) {
+      const Vec3 n = a.along.cross(b.along);
       const double size = n.norm();
-      if (!(size > least * length)) continue;
-      if (found(Vec3(n / size)) || found(Vec3(-n / size))) return true;
+      if (!(size > 0x1p-20 * a.length * b.length)) continue;
+      const double flat_A = 0x1p-30 * size * a.length, flat_B = 0x1p-30 * size * b.length;
+      const double A_0 = n.dot(a.into[0]), A_1 = n.dot(a.into[1]);
+      const bool up = A_0 >= -flat_A && A_1 >= -flat_A, down = A_0 <= flat_A && A_1 <= flat_A;
+      if (!up && !down) continue;
+      const double B_0 = n.dot(b.into[0]), B_1 = n.dot(b.into[1]);
+      if (up && B_0 <= flat_B && B_1 <= flat_B && found(Vec3(n / size))) return true;
+      if (down && B_0 >= -flat_B && B_1 >= -flat_B && found(Vec3(-n / size))) return true;
     }
   }
   return false;
