@@ -9,7 +9,7 @@ namespace touchstone::fast {
 
 /// A place in the code. The counts must obey two laws (tests/properties/scenes/marks_test.cpp): drawn scenes reach each
 /// place, and on generic scenes what is slow runs seldom. Else a fault there would change no answer: the code is never
-/// run, or an exact fallback repairs what it did.
+/// run, or an exact fallback repairs what it did. The work of a simulation is a sum of them (fast/simulation/work.h).
 enum class Mark : unsigned char {
   balance_step,       ///< fast/contact/sparse/balance: a factorisation in the search for balance
   centre_step,        ///< fast/simulation/simultaneous_impact: an impact tried at a centre of pressure
@@ -18,6 +18,7 @@ enum class Mark : unsigned char {
   climb_exact,        ///< an axis along which doubles could not decide
   contact_newton,     ///< fast/contact/sparse/newton: a factorisation
   contact_round,      ///< fast/contact/step: the contacts of a step solved for one guess of where bodies end
+  contact_row,        ///< fast/contact, fast/simultaneous: a contact relaxed, linearised for a round or factorised
   contact_sweep,      ///< fast/contact/solver: each contact relaxed once
   depth,              ///< fast/penetration/depth_bracket: one pair of convex bodies
   depth_exact,        ///< fast/penetration/exact_depth: a vertex added
@@ -60,6 +61,7 @@ enum class Mark : unsigned char {
   toi_search,         ///< one pair of convex parts
   toi_wait,           ///< a later time tried, since only rounding separates the two
   tumble_step,        ///< fast/motion/tumble: a step of the series
+  vertex_scan,        ///< fast/contact/support: a vertex compared with the lowest one so far
   walk,               ///< fast/lin_canny/walk: one pair of convex parts
   walk_in_doubles,    ///< slopes compared in doubles, since floats cannot tell
   walk_inside,        ///< a vertex found inside the other part

@@ -22,8 +22,10 @@ struct SimulationOptions {
   double contact_steps = 32;  ///< steps while a body in contact falls by its size, turns by a radian or moves by its
                               ///< size. Their error is of second order: twice as many steps leave a quarter of it
   std::int64_t most_contact_steps = 100'000;
-  bool micro_collisions = false;              ///< contact by micro-bounces instead of such steps, as in the notes
-  std::int64_t most_micro_bounces = 300'000;  ///< micro-bounces of a run
+  std::int64_t most_work_per_body = 4'000'000'000;  ///< work of a run for each of its bodies (simulation/work.h): about
+                                                    ///< as many nanoseconds of CPU time, but counted and not measured
+  bool micro_collisions = false;                    ///< contact by micro-bounces instead of such steps, as in the notes
+  std::int64_t most_micro_bounces = 300'000;        ///< micro-bounces of a run
 };
 
 /// The scene is valid, but squares or products of its numbers exceed the range of doubles.

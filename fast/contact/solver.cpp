@@ -37,6 +37,7 @@ double greatest(const Twist& twist, const Vec3& arm) { return twist.v.norm() + t
 
 double sweep(std::vector<ContactRow>& rows, const std::vector<Mobility>& bodies, std::vector<Twist>& twists) {
   mark(Mark::contact_sweep);
+  mark(Mark::contact_row, rows.size());
   double change = 0;
   for (ContactRow& row : rows) change = std::max(change, relax(row, bodies, twists));
   return change;

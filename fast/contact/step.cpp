@@ -221,6 +221,7 @@ Stepped step(const std::vector<StepBody>& step_bodies, std::vector<ContactConstr
   double change = 0;
   for (int round = 0; round < most_rounds; ++round) {
     mark(Mark::contact_round);
+    mark(Mark::contact_row, constraints.size());
     for (std::size_t i = 0; i < constraints.size(); ++i) {
       const ContactConstraint& constraint = constraints[i];
       const Nearness after =

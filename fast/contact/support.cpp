@@ -2,11 +2,13 @@
 
 #include <algorithm>
 
+#include "fast/mark.h"
 #include "model/infinity.h"
 
 namespace touchstone::fast::contact {
 
 double lowest(const lin_canny::PosedHull& hull, const Vec3& n) {
+  mark(Mark::vertex_scan, static_cast<std::uint64_t>(hull.hull->vertex_count()));
   double low = infinity;
   for (int v = 0; v < hull.hull->vertex_count(); ++v) low = std::min(low, n.dot(hull.vertex(v)));
   return low;

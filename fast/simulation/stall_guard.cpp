@@ -11,21 +11,24 @@ constexpr std::int64_t max_iterations = 4'000;  // iterations in a stall window
 constexpr std::int64_t iterations_per_body = 16;
 constexpr int queries_per_iteration = 64;  // so many separation queries cost about one iteration, and count as one
 constexpr std::int64_t iterations_without_progress = 512;
+constexpr const char* too_much_work = "more work than allowed";
 
 }  // namespace
 
 StallGuard::StallGuard(const SimulationOptions& options, double frame, double end, std::size_t bodies)
     : options_(options),
       window_(stall_window * std::min(frame, end)),
-      most_iterations_(max_iterations + iterations_per_body * static_cast<std::int64_t>(bodies)) {}
+      most_iterations_(max_iterations + iterations_per_body * static_cast<std::int64_t>(bodies)),
+      most_work_(options.most_work_per_body * static_cast<std::int64_t>(bodies)) {}
 
 bool StallGuard::makes_progress(double now, BodyId a, BodyId b) {
   if (now > window_end_) {
     window_end_ = now + window_;
     iterations_ = 0;
   }
-  if (++iterations_ <= most_iterations_) return true;
-  stop(now, a, b, "time hardly goes on");
+  const bool hardly_goes_on = ++iterations_ > most_iterations_;
+  if (!hardly_goes_on && has_work_left()) return true;
+  stop(now, a, b, hardly_goes_on ? "time hardly goes on" : too_much_work);
   return false;
 }
 
@@ -46,6 +49,8 @@ void StallGuard::check_residual(double residual, double bound, double now, BodyI
 void StallGuard::check_steps(const Statistics& statistics, double now, BodyId a, BodyId b) {
   if (statistics.contact_steps > options_.most_contact_steps) {
     stop(now, a, b, "contacts that take more steps than allowed");
+  } else if (!has_work_left()) {
+    stop(now, a, b, too_much_work);
   }
 }
 

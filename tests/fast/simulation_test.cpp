@@ -308,6 +308,16 @@ TEST_CASE("micro-bounces may stand for a stack: until there are too many, and it
   CHECK(done.trajectory.complete_until == done.stopped->time);
 }
 
+TEST_CASE("a simulation that takes more work than allowed ends, at the same time whatever ran before") {
+  const Scene scene = moving_scene({ball(0.5, Vec3(0, 0, 1), Vec3::Zero(), {1, 0}), table()}, down, {100});
+  const SimulationOptions options{.most_work_per_body = 20'000};
+  const Simulated done = simulate(scene, options), again = simulate(scene, options);
+  REQUIRE(done.stopped);
+  CHECK(done.stopped->why == "more work than allowed");
+  CHECK(done.stopped->time > 1);
+  CHECK(again.stopped->time == done.stopped->time);
+}
+
 TEST_CASE("a cradle hands its speed on") {
   std::vector<Body> bodies;
   for (int i = 0; i < 5; ++i) {

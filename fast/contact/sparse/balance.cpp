@@ -67,6 +67,7 @@ class Search {
   bool bonded() {
     for (std::size_t i = 0; i < rows_.size(); ++i) derivatives_[i] = stiffness_[i] * Mat3::Identity();
     mark(Mark::balance_step);
+    mark(Mark::contact_row, rows_.size());
     system_.factor(bonded_share, derivatives_);
     std::vector<Vec3> P(rows_.size(), Vec3::Zero());
     for (int k = 0; k < most_corrections; ++k) {
@@ -118,6 +119,7 @@ class Search {
       const double size = system_.greatest_speed(system_.response(gradient));
       if (size <= newton_tolerance * greatest_) break;
       mark(Mark::balance_step);
+      mark(Mark::contact_row, rows_.size());
       system_.factor(share, derivatives_);
       const Vector step = system_.solve(gradient);
       const double slope = gradient.dot(step);

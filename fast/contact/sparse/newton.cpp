@@ -120,6 +120,7 @@ class Newton {
     for (int k = 0; k < most_newton_steps_of_round && size > within; ++k) {
       if (++factorisations_ > limits_.factorisations) return false;
       mark(Mark::contact_newton);
+      mark(Mark::contact_row, rows_.size());
       system_.factor(1, stiffness_);
       const Vector step = system_.solve(missing);
       double part = 1, next_size = infinity;
@@ -143,6 +144,7 @@ class Newton {
   bool polish(double penalty) {
     if (++factorisations_ > limits_.factorisations) return false;
     mark(Mark::contact_newton);
+    mark(Mark::contact_row, rows_.size());
     const std::vector<ContactRow> rows_before = rows_;
     const Vector v_before = v_;
     const double residual_before = residual_;

@@ -6,6 +6,13 @@
 namespace touchstone::fast::simulation {
 namespace {
 
+std::int64_t work_of(Mark place) {
+  const Work work;
+  mark(place);
+  return work.done();
+}
+const std::int64_t work_of_a_row = work_of(Mark::contact_row);
+
 /// The iterations at one time after which the guard stops.
 int iterations_until_stopped(StallGuard& guard, double now) {
   int iterations = 0;
@@ -67,6 +74,23 @@ TEST_CASE("stall guard: events, micro-bounces and steps up to their limits are a
   statistics.contact_steps = 8;
   guard.check_steps(statistics, 2, 0, 1);
   CHECK_THAT(guard.stopped()->why, Catch::Contains("more steps"));
+  CHECK(guard.stopped()->time == 2);
+}
+
+TEST_CASE("stall guard: work up to its limit is allowed, counted since the run began") {
+  SimulationOptions options;
+  options.most_work_per_body = 3 * work_of_a_row;
+  mark(Mark::contact_row, 1000);
+  StallGuard guard(options, 1, 8, 2);
+  mark(Mark::contact_row, 6);
+  CHECK(guard.makes_progress(1, 0, 1));
+  mark(Mark::contact_row);
+  CHECK_FALSE(guard.makes_progress(1.5, 0, 1));
+  REQUIRE(guard.stopped().has_value());
+  CHECK(guard.stopped()->why == "more work than allowed");
+  CHECK(guard.stopped()->time == 1.5);
+  guard.check_steps({}, 2, 0, 1);
+  CHECK(guard.stopped()->why == "more work than allowed");
   CHECK(guard.stopped()->time == 2);
 }
 

@@ -1,0 +1,22 @@
+// How much a run has cost: counted, so that it is the same on every machine.
+#pragma once
+
+#include <cstdint>
+
+#include "fast/mark.h"
+
+namespace touchstone::fast::simulation {
+
+/// The work of a run: how often its thread has marked each place (fast/mark.h) since the run began, times the CPU time
+/// of the place (ns, on one computer). A sum of such times is within a factor of four of the time that runs took
+/// (docs/measured/simulation.md). Requires that the run stays on its thread.
+class Work {
+ public:
+  Work() : before_(mark_counts) {}
+  std::int64_t done() const;  ///< ns
+
+ private:
+  MarkCounts before_;
+};
+
+}  // namespace touchstone::fast::simulation
