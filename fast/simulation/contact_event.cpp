@@ -18,6 +18,8 @@ namespace {
 struct PairContact {
   Touch touch;                     ///< of the contact point that approaches fastest
   std::vector<PairPoints> points;  ///< all contact points; empty if `touch` is the only one
+  double touching = 0;             ///< m; the distance up to which rounding cannot tell that the two do not touch, if
+                                   ///< the envelope is less and they have no contact points within it
 };
 
 /// None if the two have no contact points within the envelope.
@@ -34,9 +36,10 @@ std::optional<PairContact> contact_of(Run& run, const PairEvent& pair) {
   const World& world = run.world;
   const BodyMotion &a = world.body(pair.a), &b = world.body(pair.b);
   const Touch nearest = run.schedule.nearest_points(pair.a, pair.b, world.now());
-  if (nearest.gap > world.envelope() && nearest.gap > 2 * clearance(a, b, world.now(), never)) return {};
+  const double unresolved = 2 * clearance(a, b, world.now(), never);
+  if (nearest.gap > world.envelope() && nearest.gap > unresolved) return {};
   if (has_closed_form(a, b)) return PairContact{nearest, {}};
-  return with_all_points(run, pair).value_or(PairContact{nearest, {}});
+  return with_all_points(run, pair).value_or(PairContact{nearest, {}, unresolved});
 }
 
 /// A body that may start to rest now, and its closed form, if there is one.
@@ -80,14 +83,15 @@ void respond(Run& run, const PairEvent& pair, const PairContact& contact) {
       return start_rest(run, *rest.candidate, *rest.contact,
                         world.body(rest.candidate->id).path().velocity(world.now()));
     case Response::join_island:
-      return merge_islands(run, pair.a, pair.b) ? void() : schedule_later(run, pair.a, pair.b, touch);
+      return merge_islands(run, pair.a, pair.b, contact.touching) ? void() : schedule_later(run, pair.a, pair.b, touch);
     case Response::micro_collision:
       return apply_impulse(run, Event::Kind::micro_collision, pair.a, pair.b, touch,
                            micro_collision(a, at_a, b, at_b, touch, c, speeds.bounce_speed));
     case Response::impact:
       break;
   }
-  if (c.restitution < 1 && collides_endlessly(run, pair.a, pair.b, speeds.u_n) && merge_islands(run, pair.a, pair.b))
+  if (c.restitution < 1 && collides_endlessly(run, pair.a, pair.b, speeds.u_n) &&
+      merge_islands(run, pair.a, pair.b, contact.touching))
     return;
   const double rebound = c.restitution * -speeds.u_n, presses = pressing_acceleration(a, b, touch);
   bool is_alone = acts_alone(run, pair.a, pair.b, speeds.u_n);

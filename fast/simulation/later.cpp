@@ -36,10 +36,10 @@ double time_to_contact(Run& run, BodyId a, BodyId b) {
 
 bool is_convex(const BodyMotion& body) { return body.kind() != Kind::other || body.model().solid.parts().size() == 1; }
 
-/// A time (s) within which two bodies that touch cannot approach by more than a part of the envelope. Two convex bodies
+/// A time (s) within which two bodies that touch cannot approach by more than a part of `within` (m). Two convex bodies
 /// have a separating plane, so that, apart from rotation, only motion along its normal brings them closer. If one
 /// slides on the other and no force presses them together, they never approach.
-double time_apart(const BodyMotion& a, const BodyMotion& b, const Vec3& nhat_BA_W, double now, double envelope) {
+double time_apart(const BodyMotion& a, const BodyMotion& b, const Vec3& nhat_BA_W, double now, double within) {
   const Vec3 u = a.path().velocity(now) - b.path().velocity(now), du_dt = a.path().a - b.path().a;
   const bool is_plane_between = is_convex(a) && is_convex(b);
   double speed = is_plane_between ? std::max(-nhat_BA_W.dot(u), 0.0) : u.lpNorm<1>();
@@ -49,7 +49,7 @@ double time_apart(const BodyMotion& a, const BodyMotion& b, const Vec3& nhat_BA_
     speed += body->ballistic().rate() * body->radius();
     acceleration += body->ballistic().acceleration_per_radius() * body->radius();
   }
-  const double near = envelope / 16, sum = speed + std::sqrt(speed * speed + 2 * acceleration * near);
+  const double near = within / 16, sum = speed + std::sqrt(speed * speed + 2 * acceleration * near);
   return sum > 0 ? 2 * near / sum : never;
 }
 
@@ -67,7 +67,10 @@ void recheck(Run& run, BodyId a, BodyId b) {
 void schedule_later(Run& run, BodyId a, BodyId b, const Touch& touch) {
   if (run.islands.of(a) || run.islands.of(b)) return defer_separating_pair(run, a, b);
   const World& world = run.world;
-  const double step = time_apart(world.body(a), world.body(b), touch.nhat_BA_W, world.now(), world.envelope());
+  const BodyMotion &A = world.body(a), &B = world.body(b);
+  // A smaller distance than that of rounding cannot be told from none.
+  const double within = std::max(world.envelope(), 2 * clearance(A, B, world.now(), never));
+  const double step = time_apart(A, B, touch.nhat_BA_W, world.now(), within);
   const double grain = world.now() * 0x1p-51;
   if (step < grain) run.guard.count_lost_resolution();
   run.schedule.predict(a, b, world.now() + std::max(step, grain));

@@ -50,5 +50,12 @@ TEST_CASE("masses, distances, impacts and motions of the corpus: what once went 
   }
 }
 
+TEST_CASE("bodies whose gap is less than rounding stay together when they join, and the motion goes on") {
+  const std::filesystem::path corpus = std::filesystem::path(TOUCHSTONE_SOURCE) / "properties/corpus/simulation";
+  const Simulated done = simulate(oracle::read_case((corpus / "gap_below_rounding.json").string()).scene);
+  CHECK_FALSE(done.stopped.has_value());
+  CHECK(done.statistics.contact_steps > 0);
+}
+
 }  // namespace
 }  // namespace touchstone::fast

@@ -47,6 +47,8 @@ BodyId ContactGraph::key() const {
 }
 
 void ContactGraph::absorb(const ContactGraph& other) {
+  near_ = std::max(near_, other.near_);
+  reach_ = std::max(reach_, other.reach_);
   for (const IslandBody& island_body : other.bodies_) {
     if (!has(island_body.id)) add(island_body);
   }

@@ -19,7 +19,8 @@ class ContactGraph {
   bool link(BodyId a, BodyId b);
   /// Adds, for bodies that have a contact pair, the pairs of parts that may come within reach in a step of h.
   void link_parts(double h);
-  /// Adds the bodies and contact pairs of another graph, which must be at the same time.
+  /// Adds the bodies and contact pairs of another graph, which must be at the same time, and takes over the greater
+  /// distances.
   void absorb(const ContactGraph& other);
   /// The graphs of bodies that contact pairs connect through bodies that move. Bodies without a contact pair are left
   /// out.

@@ -161,8 +161,9 @@ std::vector<PairPoints> contact_points_of(const Run& run, BodyId a, BodyId b) {
   return graph_of_pair(run, a, b).points();
 }
 
-bool merge_islands(Run& run, BodyId a, BodyId b) {
-  Island merged(ContactGraph(contact_envelopes * run.world.envelope(), run.world.reach()), run.world.now());
+bool merge_islands(Run& run, BodyId a, BodyId b, double touching) {
+  const double near = contact_envelopes * std::max(run.world.envelope(), touching);
+  Island merged(ContactGraph(near, std::max(run.world.reach(), near)), run.world.now());
   ContactGraph& graph = merged.graph();
   std::vector<BodyPair> links{{a, b}};
   const auto add = [&](BodyId id) {

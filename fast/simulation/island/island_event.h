@@ -9,8 +9,8 @@ namespace touchstone::fast::simulation {
 std::vector<PairPoints> contact_points_of(const Run& run, BodyId a, BodyId b);
 
 /// Puts both bodies, with all bodies that they are in contact with, into one island. Returns false if they are out of
-/// reach.
-bool merge_islands(Run& run, BodyId a, BodyId b);
+/// reach. In the island bodies touch up to the distance `touching` (m), or the envelope if that is more.
+bool merge_islands(Run& run, BodyId a, BodyId b, double touching = 0);
 
 /// Ends the current step of the body's island, if it is in one, now.
 void cut_step(Run& run, BodyId id);

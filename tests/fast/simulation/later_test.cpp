@@ -31,6 +31,22 @@ TEST_CASE("later: a pair that separates is queried after a time in which it cann
   CHECK(run.schedule.next()->time <= 2 * falls);
 }
 
+TEST_CASE("later: far from the origin a separating pair is queried when it may have approached by more than rounding") {
+  const Vec3 far{0x1p22, 0, 0};
+  Scene scene = moving_scene({ball(1, far + Vec3(0, 0, 1), still, {}), table()}, g_W, {4});
+  scene.bodies[1].X_WB.p_WB += far;
+  scene.motion->envelope = 0x1p-40;
+  Run run(scene, {.frame = 4});
+  const double unresolved = 2 * clearance(run.world.body(0), run.world.body(1), 0, never);
+  REQUIRE(unresolved > 1000 * run.world.envelope());
+  run.schedule.begin_frame();
+  schedule_later(run, 0, 1, {0, still, {0, 0, 1}});
+  REQUIRE(run.schedule.next() != nullptr);
+  const double falls = std::sqrt(2 * unresolved / 16 / 10);
+  CHECK(run.schedule.next()->time >= 0.99 * falls);
+  CHECK(run.schedule.next()->time <= 2 * falls);
+}
+
 TEST_CASE("later: a body that slides along a face without any force is not queried again") {
   const Body free_box = brick({4, 4, 1}, {0, 0, -1}, {});
   for (const Body& support : {table(), free_box}) {

@@ -43,6 +43,18 @@ TEST_CASE("contact graph: links bodies within reach") {
   CHECK(graph.contact_pairs().size() == 1);  // not twice
 }
 
+TEST_CASE("contact graph: takes over the greater distances of a graph that it absorbs") {
+  const IslandBodies bodies({table(), ball_at(0, 0.5)}, still);
+  ContactGraph coarse(0.5, 0.75), fine(near, reach);
+  for (const BodyId id : {0u, 1u}) coarse.add(bodies[id]);
+  CHECK(coarse.link(0, 1));
+  fine.absorb(coarse);
+  CHECK(fine.near() == 0.5);
+  CHECK(fine.points().size() == 1);
+  coarse.absorb(ContactGraph(near, reach));
+  CHECK(coarse.near() == 0.5);
+}
+
 TEST_CASE("contact graph: links the parts that may come within reach in a step") {
   // Two balls of a dumbbell over a table: one touches, the other is 1 m above it.
   Body dumbbell;
