@@ -50,6 +50,7 @@ class StallGuard {
   Work work_;
   double window_end_ = 0;  ///< s
   std::int64_t iterations_ = 0;
+  unsigned all_iterations_ = 0;
   std::optional<Stopped> stopped_;  ///< the last reason
 };
 

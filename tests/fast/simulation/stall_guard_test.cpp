@@ -83,8 +83,9 @@ TEST_CASE("stall guard: work up to its limit is allowed, counted since the run b
   mark(Mark::contact_row, 1000);
   StallGuard guard(options, 1, 8, 2);
   mark(Mark::contact_row, 6);
-  CHECK(guard.makes_progress(1, 0, 1));
+  for (int i = 0; i < 32; ++i) REQUIRE(guard.makes_progress(1, 0, 1));
   mark(Mark::contact_row);
+  for (int i = 0; i < 15; ++i) REQUIRE(guard.makes_progress(1.5, 0, 1));  // work is added up in every 16th iteration
   CHECK_FALSE(guard.makes_progress(1.5, 0, 1));
   REQUIRE(guard.stopped().has_value());
   CHECK(guard.stopped()->why == "more work than allowed");
