@@ -67,8 +67,10 @@ class Fast : public Subject {
   }
 
   Answer<Trajectory> simulation(const Scene& scene) override {
+    // A question has 5 to 10 s: some half a second for each body (docs/design/simulation.md#limits).
+    const fast::SimulationOptions limits{.most_work_per_body = 500'000'000};
     try {
-      return fast::simulate(scene).trajectory;
+      return fast::simulate(scene, limits).trajectory;
     } catch (const fast::BeyondDoubles& beyond) {
       return Abstains{beyond.what()};
     } catch (const std::range_error& beyond) {
