@@ -40,6 +40,7 @@ bool any_parting_normal(const PosedHull& A, const PosedHull& B, Found&& found) {
   for (int f = 0; f < B.hull->face_count(); ++f) {
     if (found(B.turned_out(B.hull->face(f).normal))) return true;
   }
+  if (A.hull->edge_count() == 0) return false;  // a ball's core
   std::vector<TurnedEdge> edges_of_B;
   for (int j = 0; j < B.hull->edge_count(); ++j) edges_of_B.emplace_back(B, j);
   for (int i = 0; i < A.hull->edge_count(); ++i) {

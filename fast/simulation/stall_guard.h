@@ -11,9 +11,8 @@
 namespace touchstone::fast::simulation {
 
 /// Counts iterations of the main loop within a stall window of time, but for contact steps, which have a limit of their
-/// own. A run stops if a window has too many of them, if
-/// it has more events, micro-bounces, contact steps or work than the options allow, or if the contacts of a step could
-/// not be solved.
+/// own. A run stops if a window has too many of them, if it has more events, micro-bounces, contact steps or work than
+/// the options allow, or if the contacts of a step could not be solved.
 class StallGuard {
  public:
   /// `frame` and `end`: the lengths of a frame and of the motion (s).

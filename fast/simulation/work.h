@@ -8,7 +8,7 @@
 namespace touchstone::fast::simulation {
 
 /// The work of a run: how often its thread has marked each place (fast/mark.h) since the run began, times the CPU time
-/// of the place (ns, on one computer). A sum of such times is within a factor of four of the time that runs took
+/// of the place (ns, on one computer). The sum is within a factor of two of the time that most costly runs took
 /// (docs/measured/simulation.md). Requires that the run stays on its thread.
 class Work {
  public:

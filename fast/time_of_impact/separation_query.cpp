@@ -3,7 +3,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <stdexcept>
 
@@ -12,6 +11,7 @@
 #include "fast/lin_canny/surround.h"
 #include "fast/mark.h"
 #include "fast/time_of_impact/common_middle.h"
+#include "model/infinity.h"
 
 namespace touchstone::fast::time_of_impact {
 
@@ -48,7 +48,6 @@ class Widest {
     if (!wider) return;
     n_ = n;
     gap_ = *wider;
-    has_one_ = true;
   }
   void ask_faces() {
     for (int f = 0; f < A_.hull->face_count(); ++f) ask(A_.turned_out(A_.hull->face(f).normal));
@@ -61,7 +60,7 @@ class Widest {
       return false;
     });
   }
-  bool has_one() const { return has_one_; }
+  bool has_one() const { return gap_ > -infinity; }
   double found_gap() const { return gap_; }
   const Vec3& direction() const { return n_; }
 
@@ -69,8 +68,7 @@ class Widest {
   const PosedHull& A_;
   const PosedHull& B_;
   Vec3 n_ = Vec3::UnitZ();
-  double gap_ = -std::numeric_limits<double>::infinity();
-  bool has_one_ = false;
+  double gap_ = -infinity;
 };
 
 /// A vertex, or the middle of an edge, or of a face's first edge.

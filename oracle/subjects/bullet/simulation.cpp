@@ -222,7 +222,7 @@ class BulletSimulation : public Subject {
 }  // namespace
 
 std::unique_ptr<Subject> make_bullet_simulation(const std::string& settings) {
-  return make_bullet_simulation(settings, 1.0 / 256);
+  return make_bullet_simulation(settings, default_step);
 }
 
 std::unique_ptr<Subject> make_bullet_simulation(const std::string& settings, double dt) {

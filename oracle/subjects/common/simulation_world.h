@@ -22,6 +22,8 @@ class SimulationWorld {
 /// without restitution, without friction, or among balls.
 std::optional<Abstains> no_such_motion(const Scene& scene, Law law = Law::newton);
 
+inline constexpr double default_step = 1.0 / 256;  ///< s, the longest step of an engine
+
 /// Between two looks (or pushes) as many equal steps of at most `dt` (s) as needed, so that each of them falls on a
 /// step.
 Trajectory follow(const Scene& scene, double dt, SimulationWorld& world);

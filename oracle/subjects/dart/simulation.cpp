@@ -143,7 +143,7 @@ class DartSimulation : public Subject {
 
 }  // namespace
 
-std::unique_ptr<Subject> make_dart_simulation() { return make_dart_simulation(1.0 / 256); }
+std::unique_ptr<Subject> make_dart_simulation() { return make_dart_simulation(default_step); }
 
 std::unique_ptr<Subject> make_dart_simulation(double dt) { return std::make_unique<DartSimulation>(dt); }
 

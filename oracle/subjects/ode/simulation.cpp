@@ -153,7 +153,7 @@ class OdeSimulation : public Subject {
 }  // namespace
 
 std::unique_ptr<Subject> make_ode_simulation(const std::string& stepper) {
-  return make_ode_simulation(stepper, 1.0 / 256);
+  return make_ode_simulation(stepper, default_step);
 }
 
 std::unique_ptr<Subject> make_ode_simulation(const std::string& stepper, double dt) {

@@ -193,7 +193,7 @@ class SimbodySimulation : public Subject {
 
 }  // namespace
 
-std::unique_ptr<Subject> make_simbody_simulation() { return make_simbody_simulation(1.0 / 256); }
+std::unique_ptr<Subject> make_simbody_simulation() { return make_simbody_simulation(default_step); }
 
 std::unique_ptr<Subject> make_simbody_simulation(double dt) { return std::make_unique<SimbodySimulation>(dt); }
 
