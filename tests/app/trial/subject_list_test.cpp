@@ -15,6 +15,13 @@ TEST_CASE("Commas part names, but belong to a command line") {
   CHECK(subject_list({"a,exec:engine x,y"}) == Names{"a", "exec:engine x,y"});
 }
 
+TEST_CASE(
+    "A subject may sleep for ten times its CPU time, and for 10 s at least, since a busy machine starts it late") {
+  CHECK(limits_of(0.25).cpu_seconds == 0.25);
+  CHECK(limits_of(0.25).wall_seconds == 10);
+  CHECK(limits_of(2).wall_seconds == 20);
+}
+
 TEST_CASE("Subjects that are linked in") {
   CHECK(connect("inproc:reference", {})->card().name == "reference");
   CHECK(connect("inproc:fast", {})->card().name == "fast");
