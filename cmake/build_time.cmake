@@ -3,6 +3,10 @@
 # include what they use (a build with -D CMAKE_UNITY_BUILD=OFF -D CMAKE_DISABLE_PRECOMPILE_HEADERS=ON checks it). The
 # bits of answers do not depend on the level (tests/fast/fingerprint).
 
+# The compiler collects its garbage once it has 512 MB, not from 128 MB on: a sixth less time, 130 MB more memory for a
+# unit. Such a unit takes 0.6 to 1.1 GB.
+add_compile_options($<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-heapsize=524288>)
+
 # In a Release build, code that computes answers has the level of the build type, code that judges answers a lower one,
 # and code that only prints them the lowest.
 function(touchstone_optimise target layer)

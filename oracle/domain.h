@@ -34,6 +34,16 @@ struct DistanceTolerance {
   bool operator==(const DistanceTolerance&) const = default;
 };
 
+/// By how much two bodies may be apart, or overlap, at a reported time of impact beyond rounding. A cast that ends once
+/// the two are close enough declares here how close.
+struct ContactTolerance {
+  double absolute = 0;  ///< m
+  double size = 0;      ///< 1: of the thickness of the thinnest body
+  double way = 0;       ///< 1: of the longest way of a point until the motion ends
+
+  bool operator==(const ContactTolerance&) const = default;
+};
+
 /// What a domain limits, in the same units. `lengths`: of the thinnest body, and of the longest one.
 struct SceneSizes {
   Interval lengths;

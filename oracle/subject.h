@@ -48,6 +48,7 @@ struct Card {
   std::vector<Deviation> deviations;
   Domain domain = {};  ///< the scenes by which it wants to be judged; others are asked too, and counted apart
   DistanceTolerance distance_tolerance = {};
+  ContactTolerance contact_tolerance = {};  ///< of `time_of_impact`
   BoxKind boxes = BoxKind::tight;
   std::map<std::string, Precision> precision_of =
       {};  ///< by query, or by a shape that a scene has: the coarsest counts

@@ -117,6 +117,7 @@ Finding start(const Scene& scene, Subject& subject) {
     }
     if (asked.truth.at_start) return judge::outside("neither separating nor approaching at the start");
     if (asked.truth.time.lo == asked.start) return judge::outside("the poses at the start are not known exactly");
+    if (asked.granted > 0) return judge::outside("the subject declares that it takes bodies so near for touching");
     for (double after = asked.moment; asked.start + after < asked.end; after *= 2) {
       const double apart = asked.gap(asked.start + after);
       if (apart <= asked.slack) continue;
@@ -137,7 +138,8 @@ struct Sure {
 // An exact subject gets the window of binary64: a subject with exact poses still encloses the time of impact only as
 // narrowly as doubles do (TS-TIME-OF-IMPACT-4), and reports some time in the enclosure.
 std::optional<Sure> surely(const MotionCase& given) {
-  const MotionCase asked(given.scene, std::max(given.precision, oracle::Precision::binary64));
+  MotionCase asked(given.scene, std::max(given.precision, oracle::Precision::binary64));
+  asked.slack += given.granted;
   const std::optional<double> earliest = asked.earliest();
   if (asked.truth.status == Status::miss && !earliest) return Sure{false, 0};
   if (asked.truth.status != Status::hit || !earliest) return std::nullopt;

@@ -12,6 +12,7 @@ const card = {
   about: "PxGjkQuery.proximityInfo, sweep and overlap of ConvexGeomSupport without margin; PxMassProperties of a "
     + "geometry; PxGeometryQuery.computeGeomBounds; hulls cooked with planeTolerance 0",
   homepage, domain,
+  contact_tolerance: { size: 0.0025 }, // a tenth of the sweep margin, which is 0.05 of the least half extent at most
   deviations: [{
     clause: "TS-TIME-OF-IMPACT-5",
     what: "a sweep counts shapes that touch or overlap at its start as hit at 0, whether they approach or part",

@@ -111,6 +111,11 @@ DistanceTolerance read_distance_tolerance(const Node& node) {
           limit_or_0(node, "margin")};
 }
 
+ContactTolerance read_contact_tolerance(const Node& node) {
+  node.expect_object({"absolute", "size", "way"});
+  return {limit_or_0(node, "absolute"), limit_or_0(node, "size"), limit_or_0(node, "way")};
+}
+
 std::vector<std::string> read_texts(const Node& node) {
   std::vector<std::string> texts;
   for (int i = 0; i < node.size(); ++i) texts.push_back(node[i].text());
@@ -172,8 +177,8 @@ Stepping read_stepping(const Node& node) {
 
 Card read_card(const Node& node) {
   node.expect_object({"name", "version", "precision", "answers", "knows_touching", "broad_phase_margin", "domain",
-                      "distance_tolerance", "boxes", "precision_of", "dynamics", "reproduces", "stepping", "about",
-                      "homepage", "deviations"});
+                      "distance_tolerance", "contact_tolerance", "boxes", "precision_of", "dynamics", "reproduces",
+                      "stepping", "about", "homepage", "deviations"});
   Card card;
   card.name = node.at("name").text();
   card.version = node.at("version").text();
@@ -184,6 +189,9 @@ Card read_card(const Node& node) {
   if (const auto domain = node.find("domain")) card.domain = read_domain(*domain);
   if (const auto tolerance = node.find("distance_tolerance")) {
     card.distance_tolerance = read_distance_tolerance(*tolerance);
+  }
+  if (const auto tolerance = node.find("contact_tolerance")) {
+    card.contact_tolerance = read_contact_tolerance(*tolerance);
   }
   read_word(node, "boxes", card.boxes, box_kinds);
   if (const auto precision_of = node.find("precision_of")) card.precision_of = read_precision_of(*precision_of);
@@ -249,6 +257,10 @@ Json json_of(const DistanceTolerance& tolerance) {
           {"margin", tolerance.margin}};
 }
 
+Json json_of(const ContactTolerance& tolerance) {
+  return {{"absolute", tolerance.absolute}, {"size", tolerance.size}, {"way", tolerance.way}};
+}
+
 Json json_of(const Dynamics& dynamics) {
   Json json = Json::object();
   if (dynamics.restitution != Combine::min)
@@ -285,6 +297,7 @@ Json json_of(const Card& card) {
                {"broad_phase_margin", card.broad_phase_margin},
                {"domain", json_of(card.domain)},
                {"distance_tolerance", json_of(card.distance_tolerance)},
+               {"contact_tolerance", json_of(card.contact_tolerance)},
                {"boxes", word_of(card.boxes, box_kinds)},
                {"precision_of", json_of(card.precision_of)},
                {"dynamics", json_of(card.dynamics)},

@@ -213,6 +213,13 @@ double moving_distance(const Scene& scene, double time, Precision precision) {
   return distance(scene, precision) * (farthest / scale(scene)) + motions + 2 * u * time * speed;
 }
 
+double granted(const Scene& scene, const ContactTolerance& declared) {
+  double sum = declared.absolute;
+  if (declared.size > 0) sum += declared.size * sizes_of(scene).lengths.lo;
+  if (declared.way > 0) sum += declared.way * longest_way(scene, scene.motion->sample_times.back());
+  return sum;
+}
+
 // u is a difference of v + w × r.
 double at_contact(const Impact& impact, const std::array<BallisticBound, 2>& before,
                   const std::array<double, 2>& arms) {

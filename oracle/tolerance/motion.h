@@ -45,6 +45,9 @@ double turn(const Scene& scene, std::size_t body, double rate, double seconds, P
 /// m: error of the distance of bodies 0 and 1 at a computed time up to `time`.
 double moving_distance(const Scene& scene, double time, Precision precision);
 
+/// m: by how much two bodies may be apart, or overlap, at a time of impact, as the subject declares.
+double granted(const Scene& scene, const ContactTolerance& declared);
+
 /// m/s: error of the relative velocity at C before an impact; `arms` (m) bounds the errors of p_BcmC_W of A and B.
 double at_contact(const Impact& impact, const std::array<BallisticBound, 2>& before, const std::array<double, 2>& arms);
 

@@ -43,13 +43,14 @@ bool is_decisive(const Scene& pair, double slack) {
   return is_decisive(pair.bodies[0], slack) && is_decisive(pair.bodies[1], slack);
 }
 
-MotionCase::MotionCase(const Scene& pair, oracle::Precision in)
+MotionCase::MotionCase(const Scene& pair, oracle::Precision in, const oracle::ContactTolerance& declared)
     : scene(pair),
       precision(in),
       truth(oracle::truth::time_of_impact(pair)),
       start(start_of(pair)),
       end(end_of(pair)),
-      slack(oracle::tolerance::moving_distance(pair, truth.status == Status::hit ? truth.time.hi : end, in)),
+      granted(oracle::tolerance::granted(pair, declared)),
+      slack(granted + oracle::tolerance::moving_distance(pair, truth.status == Status::hit ? truth.time.hi : end, in)),
       moment(slack / speed(pair, end)) {}
 
 bool MotionCase::sure() const { return is_decisive(scene, slack); }
@@ -85,9 +86,10 @@ std::optional<double> MotionCase::latest() const {
   return gap(end) < -slack ? std::optional(end) : std::nullopt;
 }
 
-std::optional<MotionCase> motion_case(const Scene& pair, oracle::Precision precision) {
+std::optional<MotionCase> motion_case(const Scene& pair, oracle::Precision precision,
+                                      const oracle::ContactTolerance& declared) {
   try {
-    return MotionCase(pair, precision);
+    return MotionCase(pair, precision, declared);
   } catch (const InputError&) {
     return std::nullopt;
   }

@@ -33,14 +33,15 @@ inline oracle::Finding counted(bool decisive, oracle::Finding found) {
 /// if the two are farther apart than that at all times up to it, nor later than a time at which they overlap by more.
 class MotionCase {
  public:
-  MotionCase(const Scene& pair, oracle::Precision precision);
+  MotionCase(const Scene& pair, oracle::Precision precision, const oracle::ContactTolerance& declared = {});
 
   const Scene& scene;
   oracle::Precision precision;
   reference::TimeOfImpactTruth truth;
-  double start, end;  ///< s
-  double slack = 0;   ///< m; tolerance::moving_distance at the contact, else at the end
-  double moment = 0;  ///< s: the least time in which the two move by the slack relative to each other
+  double start, end;   ///< s
+  double granted = 0;  ///< m; what the subject declares of its contacts
+  double slack = 0;    ///< m; that and tolerance::moving_distance at the contact, else at the end
+  double moment = 0;   ///< s: the least time in which the two move by the slack relative to each other
 
   bool sure() const;  ///< is the slack small enough to decide?
   /// m: the distance of the two at a time of their motions; if negative, a lower bound of their overlap.
@@ -56,7 +57,8 @@ class MotionCase {
 };
 
 /// None where the reference refuses the question, because the two overlap at the start.
-std::optional<MotionCase> motion_case(const Scene& pair, oracle::Precision precision);
+std::optional<MotionCase> motion_case(const Scene& pair, oracle::Precision precision,
+                                      const oracle::ContactTolerance& declared = {});
 
 /// A bound in metres, counted in ulps of the scene's scale.
 oracle::judge::Allowance in_ulps_of_place(const MotionCase& asked, double bound);
@@ -67,7 +69,8 @@ template <class JudgeIt>
 oracle::Finding of_motion(const Scene& scene, const oracle::Subject& subject, JudgeIt&& judge_it) {
   if (!scene.motion) return oracle::judge::outside("no motion");
   return of_pair(scene, subject, [&] {
-    const std::optional<MotionCase> asked = motion_case(scene, subject.card().precision);
+    const oracle::Card& card = subject.card();
+    const std::optional<MotionCase> asked = motion_case(scene, card.precision, card.contact_tolerance);
     if (!asked) return oracle::judge::outside("the bodies overlap at the start");
     return asked->sure() ? judge_it(*asked) : oracle::judge::outside(too_far_to_decide);
   });

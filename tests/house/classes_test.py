@@ -22,7 +22,7 @@ DEFENDED = {
     "oracle/subjects/canaries/lie.h: Lies": (
         0, 14, "has one lie for each of the eleven queries, two for all of them, and the stepping that the card claims."),
     "oracle/subject.h: Card": (
-        0, 16, "is what a subject declares, field by field as the protocol has it."),
+        0, 17, "is what a subject declares, field by field as the protocol has it."),
     "reference/rational.h: Rational": (
         21, 1, "is a number: nine functions make, copy and destroy it, five are operators, and GMP stays hidden."),
 }

@@ -201,6 +201,7 @@ TEST_CASE("a card survives the way") {
   Card card{"n", "1.2", Precision::binary32, {"mass"}, true, 0.05, "about", "home", {{"TS-MASS-1", "what", "link"}}};
   card.domain = {Interval{0.25, 100}, Interval{0, 2000}, 1000, 50, 64, 10, 8, 20};
   card.distance_tolerance = {0.5, 0.125, 0.01, 0.02};
+  card.contact_tolerance = {0.25, 0.5, 0.125};
   card.boxes = BoxKind::of_turned_box;
   card.precision_of = {{"mass", Precision::binary64}, {"polytope", Precision::binary32}};
   card.dynamics = {Combine::geometric_mean, Combine::max, 1, true, 0.25, 0.5, 100, 47, Sleep{0.1, 0.2, 0.5}};
@@ -211,6 +212,7 @@ TEST_CASE("a card survives the way") {
   CHECK(read.deviations.at(0).clause == "TS-MASS-1");
   CHECK(read.domain == card.domain);
   CHECK(read.distance_tolerance == card.distance_tolerance);
+  CHECK(read.contact_tolerance == card.contact_tolerance);
   CHECK(read.boxes == card.boxes);
   CHECK(read.precision_of == card.precision_of);
   CHECK(read.dynamics == card.dynamics);

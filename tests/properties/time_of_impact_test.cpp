@@ -1,6 +1,7 @@
 // The outcomes of the time_of_impact properties, for answers computed by hand.
 #include <cmath>
 
+#include "oracle/tolerance/motion.h"
 #include "properties/property.h"
 #include "tests/catch.h"
 #include "tests/properties/fixed_subject.h"
@@ -41,6 +42,41 @@ TEST_CASE("time_of_impact: a time is right to rounding, and no more") {
   CHECK(judged("agrees", ball, {Status::hit, {}, {}, {}}).outcome == Outcome::abstains);
   CHECK(judged("agrees", passing, miss).outcome == Outcome::holds);
   CHECK(judged("agrees", passing, hit(2)).defect == Defect::phantom);
+}
+
+// The ball meets the table at √116 m/s, so 10⁻⁵ s are 1.077·10⁻⁴ m.
+TEST_CASE("time_of_impact: what a card declares of its contacts is granted, and no more") {
+  const Scene scene = tests::scene(ball);
+  const auto outcome = [&](double time, const oracle::ContactTolerance& declared) {
+    tests::FixedSubject subject;
+    subject.introduced.contact_tolerance = declared;
+    subject.said_time_of_impact = hit(time);
+    return properties::find("time_of_impact.agrees").check(scene, subject).outcome;
+  };
+  const double thickness = oracle::sizes_of(scene).lengths.lo;
+  const double way = oracle::tolerance::longest_way(scene, scene.motion->sample_times.back());
+  for (const double off : {1e-5, -1e-5}) {
+    CAPTURE(off);
+    CHECK(outcome(falls + off, {.absolute = 1.08e-4}) == Outcome::holds);
+    CHECK(outcome(falls + off, {.absolute = 1.07e-4}) == Outcome::fails);
+    CHECK(outcome(falls + off, {.size = 1.08e-4 / thickness}) == Outcome::holds);
+    CHECK(outcome(falls + off, {.size = 1.07e-4 / thickness}) == Outcome::fails);
+    CHECK(outcome(falls + off, {.way = 1.08e-4 / way}) == Outcome::holds);
+    CHECK(outcome(falls + off, {.way = 1.07e-4 / way}) == Outcome::fails);
+  }
+}
+
+TEST_CASE("time_of_impact: touching bodies that part may count as met where a tolerance is declared") {
+  tests::FixedSubject subject;
+  subject.introduced.contact_tolerance.absolute = 1e-6;
+  subject.said_time_of_impact = hit(0);
+  const auto start = [&](const std::string& scene) {
+    return properties::find("time_of_impact.start").check(tests::scene(scene), subject).outcome;
+  };
+  CHECK(start(parting) == Outcome::outside);
+  CHECK(start("cubes that touch and approach") == Outcome::holds);
+  subject.said_time_of_impact = miss;
+  CHECK(start("cubes that touch and approach") == Outcome::fails);
 }
 
 TEST_CASE("time_of_impact: what is through is not forgotten") {

@@ -84,6 +84,11 @@ std::string declared(const oracle::Card& card) {
         "body</p>",
         d.absolute, d.relative, d.slop, d.margin);
   }
+  if (const auto& d = card.contact_tolerance; !(d == oracle::ContactTolerance{})) {
+    html += fmt::format(
+        "<p>Declared tolerance of contacts: {:.3g} m + {:.3g} times the thinnest body + {:.3g} times the way</p>",
+        d.absolute, d.size, d.way);
+  }
   if (card.boxes == oracle::BoxKind::of_turned_box) html += "<p>Its boxes are those of turned local boxes</p>";
   if (card.boxes == oracle::BoxKind::of_ball) html += "<p>Its boxes are at most those of balls about local boxes</p>";
   html += line_of("Declared precision of parts", protocol::json_of(card.precision_of));

@@ -5,6 +5,7 @@
 #include <BulletCollision/NarrowPhaseCollision/btGjkEpaPenetrationDepthSolver.h>
 #include <BulletCollision/NarrowPhaseCollision/btSubSimplexConvexCast.h>
 
+#include <cmath>
 #include <stdexcept>
 
 #include "oracle/subject.h"
@@ -36,6 +37,8 @@ class BulletCast : public Subject {
                                                           : "btGjkConvexCast") +
                   (turns ? " over ways of less than half a radian" : ", which does not turn") + ", margins 0";
     card_.domain = domain();
+    // In their sources btSubsimplexConvexCast ends at a squared distance of 10 SIMD_EPSILON, the others at 0.001.
+    card_.contact_tolerance.absolute = algorithm == "subsimplex" ? std::sqrt(10 * SIMD_EPSILON) : 0.001;
     card_.homepage = "https://github.com/bulletphysics/bullet3";
   }
 

@@ -6,6 +6,7 @@
 
 #include <memory>
 
+#include "oracle/subjects/common/customary_domain.h"
 #include "oracle/subjects/common/engine.h"
 
 namespace touchstone::oracle::subjects::in_bullet {
@@ -14,7 +15,7 @@ inline constexpr bool is_double = sizeof(btScalar) == sizeof(double);
 
 /// For the cards; the reason: docs/how_to/add_a_subject.md.
 inline Domain domain() {
-  Domain made;
+  Domain made = customary_domain();
   made.lengths = Interval{0.05, 10};
   made.fixed_lengths = Interval{0, 1e30};  // nothing is said of them
   return made;

@@ -11,6 +11,7 @@
 #include <dart/simulation/World.hpp>
 
 #include "oracle/subject.h"
+#include "oracle/subjects/common/customary_domain.h"
 #include "oracle/subjects/common/impact_input.h"
 #include "oracle/subjects/common/simulation_world.h"
 
@@ -114,6 +115,7 @@ class DartSimulation : public Subject {
                   " s between sample times; each body has the root of the scene's restitution, since DART multiplies "
                   "the two of a pair; detector (FCL) and solver (Dantzig) as shipped";
     card_.homepage = "https://dartsim.github.io";
+    card_.domain = customary_domain();
     card_.stepping = Stepping{dt, 1};
     card_.dynamics.friction_pyramid = true;
     // Constants of its contacts that it does not offer: measured, a ball at 0.09 m/s does not bounce, one at 0.11 m/s

@@ -4,6 +4,7 @@
 
 #include "oracle/subject.h"
 #include "oracle/subjects/common/cast.h"
+#include "oracle/subjects/common/customary_domain.h"
 #include "oracle/subjects/fcl/input.h"
 
 namespace touchstone::oracle::subjects {
@@ -19,8 +20,11 @@ class FclCast : public Subject {
     card_.answers = {"time_of_impact"};
     card_.about =
         "fcl::continuousCollide by conservative advancement with libccd's GJK, CCDM_LINEAR, over ways of less than "
-        "half a "
-        "radian; settings as shipped: toc_err 1e-4 of the way";
+        "half a radian; settings as shipped";
+    card_.domain = customary_domain();
+    // It ends once its next step is less than toc_err of the way; a distance is within GJK's tolerance.
+    card_.contact_tolerance = {.absolute = ::fcl::DistanceRequestd().distance_tolerance,
+                               .way = ::fcl::ContinuousCollisionRequestd().toc_err};
     card_.homepage = "https://github.com/flexible-collision-library/fcl";
   }
 

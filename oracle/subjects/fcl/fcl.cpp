@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "oracle/subject.h"
+#include "oracle/subjects/common/customary_domain.h"
 #include "oracle/subjects/fcl/input.h"
 #include "oracle/subjects/fcl/snippet.h"
 
@@ -135,6 +136,7 @@ Card card(const std::string& name, const std::string& solver, std::vector<Deviat
                    solver + ", FCL's own settings",
           .homepage = "https://github.com/flexible-collision-library/fcl",
           .deviations = std::move(deviations),
+          .domain = customary_domain(),
           .boxes = BoxKind::of_ball,  // CollisionObject::computeAABB of a rotated object; also FCL's issue 509
           .reproduces = {"mass", "distance", "penetration"}};
 }

@@ -15,6 +15,7 @@
 #include "model/input_error.h"
 #include "oracle/subject.h"
 #include "oracle/subjects/common/broad_phase_world.h"
+#include "oracle/subjects/common/customary_domain.h"
 #include "oracle/subjects/fcl/input.h"
 #include "oracle/tolerance/tolerance.h"
 
@@ -138,6 +139,7 @@ std::unique_ptr<Subject> make_fcl_manager(const std::string& name) {
   card.about =
       found->second.about + ", FCL's own settings; a frame ends with registerObjects(new), setup() and update()";
   card.homepage = "https://github.com/flexible-collision-library/fcl";
+  card.domain = customary_domain();
   card.boxes = BoxKind::of_ball;  // CollisionObject::computeAABB of a rotated object; also FCL's issue 509
   return broad_phase_subject(std::move(card), [make = found->second.make](const Scene& scene) {
     return std::make_unique<FclWorld>(make(scene), scene);

@@ -7,6 +7,7 @@
 
 #include "model/box_vertices.h"
 #include "oracle/subject.h"
+#include "oracle/subjects/common/customary_domain.h"
 #include "oracle/subjects/common/engine.h"
 #include "oracle/subjects/libccd/snippet.h"
 
@@ -111,6 +112,7 @@ Card card(const std::string& name, const std::string& about, std::vector<Deviati
           .about = about,
           .homepage = "https://github.com/danfis/libccd",
           .deviations = std::move(deviations),
+          .domain = customary_domain(),
           .distance_tolerance = {.absolute = tolerance},
           .reproduces = {"distance", "penetration"}};
 }

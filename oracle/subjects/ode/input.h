@@ -6,6 +6,7 @@
 #include <array>
 #include <string>
 
+#include "oracle/subjects/common/customary_domain.h"
 #include "oracle/subjects/common/impact_input.h"
 
 namespace touchstone::oracle::subjects::in_ode {
@@ -81,6 +82,7 @@ inline Card card(const std::string& name, const std::string& about) {
   card.precision = is_double ? Precision::binary64 : Precision::binary32;
   card.about = about;
   card.homepage = "https://ode.org";
+  card.domain = customary_domain();
   return card;
 }
 

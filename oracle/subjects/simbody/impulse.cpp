@@ -1,6 +1,7 @@
 #include "oracle/subjects/simbody/impulse.h"
 
 #include "oracle/subject.h"
+#include "oracle/subjects/common/customary_domain.h"
 #include "oracle/subjects/simbody/input.h"
 
 namespace touchstone::oracle::subjects {
@@ -17,6 +18,7 @@ class SimbodyImpulse : public Subject {
         "by more than 2^-100 rad, PLUS impulse solver, " +
         law + "'s restitution, constraint tolerance 2^-40 of the greatest speed at C, no position projection";
     card_.homepage = "https://github.com/simbody/simbody";
+    card_.domain = customary_domain();
   }
 
   const Card& card() const override { return card_; }

@@ -6,6 +6,7 @@
 
 #include "model/box_vertices.h"
 #include "oracle/subject.h"
+#include "oracle/subjects/common/customary_domain.h"
 #include "oracle/subjects/common/simulation_world.h"
 #include "oracle/subjects/simbody/input.h"
 #include "oracle/subjects/simbody/rigid_bodies.h"
@@ -170,6 +171,7 @@ class SimbodySimulation : public Subject {
         "nothing is restored";
     card_.dynamics.restitution_threshold = in_simbody::default_capture;
     card_.homepage = "https://github.com/simbody/simbody";
+    card_.domain = customary_domain();
   }
 
   const Card& card() const override { return card_; }
