@@ -81,8 +81,14 @@ Facts facts(const Body& body, const ImpactBody& impact_body, Precision precision
   return it;
 }
 
-// √J: the stated velocities, each number rounded once, and an angular velocity turned back.
-Real stored(const Scene& scene, const Impact& impact, const std::array<Velocity, 2>& after, Real u, bool exact) {
+// A solver may add the impulse to the velocities in parts: along the normal, along two tangents, and that of
+// restitution. Each sum rounds. An exact subject only rounds its answer.
+Real sums(Precision precision) { return precision == Precision::exact ? 1 : 4; }
+
+// √J: the stated velocities, each number rounded with each sum, and an angular velocity turned back.
+Real stored(const Scene& scene, const Impact& impact, const std::array<Velocity, 2>& after, Precision precision) {
+  const Real u = unit_roundoff(precision), times = sums(precision);
+  const bool exact = precision == Precision::exact;
   Real sum = 0;
   for (std::size_t i = 0; i < 2; ++i) {
     const ImpactBody& body = impact.bodies[i];
@@ -91,7 +97,7 @@ Real stored(const Scene& scene, const Impact& impact, const std::array<Velocity,
     const Real turned = !exact && needs_turn(scene.bodies[i], body) ? turn * change : 0;
     const Real v = length(after[i].v_WBcm) + (exact ? 0 : body.v_WBcm.norm());
     const Real w = length(after[i].w_WB) + (exact ? 0 : body.w_WB.norm());
-    sum += u * (std::sqrt(body.mass) * v + std::sqrt(body.moments[2]) * (w + turned));
+    sum += u * (std::sqrt(body.mass) * times * v + std::sqrt(body.moments[2]) * (times * w + turned));
   }
   return sum;
 }
@@ -131,9 +137,8 @@ Real disturbed(const Scene& scene, const Impact& impact, Real K, Real du) {
 // All but the last times crossing.
 double impulse(const Scene& scene, const Impact& impact, const std::array<Velocity, 2>& after, Precision precision) {
   const Real u = unit_roundoff(precision), N = size(scene, impact);
-  const bool exact = precision == Precision::exact;
-  const Real said = stored(scene, impact, after, u, exact);
-  if (exact) return static_cast<double>(said + u * N);
+  const Real said = stored(scene, impact, after, precision);
+  if (precision == Precision::exact) return static_cast<double>(said + u * N);
   Real K = 0, du = 0;
   for (std::size_t i = 0; i < 2; ++i) {
     const ImpactBody& body = impact.bodies[i];
@@ -163,8 +168,8 @@ double solved_together(std::span<const Real> norms, Precision precision) {
   return static_cast<double>(256 * unit_roundoff(precision) * sum * sum);
 }
 
-// m v' rounds by u m|v'|. v' = v + P/m: the sum u|v'|, the quotient u|P|/m and the error of the mass. Twice that for
-// three coordinates at once.
+// m v' rounds by u m|v'|. v' = v + P/m: the sums u|v'| each, the quotient u|P|/m and the error of the mass. Twice that
+// for three coordinates at once.
 double momentum(const Scene& scene, const Impact& impact, const std::array<Velocity, 2>& after, Real impulse,
                 Precision precision) {
   const Real u = unit_roundoff(precision);
@@ -173,14 +178,14 @@ double momentum(const Scene& scene, const Impact& impact, const std::array<Veloc
     const ImpactBody& body = impact.bodies[i];
     if (body.fixed) continue;
     const Facts off = facts(scene.bodies[i], body, precision);
-    sum += 2 * (u * body.mass * length(after[i].v_WBcm) + (u + off.mass) * impulse);
+    sum += 2 * (sums(precision) * u * body.mass * length(after[i].v_WBcm) + (u + off.mass) * impulse);
   }
   return static_cast<double>(sum);
 }
 
-// I (w' − w) = r × m (v' − v). About C, rounding of w' and w is multiplied by the greatest moment, λ; that of v' and v
-// by the arm. The torque r × P has the arm's error, and two products and a sum for each coordinate (4u). The solve I⁻¹
-// is off by its own error and, in turned axes, by two turns, each of which I magnifies by cond(I).
+// I (w' − w) = r × m (v' − v). About C, rounding of w' (with each sum) and w is multiplied by the greatest moment, λ;
+// that of v' and v by the arm. The torque r × P has the arm's error, and two products and a sum for each coordinate
+// (4u). The solve I⁻¹ is off by its own error and, in turned axes, by two turns, each of which I magnifies by cond(I).
 double angular_momentum(const Scene& scene, const Impact& impact, std::size_t i, const Velocity& after, Real impulse,
                         Precision precision) {
   const ImpactBody& body = impact.bodies[i];
@@ -188,8 +193,9 @@ double angular_momentum(const Scene& scene, const Impact& impact, std::size_t i,
   const Facts off = facts(scene.bodies[i], body, precision);
   const Real condition = body.moments[2] / body.moments[0];
   const Real turned = needs_turn(scene.bodies[i], body) ? 2 * turn * u : 0;
-  const Real spin = u * body.moments[2] * (length(after.w_WB) + body.w_WB.norm());
-  const Real swing = u * r * body.mass * (length(after.v_WBcm) + body.v_WBcm.norm());
+  const Real times = sums(precision);
+  const Real spin = u * body.moments[2] * (times * length(after.w_WB) + body.w_WB.norm());
+  const Real swing = u * r * body.mass * (times * length(after.v_WBcm) + body.v_WBcm.norm());
   const Real solve = condition * (turned + off.inertia + 4 * u) * torque + off.arm * impulse + off.mass * torque;
   return static_cast<double>(2 * (spin + swing + solve));
 }
