@@ -9,7 +9,8 @@ set(needed
   "mpfi.h|MPFI (intervals)|libmpfi-dev"
   "nlohmann/json.hpp|nlohmann-json (JSON)|nlohmann-json3-dev"
   "CLI/CLI.hpp|CLI11 (the command line)|libcli11-dev"
-  "fmt/core.h|fmt (text)|libfmt-dev")
+  "fmt/core.h|fmt (text)|libfmt-dev"
+  "nlopt.h|NLopt (optimisation without derivatives)|libnlopt-dev")
 if(TOUCHSTONE_TESTS)
   list(APPEND needed
     "catch2/catch_all.hpp,catch2/catch.hpp|Catch2 2 or 3 (tests)|catch2"

@@ -174,11 +174,12 @@ void add_run_options(CLI::App& command, RunOptions& options) {
           "--effort", options.effort,
           "quick, standard or soak: how many scenes are asked, and how long a failing one is made smaller. "
           "quick asks several subjects about 300 scenes of each query, and one by itself about 1,000; "
-          "standard asks several subjects about 1,500 scenes of each query, and one by itself about 100,000 "
+          "standard asks several subjects about 1,000 scenes of each query, and one by itself about 100,000 "
           "and about 1,456,000 impacts for the properties that need one answer each. Trajectories are longer: "
           "of simulation, quick asks for at most 68 drawn scenes (320 of one subject by itself) and 20 extreme ones, "
-          "standard for 150 (4,000) and soak for 10,000 (40,000); of constraint 40, 400 and 10,000. Beside "
-          "other subjects one that computes exactly is asked about 400 scenes of each query (soak: 4,000), and "
+          "standard for 100 (4,000) and soak for 10,000 (40,000); of constraint 40, 400 and 10,000 (beside others "
+          "half of that, and of the extreme scenes). Beside other subjects one that computes exactly is asked about "
+          "400 scenes of each query (soak: 4,000), and "
           "for no trajectory of these two queries")
       ->check(one_of(effort_names()))
       ->type_name("EFFORT")
@@ -459,6 +460,15 @@ void add_fuzz(CLI::App& program, Options& options) {
           },
           "End after so many scenes; then the result does not depend on the machine")
       ->type_name("NUMBER");
+  command
+      ->add_option_function<std::string>(
+          "--enlarge",
+          [&words](const std::string& word) {
+            words.enlarge = static_cast<int>(whole_number("--enlarge", word, 3, largest_count));
+          },
+          "Afterwards make the largest error of each finding larger: a search over the numbers of its scene (NLopt's "
+          "Subplex) asks so many questions. The scene is written beside the smallest one, as NAME.largest.json")
+      ->type_name("QUESTIONS");
   add_seed(*command, words.seed);
   add_limit_of_a_question(*command, words.time_limit);
   add_folder(*command, "--out", words.out, "Write a case file for each finding to this folder")->capture_default_str();

@@ -249,6 +249,7 @@ Examples:
   touchstone fuzz penetration --subject bullet.double --time 600 --out bullet
   touchstone fuzz impulse --executions 2000 --seed 7 --json      the same result on every machine
   touchstone fuzz distance --properties distance.value --subject "exec:my_engine"
+  touchstone fuzz distance --subject fcl.libccd --enlarge 3000   how wrong can it be?
 
 The first scenes are those of the corpus and of the families that check draws too. Then scenes are mutated: moved until
 two bodies touch exactly, aligned, flattened, scaled by powers of two, changed by an ulp, spliced. An execution is one
@@ -258,7 +259,8 @@ other scenes. So the laws about several answers are tested on few scenes; the co
 rates. Of the other queries, each scene is asked under all properties. A scene that shows something new is kept and
 mutated further: another part of fast is reached, another kind of scene, a larger error, a smaller margin to a wrong
 verdict. Where screen and properties contradict each other, the command says so (exit code 3). A finding is reported
-once for each cause, with the smallest scene that was found to show it; `touchstone replay` asks it again.
+once for each cause, with the smallest scene that was found to show it; `touchstone replay` asks it again. With
+--enlarge, the numbers of the scene with the largest error are then searched for a larger one.
 
 A crash of a subject in this process ends the command. Behind the pipe (--subject fast) it is a finding.
 

@@ -65,6 +65,10 @@ Effort chosen_effort(const RunOptions& options, std::size_t subjects) {
     effort.trajectories.simulations = effort.trajectories.simulations_alone;
   } else {
     effort.more_impacts = 0;
+    effort.extreme_cases /= fewer_beside_others;
+    effort.trajectories.extreme_cases /= fewer_beside_others;
+    effort.trajectories.constraints /= fewer_beside_others;
+    effort.mesh_pairs = mesh_pairs_beside_others;
   }
   return effort;
 }

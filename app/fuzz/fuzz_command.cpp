@@ -57,6 +57,7 @@ FuzzPlan plan_of(const FuzzCommand& command) {
   plan.executions = command.executions;
   plan.seconds = command.time;
   if (!command.time && !command.executions) plan.seconds = default_fuzz_time;
+  plan.enlarge_budget = command.enlarge;
   plan.minimise_budget = is_simulated(command.query) ? minimise_budget_of_trajectories : minimise_budget;
   return plan;
 }
@@ -68,21 +69,48 @@ void prepare_folder(const std::string& folder) {
   require_writable_folder(folder, folder);
 }
 
-/// A finding's file, and how to ask it again.
+/// A finding's file, and how to ask it again; likewise of its largest error, if there is one (else empty).
 struct Written {
   std::string file;
   std::string replay;
+  std::string largest_file = {};
+  std::string largest_replay = {};
 };
+
+oracle::Case largest_case(const Example& largest, const oracle::Case& smallest) {
+  oracle::Case made = smallest;
+  made.scene = largest.scene;
+  made.finding = largest.finding;
+  made.changed.reset();
+  made.snippet.clear();
+  made.note = "touchstone fuzz --enlarge: the largest error that was found";
+  return made;
+}
 
 Written write(FuzzFinding& finding, const FuzzCommand& command, const std::string& connectable,
               const std::string& file_name) {
   const std::string name =
-      fmt::format("{}.{}.{}.json", finding.row.property->id, name_of(finding.smallest.finding.defect), file_name);
-  const std::string file = (fs::path(command.out) / name).string();
+      fmt::format("{}.{}.{}", finding.row.property->id, name_of(finding.smallest.finding.defect), file_name);
+  const auto path = [&](const char* ending) { return (fs::path(command.out) / (name + ending)).string(); };
+  const std::string file = path(".json");
   finding.smallest.subject = connectable;
   finding.smallest.folder = folder_of(connectable);
   oracle::write_case(finding.smallest, file);
-  return {file, replay_command(file, connectable)};
+  Written written{file, replay_command(file, connectable)};
+  if (finding.largest) {
+    written.largest_file = path(".largest.json");
+    written.largest_replay = replay_command(written.largest_file, connectable);
+    oracle::write_case(largest_case(*finding.largest, finding.smallest), written.largest_file);
+  }
+  return written;
+}
+
+/// "8.1e+15 ulps of the scene's scale, 0.36 times the exact value, 0.9 times the size of the smaller body"
+std::string text_of_error(const oracle::Finding& finding) {
+  std::string text = fmt::format("{:.3g} {}", finding.error, finding.unit);
+  if (finding.relative) text += fmt::format(", {:.3g} times the exact value", *finding.relative);
+  if (finding.of_body) text += fmt::format(", {:.3g} times the size of the smaller body", *finding.of_body);
+  return text;
 }
 
 /// Of all answers that hold, the one with the largest error beside what is allowed; null if no error has a size.
@@ -120,6 +148,11 @@ Json json_of(const FuzzFinding& finding, const Written& written) {
             {"case", written.file},
             {"replay", written.replay}};
   json["finding"] = oracle::json_of(finding.smallest.finding);
+  if (finding.largest) {
+    json["largest"] = {{"finding", oracle::json_of(finding.largest->finding)},
+                       {"case", written.largest_file},
+                       {"replay", written.largest_replay}};
+  }
   return json;
 }
 
@@ -187,6 +220,9 @@ void print_words(const FuzzCommand& command, const FuzzResult& result, const std
     for (const auto& [label, words] : lines_of(finding.smallest.finding)) print("    {:<9} {}\n", label, words);
     print("    {:<9} {}\n", "scene", text_of(oracle::size_of(finding.smallest.scene)));
     print("    {}\n", written[f].replay);
+    if (finding.largest) {
+      print("    {:<9} {}\n    {}\n", "enlarged", text_of_error(finding.largest->finding), written[f].largest_replay);
+    }
   }
 }
 

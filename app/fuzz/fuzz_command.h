@@ -14,6 +14,7 @@ struct FuzzCommand {
   std::vector<std::string> properties;  ///< ids; empty: all of the query
   std::optional<long> executions;
   std::optional<double> time;  ///< s; if neither is given, default_fuzz_time
+  int enlarge = 0;             ///< questions per finding
   std::uint64_t seed = 1;
   std::string out = "findings";  ///< a folder
   double time_limit = 2;         ///< as in RunOptions

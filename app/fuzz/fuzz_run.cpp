@@ -9,6 +9,7 @@
 #include <set>
 #include <utility>
 
+#include "app/fuzz/enlarge.h"
 #include "app/fuzz/pool.h"
 #include "app/fuzz/screen.h"
 #include "app/fuzz/signals.h"
@@ -108,6 +109,7 @@ class Fuzzer {
   FuzzResult run() {
     execute_all();
     cut_down();
+    if (plan_.enlarge_budget > 0) enlarge();
     result_.coverage.kept = pool_.size();
     result_.coverage.signals = seen_.size();
     result_.interrupted = interrupted();
@@ -244,6 +246,19 @@ class Fuzzer {
       if (finding.smallest.note.empty()) {
         finding.smallest.note = fmt::format("touchstone fuzz {}, seed {}: execution {}, made smaller", plan_.query,
                                             plan_.seed, example.index);
+      }
+      progress.step(finding.row.property->id);
+    }
+  }
+
+  void enlarge() {
+    Progress progress("enlarging", static_cast<int>(result_.findings.size()));
+    for (FuzzFinding& finding : result_.findings) {
+      const Example& worst = *finding.row.examples.worst;
+      const bool has_size =
+          worst.finding.outcome == oracle::Outcome::fails && worst.finding.unit != oracle::without_size;
+      if (has_size && !interrupted()) {
+        finding.largest = enlarged(worst, guarded(*finding.row.property), subject_, plan_.enlarge_budget);
       }
       progress.step(finding.row.property->id);
     }

@@ -22,6 +22,7 @@ struct FuzzPlan {
   std::optional<double> seconds;   ///< ends after so much wall-clock time; then the scenes are made smaller
   int draws = 4;                   ///< scenes of each family to begin with
   int minimise_budget = 0;         ///< queries per finding
+  int enlarge_budget = 0;          ///< queries per finding whose error has a size, to make it larger
   int share = 64;  ///< one of so many scenes that the screen passes is asked under all properties, too; a choice
 };
 
@@ -35,9 +36,10 @@ struct Contradiction {
 /// All failing answers with one cause: a property and a defect; or a break with the same words, apart from numbers,
 /// whatever the property.
 struct FuzzFinding {
-  long execution = 0;     ///< in which it was first seen, counted from 1
-  Row row;                ///< of the property that met it first
-  oracle::Case smallest;  ///< minimised; its subject is the card's name
+  long execution = 0;                   ///< in which it was first seen, counted from 1
+  Row row;                              ///< of the property that met it first
+  oracle::Case smallest;                ///< minimised; its subject is the card's name
+  std::optional<Example> largest = {};  ///< one with a larger error than all that were drawn, if one was looked for
 };
 
 /// What was seen of the subject and the scenes.

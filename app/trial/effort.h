@@ -1,6 +1,7 @@
 // How many scenes are asked about, and how long a failing scene is minimised.
 #pragma once
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -26,11 +27,17 @@ struct Effort {
   int minimise_budget = 0;  ///< queries per failing row
   int mesh_share = 1;       ///< a pair of meshes is used in one of so many of the query's laws
   int deep_mesh_pairs = 0;  ///< overlapping pairs of meshes that are queried for depth
+  int mesh_pairs = std::numeric_limits<int>::max();  ///< pairs of meshes that are queried for distance
   TrajectoryEffort trajectories = {};
 };
 
 /// Is the answer to the query a trajectory?
 inline bool is_simulated(const std::string& query) { return query == "simulation" || query == "constraint"; }
+
+/// Beside others a subject is asked about so many times fewer extreme scenes and scenes of constraint, and about at
+/// most so many pairs of meshes, each of which takes milliseconds to write and to read. Choices.
+inline constexpr int fewer_beside_others = 2;
+inline constexpr int mesh_pairs_beside_others = 400;
 
 /// A choice: the many impacts of a trajectory, where a run may take its time.
 inline constexpr double patient_simulation_factor = 10;
@@ -55,7 +62,7 @@ inline const std::vector<Effort>& efforts() {
        .deep_mesh_pairs = 12,
        .trajectories = {68, 320, 40, 20, 60, 5}},
       {.name = "standard",
-       .cases = 1500,
+       .cases = 1000,
        .cases_alone = 100'000,
        .more_impacts = 1'356'000,
        .exact_cases = 400,
@@ -63,7 +70,7 @@ inline const std::vector<Effort>& efforts() {
        .minimise_budget = 800,
        .mesh_share = 4,
        .deep_mesh_pairs = 60,
-       .trajectories = {150, 4000, 400, 300, 300, patient_simulation_factor}},
+       .trajectories = {100, 4000, 400, 300, 300, patient_simulation_factor}},
       {.name = "soak",
        .cases = 40'000,
        .cases_alone = 1'000'000,

@@ -116,9 +116,11 @@ std::vector<MeshQuestion> pairs(const std::string& query, const Effort& effort, 
       asked.push_back({kinds[pair % kinds.size()], pair, {i, j}});
     }
   }
-  if (query == "distance") return asked;
-  std::erase_if(asked, [](const MeshQuestion& question) { return question.family != "mesh.overlapping"; });
-  const auto wanted = static_cast<std::size_t>(effort.deep_mesh_pairs);
+  const bool of_depth = query == "penetration";
+  if (of_depth) {
+    std::erase_if(asked, [](const MeshQuestion& question) { return question.family != "mesh.overlapping"; });
+  }
+  const auto wanted = static_cast<std::size_t>(of_depth ? effort.deep_mesh_pairs : effort.mesh_pairs);
   if (asked.size() <= wanted) return asked;
   std::vector<MeshQuestion> spread;  // evenly over all the pairs
   for (std::size_t k = 0; k < wanted; ++k) spread.push_back(asked[k * asked.size() / wanted]);

@@ -36,7 +36,7 @@ struct MeshQuestion {
   std::vector<std::size_t> meshes;
 };
 
-/// All pairs of meshes of each robot; the kinds of pose alternate.
+/// All pairs of meshes of each robot, or as many as the effort has, spread over them; the kinds of pose alternate.
 std::vector<MeshQuestion> mesh_questions(const std::string& query, const Effort& effort, const MeshSet& set);
 
 /// Draws rotations with small integer components and a direction from the seed. The exact distance then says how far to

@@ -107,6 +107,9 @@ oracle::Case smallest_without_snippet(const Example& example, const properties::
   return result;
 }
 
+/// A choice: half of the failing rows of a report are outside what engines declare.
+constexpr int part_for_what_does_not_count = 8;
+
 /// The rows that would be minimised as hangs, except the first of each subject.
 std::set<const Row*> hang_like_another(const std::vector<Row*>& failing) {
   std::set<const Row*> all;
@@ -152,7 +155,8 @@ void cut_down(Ledger& ledger, const std::vector<std::vector<std::unique_ptr<orac
   in_parallel(failing.size(), static_cast<int>(workers.size()), [&](std::size_t f, std::size_t job) {
     Row& row = *failing[f];
     const TestedSubject& subject = *row.subject;
-    const int budget = is_simulated(row.property->query) ? effort.trajectories.minimise_budget : effort.minimise_budget;
+    const int whole = is_simulated(row.property->query) ? effort.trajectories.minimise_budget : effort.minimise_budget;
+    const int budget = row.examples.smallest->beyond.empty() ? whole : whole / part_for_what_does_not_count;
     row.minimised.size_before = oracle::size_of(row.examples.smallest->scene);
     row.minimised.result = alike.contains(&row)
                                ? as_found(row, ledger.seed)

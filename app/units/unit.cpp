@@ -23,9 +23,9 @@ using properties::Property;
 /// Each unit starts the subjects afresh, and one that runs in Node.js takes 0.4 to 1 s of CPU time to start: as long as
 /// it takes for some hundred questions. So a unit grows with the run, until the start is a small part of it; more units
 /// than `enough_units` serve more threads and shards. All three are choices.
-constexpr std::size_t enough_units = 15;
+constexpr std::size_t enough_units = 8;
 constexpr std::size_t least_chunk = 24;
-constexpr std::size_t largest_chunk = 160;
+constexpr std::size_t largest_chunk = 400;
 
 /// If a property throws, that is a fault of Touchstone: the error names the place, so that it can be reproduced.
 oracle::Finding checked(const Question& question, const Scene& scene, const Property& property,

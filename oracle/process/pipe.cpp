@@ -145,8 +145,9 @@ Answer<T> PipeSubject::answer_to(Write&& write, Read&& read, double times) {
 template <class T>
 Answer<T> PipeSubject::ask(const std::string& query, const Scene& scene) {
   if (std::ranges::count(card_.answers, query) == 0) return Abstains{"no " + query + " query"};
+  const bool is_patient = std::same_as<T, Trajectory> || card_.precision == Precision::exact;
   return answer_to<T>([&](std::int64_t seq) { return protocol::ask(seq, query, text_of(scene)); },
-                      protocol::read_answer<T>, std::same_as<T, Trajectory> ? limits_.simulation_factor : 1);
+                      protocol::read_answer<T>, is_patient ? limits_.simulation_factor : 1);
 }
 
 Answer<std::string> PipeSubject::reproduce(const std::string& query, const Scene& scene) {

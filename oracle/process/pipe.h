@@ -15,7 +15,7 @@ namespace touchstone::oracle {
 struct PipeLimits {
   double cpu_seconds = 2;                            ///< the subject's own CPU time per query; beyond it, it hangs
   double wall_seconds = 20;                          ///< per query; a second limit, for a subject that sleeps
-  double simulation_factor = 1;                      ///< factor of both limits for queries of simulation or constraint
+  double simulation_factor = 1;                      ///< factor of both limits for trajectories, and exact subjects
   int recycle_after = 0;                             ///< queries until a fresh process is started; 0: never
   std::size_t longest_line = std::size_t{64} << 20;  ///< bytes; a longer answer is garbage
   bool (*given_up)() = nullptr;                      ///< polled; true: the answer is no longer needed

@@ -23,6 +23,15 @@ class Fuzz(Test):
         self.assertEqual(again.returncode, 1, again.stderr)
         self.assertIn("phantom", again.stdout)
 
+    def test_a_larger_error_is_looked_for_and_its_case_replays(self):
+        lying = f"exec:{CANARY} canary.edges_not_clipped"
+        words = ["distance", "--subject", lying, "--properties", "distance.value", "--executions", 60, "--skip-adapter-check"]
+        found = self.fuzz(*words, "--enlarge", 300, code=1)["findings"][0]
+        self.assertGreater(found["largest"]["finding"]["error"], found["largest_error"])
+        again = self.run_program("replay", found["largest"]["case"], "--subject", lying)
+        self.assertEqual(again.returncode, 1, again.stderr)
+        self.assertNotIn("largest", self.fuzz(*words, code=1)["findings"][0])
+
     def test_each_cause_is_reported_once(self):
         found = self.fuzz("distance", "--subject", LYING, "--executions", 200, "--skip-adapter-check", code=1)
         causes = [(f["property"], f["defect"]) for f in found["findings"]]

@@ -43,7 +43,7 @@ TEST_CASE("A scene follows from the seed") {
   CHECK_FALSE(mesh_scene(set, question, 5) == mesh_scene(set, question, 6));
 }
 
-TEST_CASE("Depth is asked of a few pairs, spread over all") {
+TEST_CASE("Depth, and beside others distance, is asked of a few pairs, spread over all") {
   MeshSet set;
   for (int i = 0; i < 10; ++i) set.meshes.push_back({"mesh", "robot", {}});
   Effort effort{.name = "some", .deep_mesh_pairs = 5};
@@ -51,6 +51,10 @@ TEST_CASE("Depth is asked of a few pairs, spread over all") {
   const std::vector<MeshQuestion> deep = mesh_questions("penetration", effort, set);
   CHECK(deep.size() == 5);
   CHECK(deep.back().meshes[0] > 3);
+  effort.mesh_pairs = 9;
+  const std::vector<MeshQuestion> some = mesh_questions("distance", effort, set);
+  CHECK(some.size() == 9);
+  CHECK(some.back().meshes[0] > 3);
   CHECK(mesh_questions("broad_phase", effort, set).size() == 1);
   CHECK(mesh_questions("mass", effort, set).size() == 10);
 }
