@@ -74,6 +74,13 @@ std::optional<Node> Node::find(std::string_view key) const {
   return std::nullopt;
 }
 
+std::vector<std::string> Node::keys() const {
+  if (!json_.is_object()) refuse("expected an object, found " + kind(json_));
+  std::vector<std::string> names;
+  for (const auto& [key, value] : json_.items()) names.push_back(key);
+  return names;
+}
+
 int Node::size() const {
   if (!json_.is_array()) refuse("expected an array, found " + kind(json_));
   if (json_.size() > static_cast<std::size_t>(std::numeric_limits<int>::max())) refuse("too many items");

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "model/json.h"
 
@@ -22,6 +23,8 @@ class Node {
 
   Node at(std::string_view key) const;  ///< the member with this key; refuses an object without it
   std::optional<Node> find(std::string_view key) const;
+
+  std::vector<std::string> keys() const;  ///< refuses a value that is not an object
 
   int size() const;  ///< refuses a value that is not an array
   void expect_size(int size) const;

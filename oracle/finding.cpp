@@ -76,6 +76,8 @@ std::string name_of(Defect defect) {
       return "beyond_cone";
     case Defect::broken_enclosure:
       return "broken_enclosure";
+    case Defect::too_much_work:
+      return "too_much_work";
     case Defect::loose_enclosure:
       return "loose_enclosure";
     case Defect::asymmetric:

@@ -42,6 +42,7 @@ enum class Defect {
   pulls,             ///< an impulse that pulls the bodies towards each other
   beyond_cone,       ///< more friction than mu allows
   broken_enclosure,  ///< claimed interval does not contain the truth
+  too_much_work,     ///< more steps than the card promises
   loose_enclosure,   ///< claimed interval is wider than rounding explains
   asymmetric,        ///< changes when the bodies swap
   moved_with_frame,  ///< changes under a rigid motion of the world

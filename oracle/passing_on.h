@@ -28,6 +28,7 @@ class PassingOn : public Subject {
   }
   Answer<Trajectory> simulation(const Scene& scene) override { return derived().pass(&Subject::simulation, scene); }
   Answer<Trajectory> constraint(const Scene& scene) override { return derived().pass(&Subject::constraint, scene); }
+  Answer<Work> work(const std::string& query, const Scene& scene) override { return subject_.work(query, scene); }
 
  protected:
   Subject& subject_;

@@ -10,6 +10,7 @@
 #include "model/scene.h"
 #include "oracle/domain.h"
 #include "oracle/dynamics.h"
+#include "oracle/work.h"
 
 namespace touchstone::oracle {
 
@@ -55,6 +56,7 @@ struct Card {
   Dynamics dynamics = {};
   std::vector<std::string> reproduces = {};  ///< the queries for which it writes a snippet
   std::optional<Stepping> stepping = {};     ///< of `simulation`; `simulation` grants the errors that it explains
+  std::vector<WorkLimit> work_limits = {};   ///< of the queries whose work it counts
 };
 
 /// The precision in which the subject answers the query about the scene.
@@ -83,6 +85,9 @@ class Subject {
 
   /// A program in the engine's own API that asks it the query about the scene and prints what it says.
   virtual Answer<std::string> reproduce(const std::string& /*query*/, const Scene&) { return Abstains{"no snippets"}; }
+
+  /// What the answer to the query about the scene takes.
+  virtual Answer<Work> work(const std::string& /*query*/, const Scene&) { return Abstains{"does not count its work"}; }
 };
 
 }  // namespace touchstone::oracle

@@ -49,9 +49,13 @@ std::vector<Property> join() {
                             simulation_same_run_properties,
                             simulation_exact_ball_properties,
                             simulation_impulse_properties,
-                            constraint_properties}) {
+                            constraint_properties,
+                            work_properties}) {
     for (Property& property : query()) joined.push_back(in_its_precision(std::move(property)));
   }
+  std::ranges::stable_sort(joined, {}, [names = oracle::query_names()](const Property& property) {
+    return std::ranges::find(names, property.query) - names.begin();
+  });
   return joined;
 }
 

@@ -469,6 +469,9 @@ void add_fuzz(CLI::App& program, Options& options) {
           "Afterwards make the largest error of each finding larger: a search over the numbers of its scene (NLopt's "
           "Subplex) asks so many questions. The scene is written beside the smallest one, as NAME.largest.json")
       ->type_name("QUESTIONS");
+  command->add_flag("--first-failure", words.first_failure, "End with the first finding, and do not make it smaller");
+  command->add_flag("--empty-corpus", words.empty_corpus,
+                    "Begin with a single scene, instead of draws of all families and known cases");
   add_seed(*command, words.seed);
   add_limit_of_a_question(*command, words.time_limit);
   add_folder(*command, "--out", words.out, "Write a case file for each finding to this folder")->capture_default_str();

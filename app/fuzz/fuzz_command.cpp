@@ -57,7 +57,10 @@ FuzzPlan plan_of(const FuzzCommand& command) {
   plan.executions = command.executions;
   plan.seconds = command.time;
   if (!command.time && !command.executions) plan.seconds = default_fuzz_time;
+  if (command.empty_corpus) plan.draws = 0;
+  plan.first_failure = command.first_failure;
   plan.enlarge_budget = command.enlarge;
+  if (command.first_failure) return plan;
   plan.minimise_budget = is_simulated(command.query) ? minimise_budget_of_trajectories : minimise_budget;
   return plan;
 }

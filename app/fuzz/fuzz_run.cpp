@@ -24,6 +24,7 @@
 #include "model/input_error.h"
 #include "oracle/judge/judge.h"
 #include "oracle/query.h"
+#include "properties/fuzzing/displace.h"
 #include "properties/fuzzing/mutate.h"
 #include "properties/random.h"
 
@@ -121,16 +122,22 @@ class Fuzzer {
     const std::vector<Scene> starts = starting_scenes(plan_.query, plan_.seed, plan_.draws);
     const fast::MarkCounts marks_before = fast::mark_counts;
     End end(plan_);
-    while (!end.reached(result_.executions)) {
+    while (!end.reached(result_.executions) && !(plan_.first_failure && has_finding())) {
       const auto n = static_cast<std::uint64_t>(result_.executions++);
       Random random(plan_.seed, "fuzz " + plan_.query, n);
-      execute(n < starts.size() ? starts[n] : next(random), n < starts.size(), random);
+      if (n < starts.size()) {
+        execute(starts[n], true, random);
+      } else {
+        execute_next(random);
+      }
       end.show(result_.executions, result_.findings.size());
     }
     result_.seconds = end.seconds();
     for (std::size_t m = 0; m < result_.coverage.marks.size(); ++m)
       result_.coverage.marks[m] = fast::mark_counts[m] - marks_before[m];
   }
+
+  bool has_finding() const { return !result_.findings.empty() || !result_.contradictions.empty(); }
 
   Scene next(Random& random) {
     Scene scene = pool_.choose(random);
@@ -143,17 +150,44 @@ class Fuzzer {
     return scene;
   }
 
-  void execute(const Scene& scene, bool is_start, Random& random) {
+  /// A mutated scene, or a neighbour of the last one: of what a mutation costs, most is for new shapes.
+  void execute_next(Random& random) {
+    if (neighbours_left_ > 0) {
+      --neighbours_left_;
+      properties::fuzzing::displace(current_, random);
+    } else {
+      current_ = next(random);
+      neighbours_left_ = is_screened_ ? plan_.neighbours : 0;
+      keep_places();
+    }
+    if (execute(current_, false, random)) {
+      keep_places();
+    } else {
+      put_back();
+    }
+  }
+
+  void keep_places() {
+    places_.clear();
+    for (const Body& body : current_.bodies) places_.push_back(body.X_WB);
+  }
+
+  void put_back() {
+    for (std::size_t b = 0; b < places_.size(); ++b) current_.bodies[b].X_WB = places_[b];
+  }
+
+  /// Was the scene kept?
+  bool execute(const Scene& scene, bool is_start, Random& random) {
     Screen::Seen seen;
     if (is_screened_) {
       seen = screen_.ask(scene);
       const bool is_drawn = random.one_in(plan_.share);
-      if (seen.result == Screened::right && !seen.is_new && !is_start && !is_drawn) return;
+      if (seen.result == Screened::right && !seen.is_new && !is_start && !is_drawn) return false;
     }
-    ask_all(scene, seen, is_start, random);
+    return ask_all(scene, seen, is_start, random);
   }
 
-  void ask_all(const Scene& scene, const Screen::Seen& seen, bool is_start, Random& random) {
+  bool ask_all(const Scene& scene, const Screen::Seen& seen, bool is_start, Random& random) {
     ++result_.judged;
     Signals signals;
     const fast::MarkCounts marks_before = fast::mark_counts;
@@ -163,7 +197,9 @@ class Fuzzer {
     signals.add_scene(scene, plan_.query);
     bool is_new = seen.is_new;
     for (const std::string& word : signals.words()) is_new |= seen_.insert(word).second;
-    if (is_start || (is_new && judged.all_answered)) pool_.keep(scene, signals.nearness(), random);
+    const bool is_kept = is_start || (is_new && judged.all_answered);
+    if (is_kept) pool_.keep(scene, signals.nearness(), random);
+    return is_kept;
   }
 
   /// What the properties said that the screen stands for.
@@ -271,6 +307,9 @@ class Fuzzer {
   const bool is_screened_;
   Screen screen_;
   Pool pool_;
+  Scene current_;              ///< the last mutated one, and
+  std::vector<Pose> places_;   ///< where its bodies were when it showed something new
+  int neighbours_left_ = 0;
   std::set<std::string> seen_;
   std::map<std::string, std::size_t> causes_;  ///< to the index of the finding
   FuzzResult result_;

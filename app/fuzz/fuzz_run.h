@@ -20,9 +20,11 @@ struct FuzzPlan {
   std::uint64_t seed = 1;
   std::optional<long> executions;  ///< ends after so many scenes
   std::optional<double> seconds;   ///< ends after so much wall-clock time; then the scenes are made smaller
-  int draws = 4;                   ///< scenes of each family to begin with
+  int draws = 4;                   ///< scenes of each family to begin with; 0: a single scene
+  bool first_failure = false;      ///< ends with the first finding, too, and does not make it smaller
   int minimise_budget = 0;         ///< queries per finding
   int enlarge_budget = 0;          ///< queries per finding whose error has a size, to make it larger
+  int neighbours = 15;  ///< executions with the bodies of a mutated scene elsewhere, if there is a screen; a choice
   int share = 64;  ///< one of so many scenes that the screen passes is asked under all properties, too; a choice
 };
 
@@ -66,7 +68,8 @@ struct FuzzResult {
 /// Execution n is a function of the plan's seed, n and the executions before it. So the same plan, if no time ends it,
 /// has the same result, bit for bit, with a subject that repeats itself.
 ///
-/// An execution takes one scene; the first ones take the starting scenes as they are. If there is a screen for the
+/// An execution takes one scene; the first ones take the starting scenes as they are. Where there is a screen, a
+/// mutated scene is followed by `neighbours`: the same shapes, with one body displaced. If there is a screen for the
 /// query (app/fuzz/screen.h), and all properties that it stands for are in the plan, the subject is asked once and the
 /// answer screened. Under all properties it is asked about starting scenes; scenes on which the screen shows something
 /// new or does not call the answer right; and a drawn share of all others. Without a screen, about every scene. An

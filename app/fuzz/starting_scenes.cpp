@@ -14,9 +14,11 @@ constexpr std::size_t most_bodies_of_known_motion = 3;  ///< a choice: those tha
 }  // namespace
 
 std::vector<Scene> starting_scenes(const std::string& query, std::uint64_t seed, int draws) {
+  const std::vector<const properties::Family*> families = properties::for_query(properties::families(), query);
+  if (draws == 0) return {draw(*families.front(), seed, 0)};
   std::vector<Scene> all;
   for (int index = 0; index < draws; ++index) {
-    for (const properties::Family* family : properties::for_query(properties::families(), query)) {
+    for (const properties::Family* family : families) {
       all.push_back(draw(*family, seed, static_cast<std::uint64_t>(index)));
     }
   }

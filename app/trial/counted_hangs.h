@@ -11,6 +11,12 @@ class CountedHangs final : public oracle::PassingOn<CountedHangs> {
  public:
   CountedHangs(oracle::Subject& subject, int& hangs) : PassingOn(subject), hangs_(hangs) {}
 
+  Answer<oracle::Work> work(const std::string& query, const Scene& scene) override {
+    Answer<oracle::Work> counts = subject_.work(query, scene);
+    if (hung(counts)) ++hangs_;
+    return counts;
+  }
+
  private:
   friend PassingOn;
 

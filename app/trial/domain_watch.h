@@ -18,6 +18,11 @@ class DomainWatch final : public oracle::PassingOn<DomainWatch> {
   /// How the first question that was outside exceeds the domain, or what differs; empty if there was none.
   const std::string& beyond() const { return beyond_; }
 
+  Answer<oracle::Work> work(const std::string& query, const Scene& scene) override {
+    if (beyond_.empty()) beyond_ = oracle::beyond(card().domain, scene).value_or("");
+    return subject_.work(query, scene);
+  }
+
  private:
   friend PassingOn;
 

@@ -16,6 +16,11 @@ class LastAsked final : public oracle::PassingOn<LastAsked> {
   /// None before the first question.
   const std::optional<Scene>& scene() const { return scene_; }
 
+  Answer<oracle::Work> work(const std::string& query, const Scene& scene) override {
+    scene_ = scene;
+    return subject_.work(query, scene);
+  }
+
  private:
   friend PassingOn;
 

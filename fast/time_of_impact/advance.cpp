@@ -50,8 +50,9 @@ class Advance {
     while (++queries_ <= most_queries) {
       if (const std::optional<double> h = balls_apart(pair_, t_)) {
         mark(Mark::toi_balls);
+        const double before = t_;
         if (!go_on(*h)) return apart();
-        continue;
+        if (t_ > before) continue;
       }
       mark(Mark::toi_query);
       const SeparationQuery query(pair_, t_, memory_, known_);

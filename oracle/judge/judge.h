@@ -22,6 +22,7 @@ bool finite(const Impulse& answer);
 bool finite(const Pixels& answer);
 bool finite(const TimeOfImpact& answer);
 bool finite(const Trajectory& answer);
+inline bool finite(const Work&) { return true; }  ///< counts
 
 /// A bound, and the unit in which errors are counted against it.
 struct Allowance {

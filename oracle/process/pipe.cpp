@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <concepts>
 #include <variant>
 
 #include "model/json.h"
@@ -142,18 +141,31 @@ Answer<T> PipeSubject::answer_to(Write&& write, Read&& read, double times) {
   }
 }
 
+/// The factor of the limits for this query.
+double PipeSubject::patience(const std::string& query) const {
+  const bool is_patient = query == "simulation" || query == "constraint" || card_.precision == Precision::exact;
+  return is_patient ? limits_.simulation_factor : 1;
+}
+
 template <class T>
 Answer<T> PipeSubject::ask(const std::string& query, const Scene& scene) {
   if (std::ranges::count(card_.answers, query) == 0) return Abstains{"no " + query + " query"};
-  const bool is_patient = std::same_as<T, Trajectory> || card_.precision == Precision::exact;
   return answer_to<T>([&](std::int64_t seq) { return protocol::ask(seq, query, text_of(scene)); },
-                      protocol::read_answer<T>, is_patient ? limits_.simulation_factor : 1);
+                      protocol::read_answer<T>, patience(query));
 }
 
 Answer<std::string> PipeSubject::reproduce(const std::string& query, const Scene& scene) {
   if (std::ranges::count(card_.reproduces, query) == 0) return Abstains{"no snippets of " + query};
   return answer_to<std::string>([&](std::int64_t seq) { return protocol::reproduce(seq, query, text_of(scene)); },
                                 protocol::read_snippet, 1);
+}
+
+Answer<Work> PipeSubject::work(const std::string& query, const Scene& scene) {
+  if (std::ranges::count(card_.work_limits, query, &WorkLimit::query) == 0) {
+    return Abstains{"does not count the work of " + query};
+  }
+  return answer_to<Work>([&](std::int64_t seq) { return protocol::work(seq, query, text_of(scene)); },
+                         protocol::read_work, patience(query));
 }
 
 }  // namespace touchstone::oracle

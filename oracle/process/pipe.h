@@ -50,6 +50,9 @@ class PipeSubject : public Subject {
   /// Only a query that the card's `reproduces` lists is passed on.
   Answer<std::string> reproduce(const std::string& query, const Scene& scene) override;
 
+  /// Only a query of one of the card's `work_limits` is passed on.
+  Answer<Work> work(const std::string& query, const Scene& scene) override;
+
   /// Ends the process. The next query starts a fresh one.
   void restart();
 
@@ -62,6 +65,7 @@ class PipeSubject : public Subject {
   Answer<T> ask(const std::string& query, const Scene& scene);
   template <class T, class Write, class Read>
   Answer<T> answer_to(Write&& write, Read&& read, double times);
+  double patience(const std::string& query) const;
   Card start();
 
   std::vector<std::string> command_;

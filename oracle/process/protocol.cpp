@@ -25,9 +25,10 @@ constexpr Words<Breaks::Kind, 5> kinds = {{{Breaks::Kind::threw, "threw"},
                                            {Breaks::Kind::hung, "hung"},
                                            {Breaks::Kind::garbage, "garbage"},
                                            {Breaks::Kind::refused, "refused"}}};
-constexpr Words<Request::Op, 4> ops = {{{Request::Op::start, "start"},
+constexpr Words<Request::Op, 5> ops = {{{Request::Op::start, "start"},
                                         {Request::Op::ask, "ask"},
                                         {Request::Op::reproduce, "reproduce"},
+                                        {Request::Op::work, "work"},
                                         {Request::Op::stop, "stop"}}};
 
 constexpr Words<BoxKind, 3> box_kinds = {
@@ -175,10 +176,20 @@ Stepping read_stepping(const Node& node) {
   return stepping;
 }
 
+WorkLimit read_work_limit(const Node& node) {
+  node.expect_object({"query", "count", "base", "per", "placements"});
+  WorkLimit limit{node.at("query").text(), node.at("count").text(), limit_or_0(node, "base")};
+  if (const auto per = node.find("per")) {
+    for (const std::string& name : per->keys()) limit.per[name] = read_limit(per->at(name));
+  }
+  if (const auto placements = node.find("placements")) limit.placements = placements->index();
+  return limit;
+}
+
 Card read_card(const Node& node) {
   node.expect_object({"name", "version", "precision", "answers", "knows_touching", "broad_phase_margin", "domain",
                       "distance_tolerance", "contact_tolerance", "boxes", "precision_of", "dynamics", "reproduces",
-                      "stepping", "about", "homepage", "deviations"});
+                      "stepping", "work_limits", "about", "homepage", "deviations"});
   Card card;
   card.name = node.at("name").text();
   card.version = node.at("version").text();
@@ -198,6 +209,9 @@ Card read_card(const Node& node) {
   if (const auto dynamics = node.find("dynamics")) card.dynamics = read_dynamics(*dynamics);
   if (const auto reproduces = node.find("reproduces")) card.reproduces = read_texts(*reproduces);
   if (const auto stepping = node.find("stepping")) card.stepping = read_stepping(*stepping);
+  if (const auto limits = node.find("work_limits")) {
+    for (int i = 0; i < limits->size(); ++i) card.work_limits.push_back(read_work_limit((*limits)[i]));
+  }
   card.about = text_or(node, "about", "");
   card.homepage = text_or(node, "homepage", "");
   if (const auto deviations = node.find("deviations")) {
@@ -284,6 +298,14 @@ Json json_of(const std::map<std::string, Precision>& precision_of) {
   return json;
 }
 
+Json json_of(const WorkLimit& limit) {
+  return {{"query", limit.query},
+          {"count", limit.count},
+          {"base", limit.base},
+          {"per", limit.per},
+          {"placements", limit.placements}};
+}
+
 Json json_of(const Card& card) {
   Json deviations = Json::array();
   for (const Deviation& known : card.deviations) {
@@ -305,6 +327,7 @@ Json json_of(const Card& card) {
                {"about", card.about},
                {"homepage", card.homepage},
                {"deviations", std::move(deviations)}};
+  for (const WorkLimit& limit : card.work_limits) json["work_limits"].push_back(json_of(limit));
   if (card.stepping) json["stepping"] = {{"step", card.stepping->step}, {"order", card.stepping->order}};
   return json;
 }
@@ -319,6 +342,10 @@ std::string reproduce(Seq seq, std::string_view query, std::string_view scene_js
   return question("reproduce", seq, query, scene_json);
 }
 
+std::string work(Seq seq, std::string_view query, std::string_view scene_json) {
+  return question("work", seq, query, scene_json);
+}
+
 std::string stop(Seq seq) { return line_of({{"op", "stop"}, {"seq", seq}}); }
 
 std::string introduction(Seq seq, const Card& card) {
@@ -328,6 +355,8 @@ std::string introduction(Seq seq, const Card& card) {
 std::string answer(Seq seq, const Json& result) { return line_of({{"seq", seq}, {"result", result}}); }
 
 std::string snippet(Seq seq, const std::string& program) { return line_of({{"seq", seq}, {"snippet", program}}); }
+
+std::string work(Seq seq, const Work& counts) { return line_of({{"seq", seq}, {"work", counts}}); }
 
 std::string answer(Seq seq, const Abstains& abstains) { return line_of({{"seq", seq}, {"abstains", abstains.why}}); }
 
@@ -341,7 +370,7 @@ Request read_request(std::string_view line) {
   Request request;
   request.op = read_word(node.at("op"), ops);
   request.seq = node.at("seq").index();
-  if (request.op == Request::Op::ask || request.op == Request::Op::reproduce) {
+  if (request.op != Request::Op::start && request.op != Request::Op::stop) {
     node.expect_object({"op", "seq", "query", "scene"});
     request.query = node.at("query").text();
     node.at("scene");
@@ -380,6 +409,15 @@ Answer<T> read_answer(std::string_view line, Seq seq) {
 Answer<std::string> read_snippet(std::string_view line, Seq seq) {
   return read_part<std::string>(line, seq, "snippet",
                                 [](const Json& json, const char* place) { return Node(json, place).text(); });
+}
+
+Answer<Work> read_work(std::string_view line, Seq seq) {
+  return read_part<Work>(line, seq, "work", [](const Json& json, const char* place) {
+    const Node node(json, place);
+    Work counts;
+    for (const std::string& name : node.keys()) counts[name] = static_cast<std::uint64_t>(read_limit(node.at(name)));
+    return counts;
+  });
 }
 
 template Answer<Masses> read_answer<Masses>(std::string_view, Seq);

@@ -16,10 +16,10 @@ inline constexpr int version = 1;
 using Seq = std::int64_t;
 
 struct Request {
-  enum class Op { start, ask, reproduce, stop };
+  enum class Op { start, ask, reproduce, work, stop };
   Op op = Op::start;
   Seq seq = 0;
-  std::string query;  ///< if op is ask or reproduce: the name of a query (oracle/query.h)
+  std::string query;  ///< unless op is start or stop: the name of a query (oracle/query.h)
   Scene scene;
 };
 
@@ -27,6 +27,7 @@ struct Request {
 std::string start(Seq seq);
 std::string ask(Seq seq, std::string_view query, std::string_view scene_json);
 std::string reproduce(Seq seq, std::string_view query, std::string_view scene_json);
+std::string work(Seq seq, std::string_view query, std::string_view scene_json);
 std::string stop(Seq seq);
 Json json_of(const Domain& domain);      ///< of limits that are there
 Json json_of(const Dynamics& dynamics);  ///< of what differs
@@ -35,6 +36,7 @@ Json json_of(const Card& card);
 std::string introduction(Seq seq, const Card& card);
 std::string answer(Seq seq, const Json& result);
 std::string snippet(Seq seq, const std::string& program);
+std::string work(Seq seq, const Work& counts);
 std::string answer(Seq seq, const Abstains& abstains);
 std::string answer(Seq seq, const Breaks& breaks);
 
@@ -50,5 +52,8 @@ Answer<T> read_answer(std::string_view line, Seq seq);
 
 /// The answer to `reproduce`.
 Answer<std::string> read_snippet(std::string_view line, Seq seq);
+
+/// The answer to `work`.
+Answer<Work> read_work(std::string_view line, Seq seq);
 
 }  // namespace touchstone::oracle::protocol

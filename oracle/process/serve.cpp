@@ -61,27 +61,38 @@ std::string answer_to(protocol::Request request, const AnswerFunction& answer) {
                     in_default_environment(answer, *query, scene));
 }
 
-std::string snippet_for(protocol::Request request, const SnippetFunction& snippet) {
+/// The line of what `function` says, as `write` writes it; or that it abstains or breaks.
+template <class T, class Function, class Write>
+std::string part_for(protocol::Request request, const Function& function, Write&& write) {
   const Scene scene = received(std::move(request.scene), request.query);
-  const Answer<std::string> program = snippet(request.query, scene);
-  if (const auto* text = std::get_if<std::string>(&program)) return protocol::snippet(request.seq, *text);
-  if (const auto* abstains = std::get_if<Abstains>(&program)) return protocol::answer(request.seq, *abstains);
-  return protocol::answer(request.seq, std::get<Breaks>(program));
+  const Answer<T> said = function(request.query, scene);
+  if (const T* part = std::get_if<T>(&said)) return write(request.seq, *part);
+  if (const auto* abstains = std::get_if<Abstains>(&said)) return protocol::answer(request.seq, *abstains);
+  return protocol::answer(request.seq, std::get<Breaks>(said));
 }
 
 /// Returns no reply to `stop`. An error in the line becomes an answer, and the next line is read.
-std::optional<std::string> reply_to(const std::string& line, const Card& card, const AnswerFunction& answer,
-                                    const SnippetFunction& snippet) {
+std::optional<std::string> reply_to(const std::string& line, const Card& card, const Functions& functions) {
   const auto breaks = [&](const char* how) {
     return protocol::answer(protocol::seq_of(line), Breaks{Breaks::Kind::threw, how});
   };
   try {
     std::fesetenv(FE_DFL_ENV);
     protocol::Request request = protocol::read_request(line);
-    if (request.op == protocol::Request::Op::stop) return std::nullopt;
-    if (request.op == protocol::Request::Op::start) return protocol::introduction(request.seq, card);
-    if (request.op == protocol::Request::Op::reproduce) return snippet_for(std::move(request), snippet);
-    return answer_to(std::move(request), answer);
+    switch (request.op) {
+      case protocol::Request::Op::stop:
+        return std::nullopt;
+      case protocol::Request::Op::start:
+        return protocol::introduction(request.seq, card);
+      case protocol::Request::Op::reproduce:
+        return part_for<std::string>(std::move(request), functions.snippet, protocol::snippet);
+      case protocol::Request::Op::work:
+        return part_for<Work>(std::move(request), functions.work,
+                              [](protocol::Seq seq, const Work& counts) { return protocol::work(seq, counts); });
+      case protocol::Request::Op::ask:
+        break;
+    }
+    return answer_to(std::move(request), functions.answer);
   } catch (const std::exception& error) {
     return breaks(error.what());
   } catch (...) {
@@ -103,7 +114,7 @@ bool read_line(std::istream& in, std::string& line) {
 
 }  // namespace
 
-void serve(const Card& card, const AnswerFunction& answer, const SnippetFunction& snippet) {
+void serve(const Card& card, const Functions& functions) {
   const Descriptor out = private_stdout();
   const rlimit no_core_dumps{0, 0};
   setrlimit(RLIMIT_CORE, &no_core_dumps);
@@ -114,19 +125,19 @@ void serve(const Card& card, const AnswerFunction& answer, const SnippetFunction
       write_all(out, protocol::answer(0, Breaks{Breaks::Kind::threw, how}));
       continue;
     }
-    const std::optional<std::string> reply = reply_to(line, card, answer, snippet);
+    const std::optional<std::string> reply = reply_to(line, card, functions);
     if (!reply) break;
     write_all(out, *reply);
   }
 }
 
 int serve(Subject& subject) try {
-  serve(
-      subject.card(),
-      [&](const Query& query, const Scene& scene) {
-        return std::visit([&](auto ask) { return in_json((subject.*ask)(scene)); }, query.ask);
-      },
-      [&](const std::string& query, const Scene& scene) { return subject.reproduce(query, scene); });
+  serve(subject.card(),
+        {[&](const Query& query, const Scene& scene) {
+           return std::visit([&](auto ask) { return in_json((subject.*ask)(scene)); }, query.ask);
+         },
+         [&](const std::string& query, const Scene& scene) { return subject.reproduce(query, scene); },
+         [&](const std::string& query, const Scene& scene) { return subject.work(query, scene); }});
   return 0;
 } catch (const std::exception& error) {
   std::fprintf(stderr, "%s\n", error.what());

@@ -23,7 +23,16 @@ using AnswerFunction = std::function<Answer<Json>(const Query&, const Scene&)>;
 /// A program in the engine's own API that asks the query (Subject::reproduce).
 using SnippetFunction = std::function<Answer<std::string>(const std::string&, const Scene&)>;
 
+/// What the answer takes (Subject::work).
+using WorkFunction = std::function<Answer<Work>(const std::string&, const Scene&)>;
+
+struct Functions {
+  AnswerFunction answer;
+  SnippetFunction snippet;
+  WorkFunction work;
+};
+
 /// The same with any functions. Throws std::system_error if stdout cannot be written.
-void serve(const Card& card, const AnswerFunction& answer, const SnippetFunction& snippet);
+void serve(const Card& card, const Functions& functions);
 
 }  // namespace touchstone::oracle

@@ -25,7 +25,11 @@ BallisticBound ballistic(const Scene& scene, std::size_t body, double time, Prec
 
 /// What a time-stepping method as declared may add to that, derived in docs/design/stepping.md; `fastest` and
 /// `farthest` stay 0.
-BallisticBound stepped(const Scene& scene, std::size_t body, double time, const Stepping& stepping);
+BallisticBound stepped(const Scene& scene, std::size_t body, double time, const Stepping& stepping,
+                       Precision precision);
+
+/// 1: what the steps until `time` round off a speed, relative to its greatest value.
+double rounding_of_steps(double time, const Stepping& stepping, Precision precision);
 
 /// m/s: the greatest speed of a point of a body at the start.
 double fastest_at_start(const Scene& scene);

@@ -210,7 +210,10 @@ Finding follows(const TrajectoryCase& asked, const Ride& ride, bool of_carrier, 
   const Track& track = of_carrier ? ride.of_carrier : ride.of_upper;
   const Real time = asked.time(sample), g = -scene.gravity.z();
   const Real speed = ride.of_upper.v.norm() + ride.of_carrier.v.norm() + ride.speeds + g * time;
-  const Real rounding = 64 * oracle::unit_roundoff(asked.precision) * (1 + ride.friction) * speed;
+  Real rounding = 64 * oracle::unit_roundoff(asked.precision) * (1 + ride.friction) * speed;
+  if (asked.stepping) {
+    rounding += tolerance::rounding_of_steps(asked.time(sample), *asked.stepping, asked.precision) * speed;
+  }
   // A step changes the velocity at once, at one of its ends.
   const Real in_a_step = (asked.stepping ? asked.stepping->step : 0) * track.a.norm();
   const Real dv = (of_carrier ? ride.ratio : 1) * freedom_of_upper(scene, ride) + rounding + in_a_step;

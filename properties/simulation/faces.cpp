@@ -272,6 +272,25 @@ Real rounding_of(const FaceMotion& motion, Real time, oracle::Precision precisio
   return 64 * oracle::unit_roundoff(precision) * (speeds + accelerations * time);
 }
 
+/// What steps explain of a motion on a face (docs/design/stepping.md).
+struct SteppedOnFace {
+  Real dv = 0;     ///< m/s
+  Real place = 0;  ///< m, beside dv times the time
+};
+
+// A step finds the contact at its end, so friction may begin a step late; each step rounds the velocities. A method of
+// order 1 takes an acceleration a a h τ/2 too far.
+SteppedOnFace stepped(const TrajectoryCase& asked, const FaceMotion& motion, Real time) {
+  if (!asked.stepping) return {};
+  const Real h = asked.stepping->step, friction = motion.load.friction * motion.load.press;
+  const Real speeds = motion.on_face.v.norm() + motion.on_face.height * motion.on_face.w.norm() +
+                      (motion.load.along.norm() + friction) * time;
+  const Real rounding =
+      tolerance::rounding_of_steps(static_cast<double>(time), *asked.stepping, asked.precision) * speeds;
+  const Real too_far = asked.stepping->order > 1 ? 0 : (motion.load.along.norm() + friction) * h * time / 2;
+  return {friction * h + rounding, too_far};
+}
+
 /// Whether friction has one direction from one time to another, although velocities along the face may differ by dv:
 /// then slip differs by (1 + λ) dv, so it may end that much earlier or later, and in a step.
 bool keeps_phase(const FaceMotion& motion, Real from, Real until, Real dv, Real step) {
@@ -305,8 +324,8 @@ Finding turns_between(const TrajectoryCase& asked, const FaceMotion& motion, con
                       const State& after, Real until) {
   const Point w0 = before.velocity.w_WB.cast<Real>(), w1 = after.velocity.w_WB.cast<Real>();
   const Real seconds = until - from, step = asked.said.events ? 0 : longest_step;
-  const Real dv =
-      freedom_of(motion.on_face, motion.load, envelope(asked.scene)) + rounding_of(motion, until, asked.precision);
+  const Real dv = freedom_of(motion.on_face, motion.load, envelope(asked.scene)) +
+                  rounding_of(motion, until, asked.precision) + stepped(asked, motion, until).dv;
   if (seconds <= 0 || !oracle::is_short_turn(w0, w1, seconds)) return judge::outside("no time, or too many turns");
   if (!keeps_phase(motion, from, until, dv, step)) return judge::outside("slip ends between the samples");
   // 64 roundings of each quaternion, and of each radian since the start.
@@ -364,8 +383,9 @@ Finding slides(const Scene& scene, Subject& subject) {
         Point v = motion.face.in_face(said.velocity.v_WBcm.cast<Real>()),
               p = motion.face.in_face(said.X_WB.p_WB.cast<Real>() - motion.face.middle);
         v.z() = p.z() = 0;
-        const Real dv =
-            freedom_of(motion.on_face, motion.load, envelope(scene)) + rounding_of(motion, time, asked.precision);
+        const SteppedOnFace steps = stepped(asked, motion, time);
+        const Real dv = freedom_of(motion.on_face, motion.load, envelope(scene)) +
+                        rounding_of(motion, time, asked.precision) + steps.dv;
         const double speed = static_cast<double>(motion.on_face.v.norm() + scene.gravity.norm() * time + 0x1p-900L);
         const double unit = oracle::unit_roundoff(asked.precision) * speed;
         const auto at = [&] { return " at " + words::text(asked.time(sample)) + " s"; };
@@ -378,7 +398,7 @@ Finding slides(const Scene& scene, Subject& subject) {
           return worst;
         }
         const double allowed =
-            static_cast<double>(time * dv) + envelope(scene) + tolerance::distance(scene, asked.precision);
+            static_cast<double>(time * dv + steps.place) + envelope(scene) + tolerance::distance(scene, asked.precision);
         if (worse(worst, judge::at_most(
                              static_cast<double>((p - expected->p).norm()), in_ulps_of_place(asked, allowed),
                              Defect::wrong_motion, [&] { return "p = " + in_words(p) + " on the face" + at(); },

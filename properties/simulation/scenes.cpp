@@ -53,10 +53,12 @@ bool all_pairs(const Scene& scene, oracle::Precision precision, GoOn&& go_on) {
 }
 
 /// Are the two never as near as the errors that are granted to a stepper?
-bool stay_apart(const MotionCase& pair, const std::optional<oracle::Stepping>& stepping) {
-  if (!stepping) return true;
+bool stay_apart(const MotionCase& pair, const TrajectoryCase& asked) {
+  if (!asked.stepping) return true;
   double granted = 0;
-  for (std::size_t k = 0; k < 2; ++k) granted += tolerance::stepped(pair.scene, k, pair.end, *stepping).place;
+  for (std::size_t k = 0; k < 2; ++k) {
+    granted += tolerance::stepped(pair.scene, k, pair.end, *asked.stepping, asked.precision).place;
+  }
   if (!std::isfinite(granted)) return false;
   return oracle::truth::time_of_distance(pair.scene, granted).status == Status::miss;
 }
@@ -66,7 +68,7 @@ Finding alone(const Scene& scene, Subject& subject) {
   return of_trajectory(scene, subject, [&](const TrajectoryCase& asked) {
     if (!scene.motion->forces.empty()) return judge::outside("applied forces");
     const bool apart = all_pairs(scene, asked.precision, [&](const MotionCase& pair) {
-      return pair.truth.status == Status::miss && !pair.earliest() && stay_apart(pair, asked.stepping);
+      return pair.truth.status == Status::miss && !pair.earliest() && stay_apart(pair, asked);
     });
     if (!apart) return judge::outside("bodies that may touch");
     if (asked.events() > 0) return judge::wrong(Defect::phantom, text(asked.said.events->front()), "no event");
@@ -389,6 +391,17 @@ double freedom_of(const Bounces& ball, Real impacts, double eps) {
   return static_cast<double>((4 * sum + 2) * eps);
 }
 
+/// m: what steps of length h explain (docs/design/stepping.md). Each impact may come a step late: (1 + e) v h lower, and
+/// faster by g h until the sample; that changes the length of each later flight by at most 2h. One impact more or less
+/// may be over. A flight by a method of order 1 is g h t/2 too long.
+double stepped(const Bounces& ball, Real impacts, Real time, const std::optional<oracle::Stepping>& stepping) {
+  if (!stepping) return 0;
+  const Real h = stepping->step, v = std::sqrt(ball.v * ball.v + 2 * ball.g * ball.height);
+  const Real n = std::min(impacts + 1, ball.e < 1 ? 1 / (1 - ball.e) + 1 : INFINITY);
+  const Real flown = stepping->order > 1 ? 0 : ball.g * time / 2;
+  return static_cast<double>(h * (flown + n * ((1 + ball.e) * v + ball.g * time) + n * (n - 1) * v));
+}
+
 Finding bounces(const Scene& scene, Subject& subject) {
   return of_trajectory(scene, subject, [&](const TrajectoryCase& asked) {
     const Body* table = table_of(scene);
@@ -412,9 +425,10 @@ Finding bounces(const Scene& scene, Subject& subject) {
       const Bounces::Now now = ball.at(asked.time(sample));
       const double raised = asked.said.states[sample][which].X_WB.p_WB.z() - moving->X_WB.p_WB.z() + *start;
       const auto said = [&] { return words::text(raised) + " m high at " + words::text(asked.time(sample)) + " s"; };
-      if (worse(worst, counted(is_decisive(pair, slack),
+      const double steps = stepped(ball, now.impacts, asked.time(sample), asked.stepping);
+      if (worse(worst, counted(is_decisive(pair, slack) && steps <= tolerance::radius(*moving),
                                judge::at_most(static_cast<double>(std::abs(raised - now.height)),
-                                              in_ulps_of_place(asked, freedom_of(ball, now.impacts, eps)),
+                                              in_ulps_of_place(asked, freedom_of(ball, now.impacts, eps) + steps),
                                               Defect::wrong_motion, said,
                                               [&] { return words::text(static_cast<double>(now.height)) + " m"; })))) {
         return worst;

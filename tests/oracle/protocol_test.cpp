@@ -206,6 +206,7 @@ TEST_CASE("a card survives the way") {
   card.precision_of = {{"mass", Precision::binary64}, {"polytope", Precision::binary32}};
   card.dynamics = {Combine::geometric_mean, Combine::max, 1, true, 0.25, 0.5, 100, 47, Sleep{0.1, 0.2, 0.5}};
   card.reproduces = {"mass"};
+  card.work_limits = {{"distance", "step", 3, {{"vertices", 0.5}}, 16}, {"mass", "step"}};
   const std::string line = protocol::introduction(9, card);
   const Card read = protocol::read_introduction(line, 9);
   CHECK(protocol::introduction(9, read) == line);
@@ -217,6 +218,7 @@ TEST_CASE("a card survives the way") {
   CHECK(read.precision_of == card.precision_of);
   CHECK(read.dynamics == card.dynamics);
   CHECK(read.reproduces == card.reproduces);
+  CHECK(read.work_limits == card.work_limits);
   CHECK(by_schema({line.substr(0, line.size() - 1)}) == std::vector<std::string>{"ok"});
   CHECK_THROWS_WITH(protocol::read_introduction(line, 8), "introduction.seq: not that of the question");
 }
@@ -240,6 +242,31 @@ TEST_CASE("a request for a snippet and its answer survive the way") {
   CHECK(std::get<Abstains>(protocol::read_snippet(R"({"seq":7,"abstains":"no"})", 7)).why == "no");
   CHECK_THROWS(protocol::read_snippet(R"({"seq":7,"result":{}})", 7));
   CHECK(by_schema({line.substr(0, line.size() - 1), answer}) == std::vector<std::string>(2, "ok"));
+}
+
+TEST_CASE("a question about work and its answer survive the way") {
+  const std::string line = protocol::work(7, "distance", json_of(scene()).dump());
+  const protocol::Request request = protocol::read_request(line);
+  CHECK(request.op == protocol::Request::Op::work);
+  CHECK(request.query == "distance");
+  CHECK(request.scene == scene());
+  const std::string answer = protocol::work(7, {{"step", 3}, {"exact", std::uint64_t{1} << 40}});
+  CHECK(std::get<Work>(protocol::read_work(answer, 7)) == Work{{"step", 3}, {"exact", std::uint64_t{1} << 40}});
+  CHECK(std::get<Abstains>(protocol::read_work(R"({"seq":7,"abstains":"no"})", 7)).why == "no");
+  for (const char* counts : {"[1]", R"({"step":-1})", R"({"step":null})", R"({"step":"3"})"}) {
+    CHECK_THROWS_AS(protocol::read_work(R"({"seq":7,"work":)" + std::string(counts) + "}", 7), InputError);
+  }
+  CHECK(by_schema({line.substr(0, line.size() - 1), answer.substr(0, answer.size() - 1)}) ==
+        std::vector<std::string>(2, "ok"));
+}
+
+TEST_CASE("fast counts its work, and is asked only about what its card promises") {
+  PipeSubject fast({TOUCHSTONE_SUBJECTS "/touchstone-subject-fast"});
+  const Answer<Work> counted = fast.work("distance", scene());
+  CHECK(std::get<Work>(counted).at("descent") == 1);
+  CHECK(std::get<Work>(fast.work("distance", scene())) == std::get<Work>(counted));
+  PipeSubject reference({TOUCHSTONE_SUBJECTS "/touchstone-subject-reference"});
+  CHECK(std::holds_alternative<Abstains>(reference.work("distance", scene())));
 }
 
 TEST_CASE("a C++ subject abstains from snippets") {

@@ -22,6 +22,7 @@ struct FixedSubject : oracle::Subject {
   Answer<TimeOfImpact> said_time_of_impact = Abstains{"not set"};
   Answer<Trajectory> said_simulation = Abstains{"not set"};
   Answer<Trajectory> said_constraint = Abstains{"not set"};
+  Answer<oracle::Work> said_work = Abstains{"not set"};
 
   const oracle::Card& card() const override { return introduced; }
   Answer<Masses> mass(const Scene&) override { return said_mass; }
@@ -35,6 +36,7 @@ struct FixedSubject : oracle::Subject {
   Answer<TimeOfImpact> time_of_impact(const Scene&) override { return said_time_of_impact; }
   Answer<Trajectory> simulation(const Scene&) override { return said_simulation; }
   Answer<Trajectory> constraint(const Scene&) override { return said_constraint; }
+  Answer<oracle::Work> work(const std::string&, const Scene&) override { return said_work; }
 };
 
 }  // namespace touchstone::tests

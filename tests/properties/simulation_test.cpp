@@ -554,3 +554,109 @@ TEST_CASE("A run that does not scale with its scene, or with other states at fur
     CHECK(judged(property, without_events).outcome == Outcome::abstains);
   }
 }
+
+namespace {
+
+/// What is judged of one sample, if the subject declares these steps.
+Outcome by_steps(const std::string& property, const Scene& scene, const std::vector<State>& states,
+                 const std::optional<oracle::Stepping>& stepping) {
+  tests::FixedSubject subject;
+  subject.introduced.stepping = stepping;
+  Trajectory said;
+  said.states.push_back(states);
+  subject.said_simulation = said;
+  return properties::find("simulation." + property).check(scene, subject).outcome;
+}
+
+Body table() {
+  Body box;
+  box.shape = Box{{50, 50, 1}};
+  box.X_WB.p_WB = {0, 0, -1};
+  box.mass = Fixed{};
+  box.material = {0.5, 0.5};
+  return box;
+}
+
+Scene over_table(const Body& body, double time) {
+  Scene scene;
+  scene.bodies = {body, table()};
+  scene.bodies[0].material = {0.5, 0.5};
+  scene.gravity = {0, 0, -10};
+  scene.motion.emplace();
+  scene.motion->sample_times = {time};
+  return scene;
+}
+
+State of_table() { return {table().X_WB, {}}; }
+
+}  // namespace
+
+// It slows by 5 m/s², and slips until 0.457 s. Friction that begins a step of 1/64 s late leaves it 0.078 m/s faster.
+TEST_CASE("simulation: steps explain friction that begins one of them late, on a face") {
+  const Scene scene = over_table(ball({0, 0, 0.5}, {8, 0, 0}), 0.25);
+  const auto judged_at = [&](double faster, double farther, const std::optional<oracle::Stepping>& stepping) {
+    const State state = at({1.84375 + farther, 0, 0.5}, {6.75 + faster, 0, 0});
+    return by_steps("slides", scene, {state, of_table()}, stepping);
+  };
+  CHECK(judged_at(0, 0, std::nullopt) == Outcome::holds);
+  CHECK(judged_at(0.07, 0.02, std::nullopt) == Outcome::fails);
+  CHECK(judged_at(0.07, 0.02, oracle::Stepping{1.0 / 64, 1}) == Outcome::holds);
+  CHECK(judged_at(0.09, 0.02, oracle::Stepping{1.0 / 64, 1}) == Outcome::fails);
+  CHECK(judged_at(0.07, 0.028, oracle::Stepping{1.0 / 64, 1}) == Outcome::holds);
+  CHECK(judged_at(0.07, 0.028, oracle::Stepping{1.0 / 64, 2}) == Outcome::fails);
+  CHECK(judged_at(0.07, 0.032, oracle::Stepping{1.0 / 64, 1}) == Outcome::fails);
+}
+
+// It falls 5 m in a second, leaves with 5 m/s, and is 1.25 m high after 0.5 s more. Steps of 1/256 s explain 0.34 m.
+TEST_CASE("simulation: steps explain impacts that come one of them late, and a flight that is too long") {
+  const Scene scene = over_table(ball({0, 0, 5.5}, {0, 0, 0}), 1.5);
+  const auto judged_at = [&](double lower, const std::optional<oracle::Stepping>& stepping) {
+    return by_steps("bounces", scene, {at({0, 0, 1.75 - lower}, {0, 0, 0}), of_table()}, stepping);
+  };
+  CHECK(judged_at(0, std::nullopt) == Outcome::holds);
+  CHECK(judged_at(0.1, std::nullopt) == Outcome::fails);
+  CHECK(judged_at(0.1, oracle::Stepping{1.0 / 256, 1}) == Outcome::holds);
+  CHECK(judged_at(0.4, oracle::Stepping{1.0 / 256, 1}) == Outcome::fails);
+}
+
+// The relative speed is 2 m/s, and the way of a step of 1/64 s that of two bodies of 1 m/s. Lifted apart by d each, the
+// angular momentum of two unit masses changes by 2 d.
+TEST_CASE("simulation: lifting an overlap explains a change of angular momentum, by the way of a step") {
+  Scene scene;
+  scene.bodies = {ball({-4, 0, 0}, {1, 0, 0}), ball({4, 0, 0}, {-1, 0, 0})};
+  scene.motion.emplace();
+  scene.motion->sample_times = {1};
+  const auto judged_at = [&](double d, const std::optional<oracle::Stepping>& stepping) {
+    const std::vector<State> states{at({-3, d, 0}, {1, 0, 0}), at({3, -d, 0}, {-1, 0, 0})};
+    return by_steps("angular_momentum", scene, states, stepping);
+  };
+  CHECK(judged_at(0, std::nullopt) == Outcome::holds);
+  CHECK(judged_at(0.02, std::nullopt) == Outcome::fails);
+  CHECK(judged_at(0.02, oracle::Stepping{1.0 / 64, 1}) == Outcome::holds);
+  CHECK(judged_at(0.04, oracle::Stepping{1.0 / 64, 1}) == Outcome::fails);
+}
+
+// 256 steps round an angular velocity of 2 rad/s in floats by up to 2.4e-4 rad/s.
+TEST_CASE("simulation: the rounding of each step is explained, in the precision of the engine") {
+  Scene scene;
+  scene.bodies = {ball({0, 0, 0}, {0, 0, 0})};
+  scene.bodies[0].velocity.w_WB = {0, 0, 2};
+  scene.bodies[0].mass = MassProperties{1, Vec3::Zero(), 0.125 * Mat3::Identity()};
+  scene.motion.emplace();
+  scene.motion->sample_times = {1};
+  const auto judged_at = [&](double faster, oracle::Precision precision) {
+    tests::FixedSubject subject;
+    subject.introduced.precision = precision;
+    subject.introduced.stepping = oracle::Stepping{1.0 / 256, 1};
+    State state{scene.bodies[0].X_WB, scene.bodies[0].velocity};
+    state.X_WB.q_WB = {std::cos(1.0), 0, 0, std::sin(1.0)};
+    state.velocity.w_WB.z() += faster;
+    Trajectory said;
+    said.states = {{state}};
+    subject.said_simulation = said;
+    return properties::find("simulation.alone").check(scene, subject).outcome;
+  };
+  CHECK(judged_at(2e-4, oracle::Precision::binary32) == Outcome::holds);
+  CHECK(judged_at(3e-4, oracle::Precision::binary32) == Outcome::fails);
+  CHECK(judged_at(2e-4, oracle::Precision::binary64) == Outcome::fails);
+}

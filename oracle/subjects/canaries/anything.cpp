@@ -256,6 +256,12 @@ Lies first_vertex() {
   return lies;
 }
 
+Lies overworks() {
+  Lies lies;
+  lies.overworks = true;
+  return lies;
+}
+
 Lies breaks() {
   Lies lies;
   lies.breaks = true;
@@ -276,6 +282,7 @@ std::vector<Canary> canaries_about_anything() {
       lying("canary.slightly_fickle", "is off by a few times what rounding explains, in each answer but its first",
             slightly_fickle),
       lying("canary.nan", "answers NaN", not_a_number),
+      lying("canary.works_twice", "takes two steps for each answer where it promises one", overworks),
       lying("canary.throws", "throws", breaks),
   };
 }

@@ -15,6 +15,10 @@ Card introduced_as(Card card, const std::string& id, const std::string& says, co
   card.precision = Precision::binary64;  // a lie must exceed the tolerance that engines get
   card.knows_touching = card.knows_touching && !lies.two_valued;
   card.stepping = lies.stepping;
+  card.work_limits.clear();
+  if (lies.overworks) {
+    for (const std::string& query : query_names()) card.work_limits.push_back({query, "step", 1});
+  }
   return card;
 }
 
@@ -47,6 +51,10 @@ class Liar : public Subject {
   }
   Answer<Trajectory> simulation(const Scene& scene) override {
     return falsified(scene, &Subject::simulation, lies_.simulation);
+  }
+  Answer<Work> work(const std::string& query, const Scene& scene) override {
+    if (lies_.overworks) return Work{{"step", 2}};
+    return Subject::work(query, scene);
   }
   Answer<Trajectory> constraint(const Scene& scene) override {
     return falsified(scene, &Subject::constraint, lies_.constraint);
@@ -81,7 +89,7 @@ std::vector<Vec3> corners_of(const Compound& compound) {
 }
 
 std::vector<std::string> queries_of(const Lies& lies) {
-  if (lies.breaks) return query_names();
+  if (lies.breaks || lies.overworks) return query_names();
   const std::pair<const char*, bool> all[] = {
       {"mass", lies.mass != nullptr},
       {"bounds", lies.bounds != nullptr},

@@ -29,6 +29,7 @@ struct Lies {
   Lie<Trajectory> constraint;
   bool two_valued = false;                ///< reports touching as one of the other two verdicts
   std::optional<Stepping> stepping = {};  ///< on the card
+  bool overworks = false;                 ///< takes two steps for each answer, and promises to take one
   bool breaks = false;                    ///< answers every query with Breaks
 };
 

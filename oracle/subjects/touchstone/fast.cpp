@@ -1,12 +1,15 @@
 #include "oracle/subjects/touchstone/fast.h"
 
+#include <optional>
 #include <stdexcept>
+#include <variant>
 
 #include "fast/bounds.h"
 #include "fast/broad_phase.h"
 #include "fast/constraint.h"
 #include "fast/distance.h"
 #include "fast/impulse.h"
+#include "fast/mark.h"
 #include "fast/mass.h"
 #include "fast/penetration.h"
 #include "fast/pixel.h"
@@ -14,7 +17,9 @@
 #include "fast/simulation.h"
 #include "fast/time_of_impact.h"
 #include "model/input_error.h"
+#include "oracle/query.h"
 #include "oracle/subject.h"
+#include "oracle/subjects/touchstone/fast_work_limits.h"
 
 namespace touchstone::oracle::subjects {
 namespace {
@@ -22,6 +27,23 @@ namespace {
 class Fast : public Subject {
  public:
   const Card& card() const override { return card_; }
+  /// How often each mark is reached.
+  Answer<Work> work(const std::string& query, const Scene& scene) override {
+    const fast::MarkCounts before = fast::mark_counts;
+    const auto ask = [&](auto function) -> std::optional<Abstains> {
+      const auto answer = (this->*function)(scene);
+      const auto* abstains = std::get_if<Abstains>(&answer);
+      return abstains == nullptr ? std::nullopt : std::optional(*abstains);
+    };
+    if (const auto abstains = std::visit(ask, find_query(query)->ask)) return *abstains;
+    Work counts;
+    for (std::size_t m = 0; m < before.size(); ++m) {
+      const std::uint64_t times = fast::mark_counts[m] - before[m];
+      if (times > 0) counts[fast::mark_names[m]] = times;
+    }
+    return counts;
+  }
+
   Answer<Masses> mass(const Scene& scene) override { return fast::mass(scene); }
   Answer<Bounds> bounds(const Scene& scene) override { return fast::bounds(scene); }
   Answer<PairSet> broad_phase(const Scene& scene) override { return fast::broad_phase(scene); }
@@ -95,7 +117,8 @@ class Fast : public Subject {
       .knows_touching = true,
       .about = "Touchstone's optimised algorithms, as planned for each scene; Lin-Canny from a corner, exact verdicts",
       .homepage = "",
-      .deviations = {}};
+      .deviations = {},
+      .work_limits = fast_work_limits()};
 };
 
 }  // namespace

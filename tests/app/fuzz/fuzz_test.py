@@ -56,7 +56,18 @@ class Fuzz(Test):
         found = self.fuzz("distance", "--executions", 1000)
         self.assertEqual((found["executions"], found["contradictions"]), (1000, []))
         self.assertLess(found["judged"], 1000)
-        self.assertEqual(found["verdicts"], 15 * found["judged"])
+        self.assertEqual(found["verdicts"], 16 * found["judged"])
+
+    def test_from_a_single_scene_a_fault_is_found(self):
+        lying = f"exec:{CANARY} canary.box_one_ulp_inward"
+        found = self.fuzz("bounds", "--subject", lying, "--empty-corpus", "--executions", 200, "--skip-adapter-check", code=1)
+        self.assertEqual(found["findings"][0]["property"], "bounds.holds_body")
+
+    def test_it_ends_with_the_first_failure_if_asked_to(self):
+        words = ["distance", "--subject", LYING, "--executions", 300, "--skip-adapter-check"]
+        found = self.fuzz(*words, "--first-failure", code=1)
+        self.assertEqual(found["executions"], found["findings"][0]["first_execution"])
+        self.assertEqual(found["findings"][0]["first_execution"], self.fuzz(*words, code=1)["findings"][0]["first_execution"])
 
     def test_it_ends_in_time(self):
         found = self.fuzz("mass", "--time", 0.5)
@@ -66,7 +77,7 @@ class Fuzz(Test):
     def test_the_words_say_what_was_done(self):
         said = self.succeeds("fuzz", "penetration", "--subject", "inproc:reference", "--executions", 60)
         self.assertRegex(said, r"^penetration of reference .*, seed 1: 60 executions; \d+ a second\n"
-                               r"asked under all properties: 60 of them, 720 verdicts; \d+ a second\n"
+                               r"asked under all properties: 60 of them, 780 verdicts; \d+ a second\n"
                                r"coverage: 0 of \d+ marks of fast, \d+ signals, \d+ scenes kept\n")
         self.assertIn("findings: 0\n", said)
 

@@ -1,0 +1,74 @@
+#include "oracle/subjects/touchstone/fast_work_limits.h"
+
+namespace touchstone::oracle::subjects {
+
+// What is done in exact arithmetic, and in steps of searches, per search; what one search may take at once is the base.
+// A closest pair that doubles cannot decide, and a depth in a needle, take hundreds of steps, so the promises about
+// distance and penetration are about 16 generic placements together.
+std::vector<WorkLimit> fast_work_limits() {
+  constexpr int generic = 16;
+  return {
+      {"distance", "exact_proximity", 3, {}, generic},
+      {"distance", "descent_step", 48, {{"vertices", 0.75}}, generic},
+      {"distance", "exact_step", 4, {{"exact_proximity", 8}}},
+
+      {"penetration", "exact_proximity", 3, {}, generic},
+      {"penetration", "depth_exact", 160, {}, generic},
+      {"penetration", "depth_step", 6500, {}, generic},
+      {"penetration", "descent_step", 200, {}, generic},
+      {"penetration", "exact_step", 4, {{"exact_proximity", 8}}},
+
+      {"pair_history", "climb_step", 0, {{"climb", 64}}},
+      {"pair_history", "climb_exact", 16, {{"climb", 9}}},
+      {"pair_history", "grid_rebuild", 2, {{"frames", 1}}},
+      {"pair_history", "grid_chain", 32, {{"grid_update", 8}}},
+      {"pair_history", "grid_unchain", 16, {{"grid_update", 2}}},
+      {"pair_history", "grid_long_body", 8, {{"placements", 4}}},
+
+      {"impulse", "impulse_curve", 5},
+      {"impulse", "impulse_phase", 16, {{"impulse_curve", 80}}},
+      {"impulse", "impulse_series", 2, {{"impulse_curve", 1}}},
+      {"impulse", "impulse_again", 2},
+      {"impulse", "impulse_scaled", 2},
+      {"impulse", "impulse_slide_off", 4},
+
+      {"time_of_impact", "toi_balls", 32, {{"toi_search", 8}}},
+      {"time_of_impact", "toi_query", 32, {{"toi_search", 64}}},
+      {"time_of_impact", "toi_wait", 32, {{"toi_search", 64}}},
+      {"time_of_impact", "toi_all_normals", 8, {{"toi_query", 2}}},
+      {"time_of_impact", "tumble_step", 64, {{"toi_query", 3}}},
+      {"time_of_impact", "walk", 64, {{"toi_query", 3}}},
+      {"time_of_impact", "walk_step", 32, {{"walk", 6}}},
+      {"time_of_impact", "walk_in_doubles", 16, {{"walk", 2}}},
+      {"time_of_impact", "walk_inside", 8, {{"walk", 2}}},
+      {"time_of_impact", "walk_restart", 64, {{"toi_query", 2}}},
+      {"time_of_impact", "face_scan", 32, {{"walk", 6}}},
+      {"time_of_impact", "exact_proximity", 1, {{"toi_search", 1}}},
+      {"time_of_impact", "exact_step", 8, {{"exact_proximity", 6}}},
+
+      {"simulation", "toi_query", 64, {{"toi_search", 6}}},
+      {"simulation", "tumble_step", 128, {{"toi_query", 3}}},
+      {"simulation", "walk", 64, {{"toi_query", 4}}},
+      {"simulation", "walk_step", 64, {{"walk", 4}}},
+      {"simulation", "walk_in_doubles", 64, {{"walk", 3}}},
+      {"simulation", "walk_inside", 32, {{"walk", 1}}},
+      {"simulation", "face_scan", 128, {{"walk", 6}}},
+      {"simulation", "exact_proximity", 32, {{"walk", 0.5}}},
+      {"simulation", "exact_step", 32, {{"exact_proximity", 6}}},
+      {"simulation", "impulse_phase", 128, {{"impulse_curve", 40}}},
+      {"simulation", "impulse_series", 16, {{"impulse_curve", 2}}},
+      {"simulation", "contact_row", 256, {{"contact_sweep", 64}}},
+      {"simulation", "contact_sweep", 512, {{"contact_round", 256}}},
+      {"simulation", "contact_newton", 64, {{"contact_round", 8}}},
+      {"simulation", "balance_step", 64, {{"samples", 16}}},
+
+      {"constraint", "walk_step", 128, {{"walk", 1}}},
+      {"constraint", "walk_in_doubles", 64, {{"walk", 3}}},
+      {"constraint", "face_scan", 128, {{"walk", 4}}},
+      {"constraint", "exact_proximity", 32, {{"walk", 0.1}}},
+      {"constraint", "exact_step", 32, {{"exact_proximity", 8}}},
+      {"constraint", "contact_row", 256, {{"contact_sweep", 64}}},
+  };
+}
+
+}  // namespace touchstone::oracle::subjects

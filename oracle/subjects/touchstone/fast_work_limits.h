@@ -1,0 +1,13 @@
+// What `fast` promises about the work for an answer.
+#pragma once
+
+#include <vector>
+
+#include "oracle/work.h"
+
+namespace touchstone::oracle::subjects {
+
+/// Regression pins, not truths: some half above the most that was counted on drawn scenes.
+std::vector<WorkLimit> fast_work_limits();
+
+}  // namespace touchstone::oracle::subjects

@@ -1,0 +1,75 @@
+// The outcomes of the properties about work, for counts that are made by hand.
+#include "properties/property.h"
+#include "tests/catch.h"
+#include "tests/properties/fixed_subject.h"
+#include "tests/properties/scenes.h"
+
+using namespace touchstone;
+using oracle::Defect;
+using oracle::Outcome;
+using oracle::Work;
+
+namespace {
+
+/// Two cubes with 8 vertices each.
+oracle::Finding judged(const Answer<Work>& counts, std::vector<oracle::WorkLimit> limits,
+                       const std::string& scene = "cubes that share a face",
+                       const std::string& property = "distance.work") {
+  tests::FixedSubject subject;
+  subject.introduced.work_limits = std::move(limits);
+  subject.said_work = counts;
+  return properties::find(property).check(tests::scene(scene), subject);
+}
+
+Outcome outcome(const Work& counts, std::vector<oracle::WorkLimit> limits) {
+  return judged(counts, std::move(limits)).outcome;
+}
+
+}  // namespace
+
+TEST_CASE("work: a count is at most what is promised, for sizes of the scene and other counts") {
+  CHECK(outcome({{"step", 5}}, {{"distance", "step", 5}}) == Outcome::holds);
+  CHECK(outcome({{"step", 6}}, {{"distance", "step", 5}}) == Outcome::fails);
+  CHECK(outcome({{"step", 21}}, {{"distance", "step", 5, {{"vertices", 1}}}}) == Outcome::holds);
+  CHECK(outcome({{"step", 22}}, {{"distance", "step", 5, {{"vertices", 1}}}}) == Outcome::fails);
+  CHECK(outcome({{"step", 6}, {"walk", 2}}, {{"distance", "step", 0, {{"walk", 3}}}}) == Outcome::holds);
+  CHECK(outcome({{"step", 7}, {"walk", 2}}, {{"distance", "step", 0, {{"walk", 3}}}}) == Outcome::fails);
+  CHECK(outcome({{"step", 9}}, {{"distance", "step", 5, {{"bodies", 2}}}}) == Outcome::holds);
+  CHECK(outcome({{"step", 1}}, {{"distance", "step", 0, {{"pixels", 1}, {"samples", 1}, {"frames", 1}}}}) ==
+        Outcome::fails);
+}
+
+TEST_CASE("work: where nothing is promised, one step is too many; what is not counted is not taken") {
+  CHECK(outcome({}, {{"distance", "exact"}}) == Outcome::holds);
+  const oracle::Finding finding = judged({Work{{"exact", 1}}}, {{"distance", "exact"}});
+  CHECK(finding.outcome == Outcome::fails);
+  CHECK(finding.defect == Defect::too_much_work);
+  CHECK(finding.observed == "1 of exact");
+  CHECK(finding.expected == "at most 0");
+}
+
+TEST_CASE("work: the finding is about the count that exceeds its limit most") {
+  const oracle::Finding finding =
+      judged({Work{{"a", 6}, {"b", 8}, {"c", 1}}}, {{"distance", "a", 5}, {"distance", "b", 4}, {"distance", "c", 9}});
+  CHECK(finding.observed == "8 of b");
+  CHECK(finding.error == 2);
+  CHECK(finding.allowed == 1);
+}
+
+TEST_CASE("work: a promise about another query says nothing about this one") {
+  CHECK(outcome({{"step", 6}}, {{"penetration", "step", 5}}) == Outcome::outside);
+  CHECK(outcome({{"step", 6}}, {}) == Outcome::outside);
+}
+
+TEST_CASE("work: a promise about generic placements is about their sum, and about two convex bodies") {
+  CHECK(outcome({{"step", 2}}, {{"distance", "step", 6, {}, 3}}) == Outcome::holds);
+  CHECK(outcome({{"step", 2}}, {{"distance", "step", 5, {}, 3}}) == Outcome::fails);
+  CHECK(outcome({{"step", 2}}, {{"distance", "step", 5, {}, 3}, {"distance", "step", 1}}) == Outcome::fails);
+  CHECK(judged({Work{{"step", 2}}}, {{"distance", "step", 5, {}, 3}}, "the second part is nearer").outcome ==
+        Outcome::outside);
+}
+
+TEST_CASE("work: no answer is no promise kept") {
+  CHECK(judged(Abstains{"no"}, {{"distance", "step", 5}}).outcome == Outcome::abstains);
+  CHECK(judged(Breaks{Breaks::Kind::threw, "no"}, {{"distance", "step", 5}}).outcome == Outcome::breaks);
+}
