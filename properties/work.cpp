@@ -7,6 +7,7 @@
 
 #include "oracle/judge/words.h"
 #include "oracle/minimise/scene_edit.h"
+#include "oracle/query.h"
 #include "oracle/tolerance/tolerance.h"
 #include "properties/judging/asking.h"
 #include "properties/queries.h"
@@ -107,8 +108,7 @@ Finding judged(const Work& work, const std::vector<WorkLimit>& limits, const Sce
     constexpr double none = 0.5;  // where no step is promised, one is too many
     Finding finding = judge::at_most(
         count / std::max(most, none), allowance, Defect::too_much_work,
-        [&] { return words::text(count) + " of " + limit.count; },
-        [&] { return "at most " + words::text(most); });
+        [&] { return words::text(count) + " of " + limit.count; }, [&] { return "at most " + words::text(most); });
     if (finding.error >= worst.error) worst = std::move(finding);
   }
   return worst;
@@ -138,14 +138,17 @@ Answer<Work> asked(const std::string& query, const Scene& scene, int placements,
 }
 
 Finding keeps_promise(const std::string& query, const Scene& scene, Subject& subject) {
+  if (oracle::find_query(query)->about_two_bodies && scene.bodies.size() != 2) {
+    return judge::outside("not exactly two bodies");
+  }
   const auto limits = limits_of(query, scene, subject);
   if (limits.empty()) return judge::outside("the card promises nothing about the work for such a scene");
   return of_scene(scene, subject, [&] {
     Finding worst = judge::holds();
     for (const auto& [placements, promises] : limits) {
-      Finding finding = judge::given(asked(query, scene, placements, subject), [&, &promises = promises](const Work& work) {
-        return judged(work, promises, scene);
-      });
+      Finding finding =
+          judge::given(asked(query, scene, placements, subject),
+                       [&, &promises = promises](const Work& work) { return judged(work, promises, scene); });
       if (finding.outcome != oracle::Outcome::holds) return finding;
       if (finding.error >= worst.error) worst = std::move(finding);
     }
@@ -167,12 +170,9 @@ Property property(const std::string& query, const std::string& clause) {
 }  // namespace
 
 std::vector<Property> work_properties() {
-  return {property("broad_phase", "TS-BROAD-PHASE-19"),
-          property("distance", "TS-DISTANCE-14"),
-          property("penetration", "TS-PENETRATION-12"),
-          property("impulse", "TS-IMPULSE-27"),
-          property("time_of_impact", "TS-TIME-OF-IMPACT-20"),
-          property("simulation", "TS-SIMULATION-41"),
+  return {property("broad_phase", "TS-BROAD-PHASE-19"),       property("distance", "TS-DISTANCE-14"),
+          property("penetration", "TS-PENETRATION-12"),       property("impulse", "TS-IMPULSE-27"),
+          property("time_of_impact", "TS-TIME-OF-IMPACT-20"), property("simulation", "TS-SIMULATION-41"),
           property("constraint", "TS-CONSTRAINT-12")};
 }
 

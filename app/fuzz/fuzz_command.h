@@ -19,7 +19,7 @@ struct FuzzCommand {
   std::string out = "findings";  ///< a folder
   double time_limit = 2;         ///< as in RunOptions
   bool first_failure = false;
-  bool empty_corpus = false;     ///< begin with a single scene
+  bool empty_corpus = false;  ///< begin with a single scene
   bool json = false;
   bool skip_adapter_check = false;
 };

@@ -91,6 +91,42 @@ class End {
   Progress progress_;
 };
 
+/// A scene, and after it scenes with the same shapes elsewhere.
+class Neighbours {
+ public:
+  const Scene& scene() const { return scene_; }
+
+  void begin(Scene scene, int neighbours) {
+    scene_ = std::move(scene);
+    left_ = neighbours;
+    keep();
+  }
+
+  /// Makes the next scene; returns false if there is none.
+  bool displace(Random& random) {
+    if (left_ == 0) return false;
+    --left_;
+    properties::fuzzing::displace(scene_, random);
+    return true;
+  }
+
+  /// The next scenes begin at this one if it was kept, else at the one before.
+  void end(bool is_kept) {
+    if (is_kept) return keep();
+    for (std::size_t b = 0; b < places_.size(); ++b) scene_.bodies[b].X_WB = places_[b];
+  }
+
+ private:
+  void keep() {
+    places_.clear();
+    for (const Body& body : scene_.bodies) places_.push_back(body.X_WB);
+  }
+
+  Scene scene_;
+  std::vector<Pose> places_;
+  int left_ = 0;
+};
+
 class Fuzzer {
  public:
   Fuzzer(const FuzzPlan& plan, oracle::Subject& subject)
@@ -152,28 +188,8 @@ class Fuzzer {
 
   /// A mutated scene, or a neighbour of the last one: of what a mutation costs, most is for new shapes.
   void execute_next(Random& random) {
-    if (neighbours_left_ > 0) {
-      --neighbours_left_;
-      properties::fuzzing::displace(current_, random);
-    } else {
-      current_ = next(random);
-      neighbours_left_ = is_screened_ ? plan_.neighbours : 0;
-      keep_places();
-    }
-    if (execute(current_, false, random)) {
-      keep_places();
-    } else {
-      put_back();
-    }
-  }
-
-  void keep_places() {
-    places_.clear();
-    for (const Body& body : current_.bodies) places_.push_back(body.X_WB);
-  }
-
-  void put_back() {
-    for (std::size_t b = 0; b < places_.size(); ++b) current_.bodies[b].X_WB = places_[b];
+    if (!neighbours_.displace(random)) neighbours_.begin(next(random), is_screened_ ? plan_.neighbours : 0);
+    neighbours_.end(execute(neighbours_.scene(), false, random));
   }
 
   /// Was the scene kept?
@@ -307,9 +323,7 @@ class Fuzzer {
   const bool is_screened_;
   Screen screen_;
   Pool pool_;
-  Scene current_;              ///< the last mutated one, and
-  std::vector<Pose> places_;   ///< where its bodies were when it showed something new
-  int neighbours_left_ = 0;
+  Neighbours neighbours_;
   std::set<std::string> seen_;
   std::map<std::string, std::size_t> causes_;  ///< to the index of the finding
   FuzzResult result_;

@@ -25,7 +25,7 @@ struct FuzzPlan {
   int minimise_budget = 0;         ///< queries per finding
   int enlarge_budget = 0;          ///< queries per finding whose error has a size, to make it larger
   int neighbours = 15;  ///< executions with the bodies of a mutated scene elsewhere, if there is a screen; a choice
-  int share = 64;  ///< one of so many scenes that the screen passes is asked under all properties, too; a choice
+  int share = 64;       ///< one of so many scenes that the screen passes is asked under all properties, too; a choice
 };
 
 /// The screen and the properties contradict each other about a scene: a fault of ours.

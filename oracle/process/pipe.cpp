@@ -51,6 +51,12 @@ std::variant<std::string, Breaks> exchange(ChildProcess& child, const PipeLimits
   return said;
 }
 
+/// The factor of the limits for a query.
+double times_of(const std::string& query, const Card& card, const PipeLimits& limits) {
+  const bool may_take_long = query == "simulation" || query == "constraint" || card.precision == Precision::exact;
+  return may_take_long ? limits.simulation_factor : 1;
+}
+
 /// JSON has no NaN: most libraries write null in its place.
 std::string with_hint(const std::string& complaint) {
   const bool is_null = complaint.ends_with("expected a number, found null");
@@ -141,17 +147,11 @@ Answer<T> PipeSubject::answer_to(Write&& write, Read&& read, double times) {
   }
 }
 
-/// The factor of the limits for this query.
-double PipeSubject::patience(const std::string& query) const {
-  const bool is_patient = query == "simulation" || query == "constraint" || card_.precision == Precision::exact;
-  return is_patient ? limits_.simulation_factor : 1;
-}
-
 template <class T>
 Answer<T> PipeSubject::ask(const std::string& query, const Scene& scene) {
   if (std::ranges::count(card_.answers, query) == 0) return Abstains{"no " + query + " query"};
   return answer_to<T>([&](std::int64_t seq) { return protocol::ask(seq, query, text_of(scene)); },
-                      protocol::read_answer<T>, patience(query));
+                      protocol::read_answer<T>, times_of(query, card_, limits_));
 }
 
 Answer<std::string> PipeSubject::reproduce(const std::string& query, const Scene& scene) {
@@ -161,11 +161,12 @@ Answer<std::string> PipeSubject::reproduce(const std::string& query, const Scene
 }
 
 Answer<Work> PipeSubject::work(const std::string& query, const Scene& scene) {
-  if (std::ranges::count(card_.work_limits, query, &WorkLimit::query) == 0) {
+  const bool is_offered = std::ranges::count(card_.answers, query) > 0;
+  if (!is_offered || std::ranges::count(card_.work_limits, query, &WorkLimit::query) == 0) {
     return Abstains{"does not count the work of " + query};
   }
   return answer_to<Work>([&](std::int64_t seq) { return protocol::work(seq, query, text_of(scene)); },
-                         protocol::read_work, patience(query));
+                         protocol::read_work, times_of(query, card_, limits_));
 }
 
 }  // namespace touchstone::oracle

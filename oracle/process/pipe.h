@@ -65,7 +65,6 @@ class PipeSubject : public Subject {
   Answer<T> ask(const std::string& query, const Scene& scene);
   template <class T, class Write, class Read>
   Answer<T> answer_to(Write&& write, Read&& read, double times);
-  double patience(const std::string& query) const;
   Card start();
 
   std::vector<std::string> command_;

@@ -132,12 +132,11 @@ void serve(const Card& card, const Functions& functions) {
 }
 
 int serve(Subject& subject) try {
-  serve(subject.card(),
-        {[&](const Query& query, const Scene& scene) {
-           return std::visit([&](auto ask) { return in_json((subject.*ask)(scene)); }, query.ask);
-         },
-         [&](const std::string& query, const Scene& scene) { return subject.reproduce(query, scene); },
-         [&](const std::string& query, const Scene& scene) { return subject.work(query, scene); }});
+  serve(subject.card(), {[&](const Query& query, const Scene& scene) {
+                           return std::visit([&](auto ask) { return in_json((subject.*ask)(scene)); }, query.ask);
+                         },
+                         [&](const std::string& query, const Scene& scene) { return subject.reproduce(query, scene); },
+                         [&](const std::string& query, const Scene& scene) { return subject.work(query, scene); }});
   return 0;
 } catch (const std::exception& error) {
   std::fprintf(stderr, "%s\n", error.what());

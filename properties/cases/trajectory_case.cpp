@@ -98,7 +98,8 @@ tolerance::BallisticBound granted(const TrajectoryCase& asked, const Scene& ball
                                   double time) {
   tolerance::BallisticBound bound = allowance(ballistic_scene, k, time, asked.precision);
   if (!asked.stepping) return bound;
-  const tolerance::BallisticBound steps = tolerance::stepped(ballistic_scene, k, time, *asked.stepping, asked.precision);
+  const tolerance::BallisticBound steps =
+      tolerance::stepped(ballistic_scene, k, time, *asked.stepping, asked.precision);
   bound.place += steps.place;
   bound.velocity += steps.velocity;
   bound.spin += steps.spin;

@@ -397,8 +397,8 @@ Finding slides(const Scene& scene, Subject& subject) {
                              [&] { return in_words(expected->v); }))) {
           return worst;
         }
-        const double allowed =
-            static_cast<double>(time * dv + steps.place) + envelope(scene) + tolerance::distance(scene, asked.precision);
+        const double allowed = static_cast<double>(time * dv + steps.place) + envelope(scene) +
+                               tolerance::distance(scene, asked.precision);
         if (worse(worst, judge::at_most(
                              static_cast<double>((p - expected->p).norm()), in_ulps_of_place(asked, allowed),
                              Defect::wrong_motion, [&] { return "p = " + in_words(p) + " on the face" + at(); },

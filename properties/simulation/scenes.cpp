@@ -391,15 +391,15 @@ double freedom_of(const Bounces& ball, Real impacts, double eps) {
   return static_cast<double>((4 * sum + 2) * eps);
 }
 
-/// m: what steps of length h explain (docs/design/stepping.md). Each impact may come a step late: (1 + e) v h lower, and
-/// faster by g h until the sample; that changes the length of each later flight by at most 2h. One impact more or less
-/// may be over. A flight by a method of order 1 is g h t/2 too long.
+/// m: what steps of length h explain (docs/design/stepping.md). Each impact may come a step late: (1 + e) v h lower,
+/// and faster by g h until the sample; that changes the time between later impacts by at most 2h. One impact more or
+/// less may be over. A method of order 1 takes the body g h t/2 too far.
 double stepped(const Bounces& ball, Real impacts, Real time, const std::optional<oracle::Stepping>& stepping) {
   if (!stepping) return 0;
   const Real h = stepping->step, v = std::sqrt(ball.v * ball.v + 2 * ball.g * ball.height);
   const Real n = std::min(impacts + 1, ball.e < 1 ? 1 / (1 - ball.e) + 1 : INFINITY);
-  const Real flown = stepping->order > 1 ? 0 : ball.g * time / 2;
-  return static_cast<double>(h * (flown + n * ((1 + ball.e) * v + ball.g * time) + n * (n - 1) * v));
+  const Real too_far = stepping->order > 1 ? 0 : ball.g * time / 2;
+  return static_cast<double>(h * (too_far + n * ((1 + ball.e) * v + ball.g * time) + n * (n - 1) * v));
 }
 
 Finding bounces(const Scene& scene, Subject& subject) {

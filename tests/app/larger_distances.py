@@ -25,7 +25,8 @@ with subprocess.Popen([program], stdin=subprocess.PIPE, stdout=subprocess.PIPE, 
             break
         answer = json.loads(fast.stdout.readline())
         if "card" in answer:
-            answer["card"].update(name="mine", answers=["distance"], knows_touching=False, reproduces=["distance"])
+            answer["card"].update(name="mine", answers=["distance"], knows_touching=False, reproduces=["distance"],
+                                  work_limits=[])
             answer["card"].update(declared)
         elif "distance" in answer.get("result", ()):
             answer["result"] = {"distance": answer["result"]["distance"] * (2 if is_large(message["scene"]) else factor)}

@@ -4,6 +4,7 @@
 
 #include "fast/distance.h"
 #include "fast/lin_canny/nearest_parts.h"
+#include "fast/mark.h"
 #include "fast/time_of_impact/first_contact.h"
 #include "model/input_error.h"
 #include "reference/time_of_impact.h"
@@ -242,6 +243,26 @@ TEST_CASE("sizes and spins at the ends of what is used") {
     CAPTURE(size);
     check_holds(found, 3.5, 1e-6);
   }
+}
+
+// Two balls about the bodies come so near that the time until they touch is below the rounding of the time.
+TEST_CASE("bodies from 2^58 m away are told from contact in a few steps, and within rounding") {
+  Scene scene;
+  scene.bodies.resize(2);
+  scene.bodies[0].shape = Box{Vec3(2, 3, 2)};
+  scene.bodies[1].shape = Sphere{3};
+  scene.bodies[1].X_WB.p_WB = Vec3(0x1p58, -3, 0);
+  scene.bodies[1].velocity.v_WBcm = Vec3(-0x1p59, 0, 0);
+  scene.motion.emplace();
+  scene.motion->sample_times = {2};
+  const MarkCounts before = mark_counts;
+  const TimeOfImpact said = time_of_impact_of(scene);
+  constexpr auto balls = static_cast<std::size_t>(Mark::toi_balls);
+  CHECK(mark_counts[balls] - before[balls] < 16);
+  REQUIRE(said.enclosure.has_value());
+  CHECK(said.enclosure->lo <= 0.5);
+  CHECK(said.enclosure->hi >= 0.5);
+  CHECK(said.enclosure->hi - said.enclosure->lo < 0x1p-40);
 }
 
 TEST_CASE("needles meet when the reference says they do") {

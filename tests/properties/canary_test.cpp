@@ -76,7 +76,8 @@ TEST_CASE("the reference and fast keep every property, and each property asks th
         held += finding.outcome == oracle::Outcome::holds ? 1 : 0;
       }
       INFO(property.id);
-      CHECK(held > 0);
+      const bool promises_nothing = property.id.ends_with(".work") && subject->card().work_limits.empty();
+      CHECK((held > 0 || promises_nothing));
     }
   }
 }

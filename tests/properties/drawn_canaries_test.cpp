@@ -46,7 +46,7 @@ const std::vector<Caught> caught = {
     {"canary.contact_elsewhere", "simulation.contacts", "runs.cradle", 0},
     {"canary.crowded", "simulation.bystanders", "runs.on_a_table", 0},
     {"canary.explicit_steps", "simulation.bounces", "runs.bouncing", 0},
-    {"canary.coarse_steps", "simulation.bounces", "runs.bouncing", 0},
+    {"canary.coarse_steps", "simulation.alone", "runs.on_a_table", 4},
     {"canary.sinks_slowly", "simulation.bounces", "runs.bouncing", 0},
     {"canary.creeps", "simulation.angular_momentum", "runs.one_impact", 0},
     {"canary.warms", "simulation.elastic_energy", "runs.one_impact", 0},

@@ -20,11 +20,12 @@ bool holds_for_extremes(const properties::Property& property) {
 /// Open: edges of 1 m and 512 m, parallel at the start and 2e-7 m apart, that turn past each other. The time that fast
 /// encloses is right, but one end is 0.39 s off, and it differs if the bodies are exchanged.
 bool is_known(const properties::Property& property, const TestVector& vector) {
-  return (property.id == "time_of_impact.tight" || property.id == "time_of_impact.symmetric") &&
-         vector.source.value("note", "").starts_with("Edges of 1 m and 512 m");
+  const bool is_known = property.id == "time_of_impact.tight" || property.id == "time_of_impact.symmetric" ||
+                        property.id == "time_of_impact.work";
+  return is_known && vector.source.value("note", "").starts_with("Edges of 1 m and 512 m");
 }
 
-TEST_CASE("fast holds every property on every test vector, but two that are known") {
+TEST_CASE("fast holds every property on every test vector, but three that are known") {
   const auto fast = oracle::subjects::make_fast();
   std::map<std::string, int> held, known;
   for (const properties::Property& property : properties::all()) {
@@ -39,7 +40,8 @@ TEST_CASE("fast holds every property on every test vector, but two that are know
     }
   }
   for (const std::string& query : properties::tested_queries()) CHECK(held[query] > 0);
-  CHECK(known == std::map<std::string, int>{{"time_of_impact.symmetric", 1}, {"time_of_impact.tight", 1}});
+  CHECK(known == std::map<std::string, int>{
+                     {"time_of_impact.symmetric", 1}, {"time_of_impact.tight", 1}, {"time_of_impact.work", 1}});
 }
 
 }  // namespace
