@@ -137,10 +137,23 @@ Answer<Work> asked(const std::string& query, const Scene& scene, int placements,
   return sum;
 }
 
-Finding keeps_promise(const std::string& query, const Scene& scene, Subject& subject) {
-  if (oracle::find_query(query)->about_two_bodies && scene.bodies.size() != 2) {
-    return judge::outside("not exactly two bodies");
+bool can_be_asked(const std::string& name, const Scene& scene) {
+  const oracle::Query& query = *oracle::find_query(name);
+  switch (query.needs) {
+    case oracle::ScenePart::contact:
+      return scene.contact.has_value();
+    case oracle::ScenePart::raster:
+      return scene.raster.has_value();
+    case oracle::ScenePart::motion:
+      return scene.motion.has_value() && (!query.about_two_bodies || scene.bodies.size() == 2);
+    case oracle::ScenePart::none:
+      break;
   }
+  return !query.about_two_bodies || scene.bodies.size() == 2;
+}
+
+Finding keeps_promise(const std::string& query, const Scene& scene, Subject& subject) {
+  if (!can_be_asked(query, scene)) return judge::outside("not exactly two bodies, or a part of the scene is missing");
   const auto limits = limits_of(query, scene, subject);
   if (limits.empty()) return judge::outside("the card promises nothing about the work for such a scene");
   return of_scene(scene, subject, [&] {

@@ -69,6 +69,13 @@ TEST_CASE("work: a promise about generic placements is about their sum, and abou
         Outcome::outside);
 }
 
+TEST_CASE("work: a scene without a part that the query needs is outside") {
+  CHECK(judged(Work{{"step", 6}}, {{"impulse", "step", 5}}, "cubes that share a face", "impulse.work").outcome ==
+        Outcome::outside);
+  CHECK(judged(Work{{"step", 6}}, {{"simulation", "step", 5}}, "cubes that share a face", "simulation.work").outcome ==
+        Outcome::outside);
+}
+
 TEST_CASE("work: no answer is no promise kept") {
   CHECK(judged(Abstains{"no"}, {{"distance", "step", 5}}).outcome == Outcome::abstains);
   CHECK(judged(Breaks{Breaks::Kind::threw, "no"}, {{"distance", "step", 5}}).outcome == Outcome::breaks);
