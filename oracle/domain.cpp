@@ -76,6 +76,19 @@ std::pair<double, double> speeds_of(const Scene& scene) {
   return {speed, angular_speed};
 }
 
+/// m: the scale, with the places of a sequence.
+double reach_of(const Scene& scene) {
+  double reach = tolerance::scale(scene);
+  for (const SequenceFrame& frame : scene.frames) {
+    for (const Placement& placement : frame) {
+      if (!placement.X_WB) continue;
+      const double size = tolerance::radius(scene.bodies[static_cast<std::size_t>(placement.body)]);
+      reach = std::max(reach, placement.X_WB->p_WB.cwiseAbs().maxCoeff() + size);
+    }
+  }
+  return reach;
+}
+
 std::optional<std::string> above(double value, const std::optional<double>& limit, const char* what) {
   if (!limit || value <= *limit) return std::nullopt;
   return fmt::format("{} {:.3g} is above {:.3g}", what, value, *limit);
@@ -108,7 +121,7 @@ SceneSizes sizes_of(const Scene& scene) {
   const Measures measures = measures_of(scene);
   const auto [speed, angular_speed] = speeds_of(scene);
   return {.lengths = measures.lengths,
-          .reach = tolerance::scale(scene),
+          .reach = reach_of(scene),
           .aspect = measures.aspect,
           .vertices = static_cast<int>(measures.vertices),
           .speed = speed,
@@ -125,7 +138,7 @@ double mass_ratio(const Scene& scene) {
 
 std::optional<std::string> beyond(const Domain& domain, const Scene& scene) {
   if (domain.reach) {
-    if (auto why = above(tolerance::scale(scene), domain.reach, "a coordinate, m:")) return why;
+    if (auto why = above(reach_of(scene), domain.reach, "a coordinate, m:")) return why;
   }
   const auto [speed, angular_speed] = speeds_of(scene);
   if (auto why = above(speed, domain.speed, "a speed, m/s:")) return why;

@@ -67,6 +67,9 @@ TEST_CASE("the other limits") {
   pair.bodies[0].velocity.v_WBcm = {3, 4, 0};
   pair.bodies[1].velocity.w_WB = {0, 6, 8};
   inside(with(&Domain::reach, 4.001), with(&Domain::reach, 3.999), pair);
+  Scene sequence = pair;  // a ball of radius 1, 5 m away in a frame
+  sequence.frames.push_back({Placement{1, Pose{{0, 0, 5}, {}}}, Placement{0, std::nullopt}});
+  inside(with(&Domain::reach, 6.001), with(&Domain::reach, 5.999), sequence);
   inside(with(&Domain::aspect, 1.733), with(&Domain::aspect, 1.732), pair);  // √3
   inside(with(&Domain::vertices, 4), with(&Domain::vertices, 3), pair);
   inside(with(&Domain::mass_ratio, 25.14), with(&Domain::mass_ratio, 25.13), pair);
