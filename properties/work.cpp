@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "oracle/domain.h"
 #include "oracle/judge/words.h"
 #include "oracle/minimise/scene_edit.h"
 #include "oracle/query.h"
@@ -117,7 +118,10 @@ Finding judged(const Work& work, const std::vector<WorkLimit>& limits, const Sce
 /// The promises about the query, by the number of placements that they are about.
 std::map<int, std::vector<WorkLimit>> limits_of(const std::string& query, const Scene& scene, const Subject& subject) {
   std::map<int, std::vector<WorkLimit>> limits;
-  const bool is_convex_pair = scene.bodies.size() == 2 && oracle::slots(scene).size() == 2;
+  // In slivers, which have no generic placement, doubles seldom decide. A choice.
+  constexpr double greatest_aspect = 1024;
+  const bool is_convex_pair =
+      scene.bodies.size() == 2 && oracle::slots(scene).size() == 2 && oracle::sizes_of(scene).aspect <= greatest_aspect;
   for (const WorkLimit& limit : subject.card().work_limits) {
     if (limit.query == query && (limit.placements == 0 || is_convex_pair)) limits[limit.placements].push_back(limit);
   }

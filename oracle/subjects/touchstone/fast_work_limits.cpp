@@ -8,11 +8,11 @@ namespace touchstone::oracle::subjects {
 std::vector<WorkLimit> fast_work_limits() {
   constexpr int generic = 16;
   return {
-      {"distance", "exact_proximity", 3, {}, generic},
-      {"distance", "descent_step", 48, {{"vertices", 0.75}}, generic},
+      {"distance", "exact_proximity", 12, {}, generic},
+      {"distance", "descent_step", 96, {{"vertices", 0.75}}, generic},
       {"distance", "exact_step", 4, {{"exact_proximity", 8}}},
 
-      {"penetration", "exact_proximity", 3, {}, generic},
+      {"penetration", "exact_proximity", 12, {}, generic},
       {"penetration", "depth_exact", 160, {}, generic},
       {"penetration", "depth_step", 6500, {}, generic},
       {"penetration", "descent_step", 200, {}, generic},
