@@ -90,4 +90,11 @@ constinit inline thread_local MarkCounts mark_counts{};
 /// Adds to the count of a place.
 inline void mark(Mark place, std::uint64_t times = 1) { mark_counts[static_cast<std::size_t>(place)] += times; }
 
+/// What was counted since the counts were `before`.
+inline MarkCounts marks_since(const MarkCounts& before) {
+  MarkCounts since = mark_counts;
+  for (std::size_t m = 0; m < since.size(); ++m) since[m] -= before[m];
+  return since;
+}
+
 }  // namespace touchstone::fast

@@ -115,15 +115,21 @@ Finding judged(const Work& work, const std::vector<WorkLimit>& limits, const Sce
   return worst;
 }
 
+/// Two convex bodies. In slivers, which have no generic placement, doubles seldom decide: the limit is a choice.
+bool has_generic_placements(const Scene& scene) {
+  constexpr double greatest_aspect = 1024;
+  return scene.bodies.size() == 2 && oracle::slots(scene).size() == 2 &&
+         oracle::sizes_of(scene).aspect <= greatest_aspect;
+}
+
 /// The promises about the query, by the number of placements that they are about.
 std::map<int, std::vector<WorkLimit>> limits_of(const std::string& query, const Scene& scene, const Subject& subject) {
   std::map<int, std::vector<WorkLimit>> limits;
-  // In slivers, which have no generic placement, doubles seldom decide. A choice.
-  constexpr double greatest_aspect = 1024;
-  const bool is_convex_pair =
-      scene.bodies.size() == 2 && oracle::slots(scene).size() == 2 && oracle::sizes_of(scene).aspect <= greatest_aspect;
   for (const WorkLimit& limit : subject.card().work_limits) {
-    if (limit.query == query && (limit.placements == 0 || is_convex_pair)) limits[limit.placements].push_back(limit);
+    if (limit.query == query) limits[limit.placements].push_back(limit);
+  }
+  if (!limits.empty() && !has_generic_placements(scene)) {
+    std::erase_if(limits, [](const auto& of_placements) { return of_placements.first > 0; });
   }
   return limits;
 }

@@ -5,13 +5,13 @@
 #include <cmath>
 #include <memory>
 #include <span>
-#include <variant>
 #include <vector>
 
 #include "app/fuzz/scene_numbers.h"
 #include "app/system/interruption.h"
 #include "app/trial/domain_watch.h"
 #include "model/input_error.h"
+#include "oracle/minimise/scene_edit.h"
 #include "properties/fuzzing/complete.h"
 
 namespace touchstone::app {
@@ -22,20 +22,6 @@ using properties::Property;
 
 constexpr double without_error = -1100;  ///< less than log2 of any double
 
-/// Without the faces, which follow from the vertices.
-Scene without_faces(Scene scene) {
-  const auto clear = [](auto& shape) {
-    if constexpr (requires { shape.faces; }) shape.faces.clear();
-  };
-  for (Body& body : scene.bodies) {
-    std::visit(clear, body.shape);
-    if (auto* compound = std::get_if<Compound>(&body.shape)) {
-      for (Part& part : compound->parts) std::visit(clear, part.shape);
-    }
-  }
-  return scene;
-}
-
 class Search {
  public:
   Search(const Example& example, const Property& property, oracle::Subject& subject)
@@ -43,7 +29,8 @@ class Search {
 
   void run(double step, int budget) {
     completed_ = best_.scene;
-    Scene scene = without_faces(best_.scene);
+    Scene scene = best_.scene;
+    oracle::drop_faces(scene);
     const std::vector<SceneNumber> numbers = numbers_of(scene);
     std::vector<double> x, steps;
     for (const SceneNumber& number : numbers) {

@@ -169,8 +169,7 @@ class Fuzzer {
       end.show(result_.executions, result_.findings.size());
     }
     result_.seconds = end.seconds();
-    for (std::size_t m = 0; m < result_.coverage.marks.size(); ++m)
-      result_.coverage.marks[m] = fast::mark_counts[m] - marks_before[m];
+    result_.coverage.marks = fast::marks_since(marks_before);
   }
 
   bool has_finding() const { return !result_.findings.empty() || !result_.contradictions.empty(); }

@@ -44,9 +44,9 @@ bool Screen::note(int kind, int what, int value) { return known_.insert({kind, w
 
 bool Screen::note_marks(const fast::MarkCounts& before) {
   bool is_new = false;
-  for (std::size_t m = 0; m < before.size(); ++m) {
-    const std::uint64_t count = fast::mark_counts[m] - before[m];
-    if (count > 0) is_new |= note(mark, static_cast<int>(m), static_cast<int>(std::bit_width(count)));
+  const fast::MarkCounts reached = fast::marks_since(before);
+  for (std::size_t m = 0; m < reached.size(); ++m) {
+    if (reached[m] > 0) is_new |= note(mark, static_cast<int>(m), static_cast<int>(std::bit_width(reached[m])));
   }
   return is_new;
 }

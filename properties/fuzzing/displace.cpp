@@ -5,18 +5,13 @@
 #include <limits>
 
 #include "oracle/tolerance/tolerance.h"
+#include "properties/fuzzing/usual.h"
 #include "properties/scenes/pair.h"
 
 namespace touchstone::properties::fuzzing {
 namespace {
 
-constexpr int greatest_exponent = 100;
-
-bool is_usual(double number) {
-  return number == 0 || (std::isfinite(number) && std::abs(std::ilogb(number)) <= greatest_exponent);
-}
-
-bool is_usual(const Pose& X_WB) {
+bool is_possible(const Pose& X_WB) {
   const auto& [w, x, y, z] = X_WB.q_WB;
   return is_usual(X_WB.p_WB.x()) && is_usual(X_WB.p_WB.y()) && is_usual(X_WB.p_WB.z()) && is_usual(w) && is_usual(x) &&
          is_usual(y) && is_usual(z) && (w != 0 || x != 0 || y != 0 || z != 0);
@@ -95,7 +90,7 @@ void displace(Scene& scene, Random& random) {
   } else {
     move(body, other, random);
   }
-  if (!is_usual(body.X_WB)) body.X_WB = before;
+  if (!is_possible(body.X_WB)) body.X_WB = before;
 }
 
 }  // namespace touchstone::properties::fuzzing

@@ -13,6 +13,7 @@
 #include "oracle/tolerance/tolerance.h"
 #include "oracle/truth/truth.h"
 #include "properties/fuzzing/complete.h"
+#include "properties/fuzzing/usual.h"
 #include "properties/scenes/pair.h"
 #include "properties/transforms/scene.h"
 
@@ -28,8 +29,7 @@ constexpr std::size_t most_bodies = 16;
 constexpr std::size_t most_frames = 16;
 constexpr std::size_t most_vertices = 64;
 constexpr long most_pixels = 4096;
-constexpr int greatest_exponent = 100;  ///< products of six lengths are still far from overflow
-constexpr double usual_travel = 64;     ///< sizes of the smallest body
+constexpr double usual_travel = 64;  ///< sizes of the smallest body
 
 std::size_t index_below(std::size_t end, Random& random) {
   return static_cast<std::size_t>(random.below(static_cast<int>(end)));
@@ -397,10 +397,6 @@ constexpr Mutation all[] = {
     {"coefficients", of_copy<coefficients>},
     {"frames", of_copy<frames>},
 };
-
-bool is_usual(double number) {
-  return number == 0 || (std::isfinite(number) && std::abs(std::ilogb(number)) <= greatest_exponent);
-}
 
 std::size_t vertices_of_largest_part(const Scene& scene) {
   std::size_t most = 0;

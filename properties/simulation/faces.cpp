@@ -76,6 +76,8 @@ struct BodyOnFace {
   Plane base = Plane::Zero();  ///< m: half extents of what touches the face
   Point p = Point::Zero();     ///< m: the centre of mass, from the middle of the face
   Point v = Point::Zero(), w = Point::Zero();
+
+  Real speeds() const { return v.norm() + height * w.norm(); }  ///< m/s
 };
 
 // A box lies flat: its axes are along those of the face.
@@ -192,7 +194,7 @@ std::optional<Place> place_at(const std::vector<Phase>& phases, const BodyOnFace
 /// ε of where it should be, which changes the lever of friction by ε/height.
 Real freedom_of(const BodyOnFace& on_face, const Load& load, Real eps) {
   const Real bounce = std::sqrt(2 * load.press * eps), slope = load.along.norm() / load.press;
-  const Real speeds = on_face.v.norm() + on_face.height * on_face.w.norm();
+  const Real speeds = on_face.speeds();
   return (slope > 0 ? 8 * (load.friction + slope) : 2 * load.friction) * bounce + 2 * eps / on_face.height * speeds;
 }
 
@@ -267,7 +269,7 @@ std::vector<FaceMotion> motions_on_faces(const Scene& scene, oracle::Precision p
 
 /// m/s: rounding of a velocity that is computed from the accelerations of the motion.
 Real rounding_of(const FaceMotion& motion, Real time, oracle::Precision precision) {
-  const Real speeds = motion.on_face.v.norm() + motion.on_face.height * motion.on_face.w.norm();
+  const Real speeds = motion.on_face.speeds();
   const Real accelerations = motion.load.along.norm() + (1 + motion.load.friction) * motion.load.press;
   return 64 * oracle::unit_roundoff(precision) * (speeds + accelerations * time);
 }
@@ -283,8 +285,7 @@ struct SteppedOnFace {
 SteppedOnFace stepped(const TrajectoryCase& asked, const FaceMotion& motion, Real time) {
   if (!asked.stepping) return {};
   const Real h = asked.stepping->step, friction = motion.load.friction * motion.load.press;
-  const Real speeds = motion.on_face.v.norm() + motion.on_face.height * motion.on_face.w.norm() +
-                      (motion.load.along.norm() + friction) * time;
+  const Real speeds = motion.on_face.speeds() + (motion.load.along.norm() + friction) * time;
   const Real rounding =
       tolerance::rounding_of_steps(static_cast<double>(time), *asked.stepping, asked.precision) * speeds;
   const Real too_far = asked.stepping->order > 1 ? 0 : (motion.load.along.norm() + friction) * h * time / 2;

@@ -559,8 +559,10 @@ namespace {
 
 /// What is judged of one sample, if the subject declares these steps.
 Outcome by_steps(const std::string& property, const Scene& scene, const std::vector<State>& states,
-                 const std::optional<oracle::Stepping>& stepping) {
+                 const std::optional<oracle::Stepping>& stepping,
+                 oracle::Precision precision = oracle::Precision::binary64) {
   tests::FixedSubject subject;
+  subject.introduced.precision = precision;
   subject.introduced.stepping = stepping;
   Trajectory said;
   said.states.push_back(states);
@@ -608,7 +610,7 @@ TEST_CASE("simulation: steps explain friction that begins one of them late, on a
 }
 
 // It falls 5 m in a second, leaves with 5 m/s, and is 1.25 m high after 0.5 s more. Steps of 1/256 s explain 0.34 m.
-TEST_CASE("simulation: steps explain impacts that come one of them late, and a flight that is too long") {
+TEST_CASE("simulation: steps explain impacts that come one of them late, and a fall that is too long") {
   const Scene scene = over_table(ball({0, 0, 5.5}, {0, 0, 0}), 1.5);
   const auto judged_at = [&](double lower, const std::optional<oracle::Stepping>& stepping) {
     return by_steps("bounces", scene, {at({0, 0, 1.75 - lower}, {0, 0, 0}), of_table()}, stepping);
@@ -645,16 +647,10 @@ TEST_CASE("simulation: the rounding of each step is explained, in the precision 
   scene.motion.emplace();
   scene.motion->sample_times = {1};
   const auto judged_at = [&](double faster, oracle::Precision precision) {
-    tests::FixedSubject subject;
-    subject.introduced.precision = precision;
-    subject.introduced.stepping = oracle::Stepping{1.0 / 256, 1};
     State state{scene.bodies[0].X_WB, scene.bodies[0].velocity};
     state.X_WB.q_WB = {std::cos(1.0), 0, 0, std::sin(1.0)};
     state.velocity.w_WB.z() += faster;
-    Trajectory said;
-    said.states = {{state}};
-    subject.said_simulation = said;
-    return properties::find("simulation.alone").check(scene, subject).outcome;
+    return by_steps("alone", scene, {state}, oracle::Stepping{1.0 / 256, 1}, precision);
   };
   CHECK(judged_at(2e-4, oracle::Precision::binary32) == Outcome::holds);
   CHECK(judged_at(3e-4, oracle::Precision::binary32) == Outcome::fails);

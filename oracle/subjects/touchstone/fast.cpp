@@ -36,10 +36,10 @@ class Fast : public Subject {
       return abstains == nullptr ? std::nullopt : std::optional(*abstains);
     };
     if (const auto abstains = std::visit(ask, find_query(query)->ask)) return *abstains;
+    const fast::MarkCounts reached = fast::marks_since(before);
     Work counts;
-    for (std::size_t m = 0; m < before.size(); ++m) {
-      const std::uint64_t times = fast::mark_counts[m] - before[m];
-      if (times > 0) counts[fast::mark_names[m]] = times;
+    for (std::size_t m = 0; m < reached.size(); ++m) {
+      if (reached[m] > 0) counts[fast::mark_names[m]] = reached[m];
     }
     return counts;
   }

@@ -2,9 +2,9 @@
 
 namespace touchstone::oracle::subjects {
 
-// What is done in exact arithmetic, and in steps of searches, per search; what one search may take at once is the base.
-// A closest pair that doubles cannot decide, and a depth in a needle, take hundreds of steps, so the promises about
-// distance and penetration are about 16 generic placements together.
+// Most limits are a number of steps for each search, and a base for one search that takes long. A depth in a needle
+// takes hundreds of steps, and a pair that touches is decided by exact arithmetic, so the promises about distance and
+// penetration are about 16 generic placements together.
 std::vector<WorkLimit> fast_work_limits() {
   constexpr int generic = 16;
   return {

@@ -7,7 +7,7 @@
 
 namespace touchstone::oracle::subjects {
 
-/// Regression pins, not truths: some half above the most that was counted on drawn scenes.
+/// Regression pins, not truths: above the most that was counted on drawn scenes, by a half to a few times.
 std::vector<WorkLimit> fast_work_limits();
 
 }  // namespace touchstone::oracle::subjects

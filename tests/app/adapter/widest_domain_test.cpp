@@ -2,42 +2,23 @@
 #include "app/adapter/widest_domain.h"
 
 #include <cmath>
+#include <functional>
 
-#include "oracle/passing_on.h"
 #include "oracle/subject.h"
 #include "oracle/subjects/touchstone/reference.h"
 #include "oracle/tolerance/tolerance.h"
+#include "tests/app/changed_distances.h"
 #include "tests/catch.h"
 
 namespace touchstone::app {
 namespace {
 
-/// Answers as the reference, but doubles the distances of scenes that are `wrong`.
-class WrongWhere final : public oracle::PassingOn<WrongWhere> {
- public:
-  WrongWhere(oracle::Subject& subject, std::function<bool(const Scene&)> wrong)
-      : PassingOn(subject), wrong_(std::move(wrong)) {}
-
- private:
-  friend PassingOn;
-
-  template <class T>
-  Answer<T> pass(Answer<T> (Subject::*query)(const Scene&), const Scene& scene) {
-    Answer<T> answer = (subject_.*query)(scene);
-    if constexpr (std::is_same_v<T, Distance>) {
-      Distance* said = std::get_if<Distance>(&answer);
-      if (said && wrong_(scene)) *said->distance *= 2;
-    }
-    return answer;
-  }
-
-  std::function<bool(const Scene&)> wrong_;
-};
-
-/// The range of distance.value along the axis.
-HeldRange measured(const std::string& axis, std::function<bool(const Scene&)> wrong) {
+/// The range of distance.value along the axis, if distances of scenes that are `wrong` are twice the true ones.
+HeldRange measured(const std::string& axis, const std::function<bool(const Scene&)>& wrong) {
   const auto reference = oracle::subjects::make_reference();
-  WrongWhere subject(*reference, std::move(wrong));
+  tests::ChangedDistances subject(*reference, [&](const Scene& scene, Distance& said) {
+    if (wrong(scene)) *said.distance *= 2;
+  });
   for (const HeldRange& range : widest_domain(subject, {"distance"}, [](const std::string&) {})) {
     if (range.property->id == "distance.value" && range.axis->name == axis) return range;
   }

@@ -2,13 +2,14 @@
 #include "app/fuzz/enlarge.h"
 
 #include <cmath>
+#include <memory>
 #include <optional>
-#include <type_traits>
-#include <variant>
+#include <utility>
 
 #include "app/fuzz/scene_numbers.h"
-#include "oracle/passing_on.h"
 #include "oracle/subjects/touchstone/reference.h"
+#include "oracle/with_card.h"
+#include "tests/app/changed_distances.h"
 #include "tests/catch.h"
 
 namespace touchstone::app {
@@ -17,29 +18,24 @@ namespace {
 using properties::Property;
 
 /// Says a distance that is too great by a thousandth of A's height over the ground.
-class TooFarAbove final : public oracle::PassingOn<TooFarAbove> {
+class TooFarAbove {
  public:
-  TooFarAbove(oracle::Subject& truthful, const oracle::Domain& domain) : PassingOn(truthful), card_(truthful.card()) {
-    card_.precision = oracle::Precision::binary64;
-    card_.domain = domain;
+  explicit TooFarAbove(const oracle::Domain& domain) {
+    oracle::Card card = reference_->card();
+    card.precision = oracle::Precision::binary64;
+    card.domain = domain;
+    shown_.emplace(changed_, std::move(card));
   }
 
-  const oracle::Card& card() const override { return card_; }
+  oracle::Subject& subject() { return *shown_; }
 
  private:
-  friend PassingOn;
-
-  template <class T>
-  Answer<T> pass(Answer<T> (Subject::*query)(const Scene&), const Scene& scene) {
-    Answer<T> answer = (subject_.*query)(scene);
-    if constexpr (std::is_same_v<T, Distance>) {
-      auto& said = std::get<Distance>(answer);
-      if (said.verdict == Verdict::separated) *said.distance += std::abs(scene.bodies[0].X_WB.p_WB.z()) * 1e-3;
-    }
-    return answer;
-  }
-
-  oracle::Card card_;
+  const std::unique_ptr<oracle::Subject> reference_ = oracle::subjects::make_reference();
+  tests::ChangedDistances changed_{*reference_, [](const Scene& scene, Distance& said) {
+                                     const double height = std::abs(scene.bodies[0].X_WB.p_WB.z());
+                                     if (said.verdict == Verdict::separated) *said.distance += height * 1e-3;
+                                   }};
+  std::optional<oracle::WithCard> shown_;
 };
 
 Scene two_boxes() {
@@ -54,8 +50,8 @@ Scene two_boxes() {
 }
 
 std::optional<Example> enlarged_of(const Scene& scene, const oracle::Domain& domain) {
-  const auto reference = oracle::subjects::make_reference();
-  TooFarAbove subject(*reference, domain);
+  TooFarAbove lying(domain);
+  oracle::Subject& subject = lying.subject();
   const Property& property = properties::find("distance.value");
   const Example example{"", 0, scene, property.check(scene, subject), {}};
   REQUIRE(example.finding.outcome == oracle::Outcome::fails);
@@ -64,8 +60,8 @@ std::optional<Example> enlarged_of(const Scene& scene, const oracle::Domain& dom
 
 TEST_CASE("An error that grows with a number is made larger, in the same way each time") {
   const Scene scene = two_boxes();
-  const auto reference = oracle::subjects::make_reference();
-  TooFarAbove subject(*reference, {});
+  TooFarAbove lying({});
+  oracle::Subject& subject = lying.subject();
   const Property& property = properties::find("distance.value");
   const double before = property.check(scene, subject).error;
   const std::optional<Example> found = enlarged_of(scene, {});

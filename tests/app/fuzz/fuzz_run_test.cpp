@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <stdexcept>
-#include <type_traits>
 #include <variant>
 
 #include "oracle/judge/judge.h"
@@ -13,10 +12,13 @@
 #include "oracle/subjects/touchstone/fast.h"
 #include "oracle/subjects/touchstone/reference.h"
 #include "oracle/tolerance/tolerance.h"
+#include "tests/app/changed_distances.h"
 #include "tests/catch.h"
 
 namespace touchstone::app {
 namespace {
+
+using tests::ChangedDistances;
 
 FuzzPlan plan_of(const std::string& query, long executions) {
   FuzzPlan plan;
@@ -62,28 +64,10 @@ TEST_CASE("A subject that is right is not accused") {
   }
 }
 
-/// A subject that is right but for one thing.
-class Nudging final : public oracle::PassingOn<Nudging> {
- public:
-  Nudging(oracle::Subject& truthful, void (*change)(const Scene&, Distance&)) : PassingOn(truthful), change_(change) {}
-
- private:
-  friend PassingOn;
-
-  template <class T>
-  Answer<T> pass(Answer<T> (Subject::*query)(const Scene&), const Scene& scene) {
-    Answer<T> answer = (subject_.*query)(scene);
-    if constexpr (std::is_same_v<T, Distance>) change_(scene, std::get<Distance>(answer));
-    return answer;
-  }
-
-  void (*change_)(const Scene&, Distance&);
-};
-
 TEST_CASE("The screen alone leads to a wrong answer, and does not contradict the properties") {
-  const auto planted = [](void (*change)(const Scene&, Distance&)) {
+  const auto planted = [](const ChangedDistances::Change& change) {
     const auto fast = oracle::subjects::make_fast();
-    Nudging subject(*fast, change);
+    ChangedDistances subject(*fast, change);
     FuzzPlan plan = plan_of("distance", 400);
     plan.share = 1 << 30;  // no scene is drawn: the screen, or something new, leads to the properties
     return fuzz(plan, subject);
@@ -115,7 +99,7 @@ FuzzResult fuzz_under(const oracle::Finding& finding, oracle::Subject& subject) 
 
 TEST_CASE("A contradiction between the screen and the properties is reported") {
   const auto fast = oracle::subjects::make_fast();
-  Nudging wrong(*fast, [](const Scene& scene, Distance& said) {
+  ChangedDistances wrong(*fast, [](const Scene& scene, Distance& said) {
     if (said.verdict == Verdict::separated) *said.distance += oracle::tolerance::scale(scene);
   });
   const FuzzResult accused = fuzz_under(oracle::judge::holds(), wrong);

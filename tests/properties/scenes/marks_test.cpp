@@ -35,77 +35,74 @@ MarkCounts counts(const std::string& query, const std::string& family, std::uint
   for (std::uint64_t i = 0; i < scenes; ++i) {
     ask(*subject, query, properties::draw(properties::find_family(family), 1, i));
   }
-  MarkCounts reached = fast::mark_counts;
-  for (std::size_t i = 0; i < reached.size(); ++i) reached[i] -= before[i];
-  return reached;
+  return fast::marks_since(before);
 }
 
 std::uint64_t of(const MarkCounts& reached, Mark mark) { return reached[static_cast<std::size_t>(mark)]; }
 
 struct Reach {
-  const char* name;
   Mark mark;
   const char* query;
   const char* family;
 };
 
 const std::vector<Reach> reaches = {
-    {"balance_step", Mark::balance_step, "simulation", "tables.stack"},
-    {"centre_step", Mark::centre_step, "simulation", "runs.on_a_table"},
-    {"climb", Mark::climb, "broad_phase", "films.round_solids"},
-    {"climb_exact", Mark::climb_exact, "broad_phase", "films.round_solids"},
-    {"climb_step", Mark::climb_step, "broad_phase", "films.round_solids"},
-    {"contact_newton", Mark::contact_newton, "simulation", "runs.on_ice"},
-    {"contact_round", Mark::contact_round, "simulation", "runs.carried"},
-    {"contact_row", Mark::contact_row, "simulation", "runs.carried"},
-    {"contact_sweep", Mark::contact_sweep, "simulation", "runs.carried"},
-    {"depth", Mark::depth, "penetration", "hulls.generic"},
-    {"depth_exact", Mark::depth_exact, "penetration", "touching.ulps"},
-    {"depth_step", Mark::depth_step, "penetration", "hulls.generic"},
-    {"descent", Mark::descent, "distance", "hulls.generic"},
-    {"descent_step", Mark::descent_step, "distance", "hulls.generic"},
-    {"exact_proximity", Mark::exact_proximity, "distance", "touching.exact"},
-    {"exact_step", Mark::exact_step, "constraint", "tables.stack"},
-    {"face_scan", Mark::face_scan, "time_of_impact", "flights.generic"},
-    {"grid_chain", Mark::grid_chain, "broad_phase", "films.many"},
-    {"grid_layout", Mark::grid_layout, "broad_phase", "films.growing"},
-    {"grid_long_body", Mark::grid_long_body, "broad_phase", "films.many_sizes"},
-    {"grid_rebuild", Mark::grid_rebuild, "broad_phase", "films.growing"},
-    {"grid_unchain", Mark::grid_unchain, "broad_phase", "films.back_and_forth"},
-    {"grid_update", Mark::grid_update, "broad_phase", "films.back_and_forth"},
-    {"impact_tied", Mark::impact_tied, "simulation", "runs.edge_on_edge"},
-    {"impact_together", Mark::impact_together, "simulation", "runs.together"},
-    {"impulse_again", Mark::impulse_again, "impulse", "contact.jamming"},
-    {"impulse_curve", Mark::impulse_curve, "impulse", "contact.boxes"},
-    {"impulse_phase", Mark::impulse_phase, "impulse", "contact.boxes"},
-    {"impulse_scaled", Mark::impulse_scaled, "impulse", "contact.times_powers"},
-    {"impulse_series", Mark::impulse_series, "impulse", "contact.boxes"},
-    {"impulse_slide_off", Mark::impulse_slide_off, "impulse", "contact.zero_slip"},
-    {"island_merge", Mark::island_merge, "simulation", "tables.stack"},
-    {"micro_bounces", Mark::micro_bounces, "simulation", "runs.bouncing"},
-    {"pixel_exact", Mark::pixel_exact, "pixel", "pixels.lattice_boxes"},
-    {"pixel_seen", Mark::pixel_seen, "pixel", "pixels.lattice_boxes"},
-    {"plane_step", Mark::plane_step, "simulation", "runs.bouncing"},
-    {"proxy_candidate", Mark::proxy_candidate, "simulation", "runs.balls"},
-    {"proxy_query", Mark::proxy_query, "simulation", "runs.balls"},
-    {"rest_phase", Mark::rest_phase, "simulation", "tables.slides"},
-    {"step_bounce", Mark::step_bounce, "constraint", "tables.drops"},
-    {"step_force", Mark::step_force, "constraint", "tables.pushed"},
-    {"step_shift", Mark::step_shift, "constraint", "tables.falls"},
-    {"toi_all_normals", Mark::toi_all_normals, "time_of_impact", "flights.touching"},
-    {"toi_balls", Mark::toi_balls, "time_of_impact", "flights.from_afar"},
-    {"toi_doubt", Mark::toi_doubt, "time_of_impact", "flights.tangent"},
-    {"toi_parting", Mark::toi_parting, "time_of_impact", "flights.touching"},
-    {"toi_query", Mark::toi_query, "time_of_impact", "flights.generic"},
-    {"toi_search", Mark::toi_search, "time_of_impact", "flights.generic"},
-    {"toi_wait", Mark::toi_wait, "time_of_impact", "flights.tangent"},
-    {"tumble_step", Mark::tumble_step, "simulation", "runs.tops"},
-    {"vertex_scan", Mark::vertex_scan, "simulation", "runs.carried"},
-    {"walk", Mark::walk, "time_of_impact", "flights.generic"},
-    {"walk_in_doubles", Mark::walk_in_doubles, "time_of_impact", "flights.touching"},
-    {"walk_inside", Mark::walk_inside, "time_of_impact", "flights.generic"},
-    {"walk_restart", Mark::walk_restart, "time_of_impact", "flights.generic"},
-    {"walk_step", Mark::walk_step, "time_of_impact", "flights.generic"},
+    {Mark::balance_step, "simulation", "tables.stack"},
+    {Mark::centre_step, "simulation", "runs.on_a_table"},
+    {Mark::climb, "broad_phase", "films.round_solids"},
+    {Mark::climb_exact, "broad_phase", "films.round_solids"},
+    {Mark::climb_step, "broad_phase", "films.round_solids"},
+    {Mark::contact_newton, "simulation", "runs.on_ice"},
+    {Mark::contact_round, "simulation", "runs.carried"},
+    {Mark::contact_row, "simulation", "runs.carried"},
+    {Mark::contact_sweep, "simulation", "runs.carried"},
+    {Mark::depth, "penetration", "hulls.generic"},
+    {Mark::depth_exact, "penetration", "touching.ulps"},
+    {Mark::depth_step, "penetration", "hulls.generic"},
+    {Mark::descent, "distance", "hulls.generic"},
+    {Mark::descent_step, "distance", "hulls.generic"},
+    {Mark::exact_proximity, "distance", "touching.exact"},
+    {Mark::exact_step, "constraint", "tables.stack"},
+    {Mark::face_scan, "time_of_impact", "flights.generic"},
+    {Mark::grid_chain, "broad_phase", "films.many"},
+    {Mark::grid_layout, "broad_phase", "films.growing"},
+    {Mark::grid_long_body, "broad_phase", "films.many_sizes"},
+    {Mark::grid_rebuild, "broad_phase", "films.growing"},
+    {Mark::grid_unchain, "broad_phase", "films.back_and_forth"},
+    {Mark::grid_update, "broad_phase", "films.back_and_forth"},
+    {Mark::impact_tied, "simulation", "runs.edge_on_edge"},
+    {Mark::impact_together, "simulation", "runs.together"},
+    {Mark::impulse_again, "impulse", "contact.jamming"},
+    {Mark::impulse_curve, "impulse", "contact.boxes"},
+    {Mark::impulse_phase, "impulse", "contact.boxes"},
+    {Mark::impulse_scaled, "impulse", "contact.times_powers"},
+    {Mark::impulse_series, "impulse", "contact.boxes"},
+    {Mark::impulse_slide_off, "impulse", "contact.zero_slip"},
+    {Mark::island_merge, "simulation", "tables.stack"},
+    {Mark::micro_bounces, "simulation", "runs.bouncing"},
+    {Mark::pixel_exact, "pixel", "pixels.lattice_boxes"},
+    {Mark::pixel_seen, "pixel", "pixels.lattice_boxes"},
+    {Mark::plane_step, "simulation", "runs.bouncing"},
+    {Mark::proxy_candidate, "simulation", "runs.balls"},
+    {Mark::proxy_query, "simulation", "runs.balls"},
+    {Mark::rest_phase, "simulation", "tables.slides"},
+    {Mark::step_bounce, "constraint", "tables.drops"},
+    {Mark::step_force, "constraint", "tables.pushed"},
+    {Mark::step_shift, "constraint", "tables.falls"},
+    {Mark::toi_all_normals, "time_of_impact", "flights.touching"},
+    {Mark::toi_balls, "time_of_impact", "flights.from_afar"},
+    {Mark::toi_doubt, "time_of_impact", "flights.tangent"},
+    {Mark::toi_parting, "time_of_impact", "flights.touching"},
+    {Mark::toi_query, "time_of_impact", "flights.generic"},
+    {Mark::toi_search, "time_of_impact", "flights.generic"},
+    {Mark::toi_wait, "time_of_impact", "flights.tangent"},
+    {Mark::tumble_step, "simulation", "runs.tops"},
+    {Mark::vertex_scan, "simulation", "runs.carried"},
+    {Mark::walk, "time_of_impact", "flights.generic"},
+    {Mark::walk_in_doubles, "time_of_impact", "flights.touching"},
+    {Mark::walk_inside, "time_of_impact", "flights.generic"},
+    {Mark::walk_restart, "time_of_impact", "flights.generic"},
+    {Mark::walk_step, "time_of_impact", "flights.generic"},
 };
 
 /// A quick run draws so many scenes of each family of a query, or one more (app/trial/effort.h).
@@ -265,7 +262,8 @@ std::string all_counts() {
     page += std::string(row.query) + ' ' + row.family + ", " + std::to_string(row.scenes) + " scenes:";
     for (const Reach& mark : reaches) {
       if (of(reached, mark.mark) > 0)
-        page += ' ' + std::string(mark.name) + ' ' + std::to_string(of(reached, mark.mark));
+        page += ' ' + std::string(fast::mark_names[static_cast<std::size_t>(mark.mark)]) + ' ' +
+                std::to_string(of(reached, mark.mark));
     }
     page += '\n';
   }
