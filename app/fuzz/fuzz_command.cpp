@@ -60,8 +60,9 @@ FuzzPlan plan_of(const FuzzCommand& command) {
   if (command.empty_corpus) plan.draws = 0;
   plan.first_failure = command.first_failure;
   plan.enlarge_budget = command.enlarge;
-  if (command.first_failure) return plan;
-  plan.minimise_budget = is_simulated(command.query) ? minimise_budget_of_trajectories : minimise_budget;
+  if (!command.first_failure) {
+    plan.minimise_budget = is_simulated(command.query) ? minimise_budget_of_trajectories : minimise_budget;
+  }
   return plan;
 }
 
