@@ -83,8 +83,11 @@ class Subject {
   virtual Answer<Trajectory> simulation(const Scene&) { return Abstains{"no simulation"}; }
   virtual Answer<Trajectory> constraint(const Scene&) { return Abstains{"no constraint-based simulation"}; }
 
-  /// A program in the engine's own API that asks it the query about the scene and prints what it says.
-  virtual Answer<std::string> reproduce(const std::string& /*query*/, const Scene&) { return Abstains{"no snippets"}; }
+  /// A program in the engine's own API that prints `expected`, if it is not empty, asks the engine the query about the
+  /// scene and prints what it says.
+  virtual Answer<std::string> reproduce(const std::string& /*query*/, const Scene&, const std::string& /*expected*/) {
+    return Abstains{"no snippets"};
+  }
 
   /// What the answer to the query about the scene takes.
   virtual Answer<Work> work(const std::string& /*query*/, const Scene&) { return Abstains{"does not count its work"}; }

@@ -62,12 +62,16 @@ function plain(value, place) {
   return Object.fromEntries(Object.entries(value).map(([key, part]) => [key, plain(part, `${place}.${key}`)]));
 }
 
+/** A line before a program, whose imports come first wherever they stand; so it is printed even if the engine throws. */
+const printed = (expected) => `console.log("expected:", ${JSON.stringify(expected)});\n`;
+
 async function answer(message, card, queries, snippets) {
   if (message.op === "start") return { protocol: 1, card };
   if (typeof message.query !== "string") throw new Error("query: missing");
   if (message.op === "reproduce") {
     if (!(message.query in snippets)) return { abstains: `no snippets of ${message.query}` };
-    return { snippet: await snippets[message.query](message.scene) };
+    const program = await snippets[message.query](message.scene);
+    return { snippet: message.expected ? `${printed(message.expected)}${program}` : program };
   }
   if (!(message.query in queries)) return { abstains: `no ${message.query} query` };
   return { result: plain(await queries[message.query](message.scene), "result") };
@@ -92,7 +96,8 @@ function writeAll(line) {
 
 /**
  * Answers until `stop` or the end of stdin. `queries`: name -> function of a scene. `snippets`: name of a query -> function
- * of a scene that returns a program in the engine's own API, as text, which asks the engine the same.
+ * of a scene that returns a program in the engine's own API, as the text of a module, which asks the engine the same. What
+ * the answer should be is printed before it.
  */
 export async function serve(card, queries, snippets = {}) {
   const whole = { ...card, answers: Object.keys(queries), reproduces: Object.keys(snippets) };

@@ -32,8 +32,9 @@ int serve() try {
   card.answers = printed_queries();
   card.knows_touching = true;
   card.about = "the exact answers of Touchstone's reference, as `touchstone ask --json` prints them";
-  oracle::serve(card, {exact, [](const std::string&, const Scene&) { return Abstains{"no snippets"}; },
-                       [](const std::string&, const Scene&) { return Abstains{"does not count its work"}; }});
+  oracle::serve(card,
+                {exact, [](const std::string&, const Scene&, const std::string&) { return Abstains{"no snippets"}; },
+                 [](const std::string&, const Scene&) { return Abstains{"does not count its work"}; }});
   return 0;
 } catch (const std::system_error& error) {
   if (error.code().value() == EPIPE) return nothing_reads_exit_code;

@@ -53,9 +53,10 @@ std::optional<oracle::ChangedScene> changed_scene(const Scene& scene, const Last
   return oracle::ChangedScene{properties::name_of_change(scene, *asked.scene()), *asked.scene()};
 }
 
-/// Empty if the subject has none.
-std::string snippet_of(oracle::Subject& subject, const std::string& query, const Scene& scene) {
-  const Answer<std::string> said = subject.reproduce(query, scene);
+/// Prints what the property expects beside the engine's answer. Empty if the subject has none.
+std::string snippet_of(oracle::Subject& subject, const std::string& query, const Scene& scene,
+                       const std::string& expected) {
+  const Answer<std::string> said = subject.reproduce(query, scene, expected);
   const std::string* snippet = std::get_if<std::string>(&said);
   return snippet == nullptr ? "" : *snippet;
 }
@@ -137,8 +138,11 @@ oracle::Case smallest_case(const Example& example, const properties::Property& p
                            std::uint64_t seed, const Search& search) {
   oracle::Case result = smallest_without_snippet(example, property, subject, seed, search);
   if (interrupted()) return result;
-  result.snippet = snippet_of(subject, property.query, result.scene);
-  if (result.changed) result.changed->snippet = snippet_of(subject, property.query, result.changed->scene);
+  const auto program_for = [&](const Scene& scene) {
+    return snippet_of(subject, property.query, scene, result.finding.expected);
+  };
+  result.snippet = program_for(result.scene);
+  if (result.changed) result.changed->snippet = program_for(result.changed->scene);
   return result;
 }
 

@@ -154,10 +154,11 @@ Answer<T> PipeSubject::ask(const std::string& query, const Scene& scene) {
                       protocol::read_answer<T>, times_of(query, card_, limits_));
 }
 
-Answer<std::string> PipeSubject::reproduce(const std::string& query, const Scene& scene) {
+Answer<std::string> PipeSubject::reproduce(const std::string& query, const Scene& scene, const std::string& expected) {
   if (std::ranges::count(card_.reproduces, query) == 0) return Abstains{"no snippets of " + query};
-  return answer_to<std::string>([&](std::int64_t seq) { return protocol::reproduce(seq, query, text_of(scene)); },
-                                protocol::read_snippet, 1);
+  return answer_to<std::string>(
+      [&](std::int64_t seq) { return protocol::reproduce(seq, query, text_of(scene), expected); },
+      protocol::read_snippet, 1);
 }
 
 Answer<Work> PipeSubject::work(const std::string& query, const Scene& scene) {

@@ -48,7 +48,7 @@ class PipeSubject : public Subject {
   Answer<Trajectory> constraint(const Scene& scene) override;
 
   /// Only a query that the card's `reproduces` lists is passed on.
-  Answer<std::string> reproduce(const std::string& query, const Scene& scene) override;
+  Answer<std::string> reproduce(const std::string& query, const Scene& scene, const std::string& expected) override;
 
   /// Only a query of one of the card's `work_limits` is passed on.
   Answer<Work> work(const std::string& query, const Scene& scene) override;

@@ -338,8 +338,11 @@ std::string ask(Seq seq, std::string_view query, std::string_view scene_json) {
   return question("ask", seq, query, scene_json);
 }
 
-std::string reproduce(Seq seq, std::string_view query, std::string_view scene_json) {
-  return question("reproduce", seq, query, scene_json);
+std::string reproduce(Seq seq, std::string_view query, std::string_view scene_json, std::string_view expected) {
+  std::string line = question("reproduce", seq, query, scene_json);
+  if (expected.empty()) return line;
+  line.resize(line.size() - std::string_view("}\n").size());
+  return line + R"(,"expected":)" + Json(expected).dump(-1, ' ', false, Json::error_handler_t::replace) + "}\n";
 }
 
 std::string work(Seq seq, std::string_view query, std::string_view scene_json) {
@@ -371,7 +374,13 @@ Request read_request(std::string_view line) {
   request.op = read_word(node.at("op"), ops);
   request.seq = node.at("seq").index();
   if (request.op != Request::Op::start && request.op != Request::Op::stop) {
-    node.expect_object({"op", "seq", "query", "scene"});
+    const bool has_expected = request.op == Request::Op::reproduce && node.find("expected");
+    if (has_expected) {
+      node.expect_object({"op", "seq", "query", "scene", "expected"});
+      request.expected = node.at("expected").text();
+    } else {
+      node.expect_object({"op", "seq", "query", "scene"});
+    }
     request.query = node.at("query").text();
     node.at("scene");
     request.scene = read<Scene>(json["scene"], "scene");

@@ -21,12 +21,13 @@ struct Request {
   Seq seq = 0;
   std::string query;  ///< unless op is start or stop: the name of a query (oracle/query.h)
   Scene scene;
+  std::string expected;  ///< of reproduce: what the program prints before the engine's answer; may be empty
 };
 
 /// Each returns one line, with its \n.
 std::string start(Seq seq);
 std::string ask(Seq seq, std::string_view query, std::string_view scene_json);
-std::string reproduce(Seq seq, std::string_view query, std::string_view scene_json);
+std::string reproduce(Seq seq, std::string_view query, std::string_view scene_json, std::string_view expected);
 std::string work(Seq seq, std::string_view query, std::string_view scene_json);
 std::string stop(Seq seq);
 Json json_of(const Domain& domain);      ///< of limits that are there

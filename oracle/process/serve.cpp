@@ -85,7 +85,12 @@ std::optional<std::string> reply_to(const std::string& line, const Card& card, c
       case protocol::Request::Op::start:
         return protocol::introduction(request.seq, card);
       case protocol::Request::Op::reproduce:
-        return part_for<std::string>(std::move(request), functions.snippet, protocol::snippet);
+        return part_for<std::string>(
+            std::move(request),
+            [&, expected = request.expected](const std::string& query, const Scene& scene) {
+              return functions.snippet(query, scene, expected);
+            },
+            protocol::snippet);
       case protocol::Request::Op::work:
         return part_for<Work>(std::move(request), functions.work,
                               [](protocol::Seq seq, const Work& counts) { return protocol::work(seq, counts); });
@@ -135,7 +140,9 @@ int serve(Subject& subject) try {
   serve(subject.card(), {[&](const Query& query, const Scene& scene) {
                            return std::visit([&](auto ask) { return in_json((subject.*ask)(scene)); }, query.ask);
                          },
-                         [&](const std::string& query, const Scene& scene) { return subject.reproduce(query, scene); },
+                         [&](const std::string& query, const Scene& scene, const std::string& expected) {
+                           return subject.reproduce(query, scene, expected);
+                         },
                          [&](const std::string& query, const Scene& scene) { return subject.work(query, scene); }});
   return 0;
 } catch (const std::exception& error) {

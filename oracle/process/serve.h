@@ -20,8 +20,8 @@ int serve(Subject& subject);
 /// The result of an answer as JSON.
 using AnswerFunction = std::function<Answer<Json>(const Query&, const Scene&)>;
 
-/// A program in the engine's own API that asks the query (Subject::reproduce).
-using SnippetFunction = std::function<Answer<std::string>(const std::string&, const Scene&)>;
+/// A program in the engine's own API that prints a text and asks the query (Subject::reproduce).
+using SnippetFunction = std::function<Answer<std::string>(const std::string&, const Scene&, const std::string&)>;
 
 /// What the answer takes (Subject::work).
 using WorkFunction = std::function<Answer<Work>(const std::string&, const Scene&)>;

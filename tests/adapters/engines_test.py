@@ -51,7 +51,10 @@ class Engines(unittest.TestCase):
                                 "exec:node engines/rapier.mjs", "--out", "case.json")
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         case = json.loads((self.folder / "case.json").read_text())
-        return case["finding"], [self.printed_by(said["snippet"]) for said in (case, case.get("changed")) if said]
+        printed = [self.printed_by(said["snippet"]) for said in (case, case.get("changed")) if said]
+        for text in printed:
+            self.assertTrue(text.startswith(f"expected: {case['finding']['expected']}\n"), text)
+        return case["finding"], printed
 
     def snippet(self, name, query, scene):
         lines = [{"op": "start", "seq": 1, "protocol": 1}, {"op": "reproduce", "seq": 2, "query": query, "scene": scene}]

@@ -123,9 +123,11 @@ class Library(unittest.TestCase):
             const snippets = { distance: (scene) => `ask(${scene.bodies.length})` };
             serve({ name: "n", version: "0", precision: "binary64" }, { distance: () => ({}), mass: () => [] }, snippets);""")
         reproduce = [{**ask(query, ball(1, [0, 0, 0])), "op": "reproduce"} for query in ("distance", "mass")]
-        (card, snippet, none), _ = self.said(["node", self.folder / "snippets.mjs"], START, *reproduce)
+        reproduce.append({**reproduce[0], "expected": 'a "1"'})
+        (card, snippet, none, telling), _ = self.said(["node", self.folder / "snippets.mjs"], START, *reproduce)
         self.assertEqual(card["card"]["reproduces"], ["distance"])
         self.assertEqual(snippet, {"seq": 2, "snippet": "ask(1)"})
+        self.assertEqual(telling, {"seq": 4, "snippet": 'console.log("expected:", "a \\"1\\"");\nask(1)'})
         self.assertEqual(none, {"seq": 3, "abstains": "no snippets of mass"})
 
     def test_it_is_small(self):

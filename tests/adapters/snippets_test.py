@@ -1,6 +1,7 @@
 """Usage: snippets_test.py FOLDER. The programs that our adapters of Bullet, FCL and libccd write, in the engines' own API:
-each is built by the command in its first line, and says bit for bit what its adapter answers. FOLDER has the subjects.
-Without any of them, or without g++, says so and exits with code 77, which CTest reports as skipped."""
+each is built by the command in its first line, prints what the judge expects, and says bit for bit what its adapter
+answers. FOLDER has the subjects. Without any of them, or without g++, says so and exits with code 77, which CTest reports
+as skipped."""
 
 import concurrent.futures
 import json
@@ -16,6 +17,7 @@ FOLDER = pathlib.Path(sys.argv[1])
 SKIPPED = 77
 QUESTIONS = [("bullet.double", "distance"), ("bullet.float", "penetration"), ("fcl.libccd", "distance"),
              ("fcl.indep", "penetration"), ("fcl.libccd", "mass"), ("libccd.gjk", "penetration"), ("libccd.mpr", "distance")]
+EXPECTED = "100 % \"exact\" \\ not"  # printed as it is
 TURN = {"w": 0.3, "x": -0.7, "y": 1.1, "z": 0.2}
 HULL = {"type": "polytope", "vertices": [[0, 0, 0], [1, 0, 0], [0.1, 1.3, 0], [0, 0.2, 0.7]],
         "faces": [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]}
@@ -42,8 +44,9 @@ def numbers(label, text):
 def said_and_printed(question):
     """The adapter's answer, and what its snippet prints."""
     subject, query = question
-    lines = [{"op": "start", "seq": 1, "protocol": 1}] + [
-        {"op": op, "seq": seq, "query": query, "scene": SCENES[query]} for seq, op in [(2, "ask"), (3, "reproduce")]]
+    asked = {"query": query, "scene": SCENES[query]}
+    lines = [{"op": "start", "seq": 1, "protocol": 1}, {**asked, "op": "ask", "seq": 2},
+             {**asked, "op": "reproduce", "seq": 3, "expected": EXPECTED}]
     done = subprocess.run([program(subject)], input="".join(json.dumps(line) + "\n" for line in lines), capture_output=True,
                           text=True, timeout=60, check=True)
     _, answer, snippet = map(json.loads, done.stdout.splitlines())
@@ -53,6 +56,7 @@ def said_and_printed(question):
         (pathlib.Path(folder) / source).write_text(snippet["snippet"])
         ran = subprocess.run(["bash", "-c", command], cwd=folder, capture_output=True, text=True, timeout=120)
     assert ran.returncode == 0, ran.stderr
+    assert ran.stdout.startswith(f"expected: {EXPECTED}\n"), ran.stdout
     return answer["result"], ran.stdout
 
 

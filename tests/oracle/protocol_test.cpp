@@ -232,16 +232,21 @@ TEST_CASE("a question survives the way") {
 }
 
 TEST_CASE("a request for a snippet and its answer survive the way") {
-  const std::string line = protocol::reproduce(7, "distance", json_of(scene()).dump());
+  const std::string line = protocol::reproduce(7, "distance", json_of(scene()).dump(), "\"1\"");
   const protocol::Request request = protocol::read_request(line);
   CHECK(request.op == protocol::Request::Op::reproduce);
   CHECK(request.query == "distance");
   CHECK(request.scene == scene());
+  CHECK(request.expected == "\"1\"");
+  const std::string unsaid = protocol::reproduce(7, "distance", json_of(scene()).dump(), "");
+  CHECK(protocol::read_request(unsaid).expected.empty());
+  CHECK_THROWS(protocol::read_request(R"({"op":"ask","seq":1,"query":"mass","scene":{},"expected":"1"})"));
   const std::string answer = R"({"seq":7,"snippet":"print(\"1\")\n"})";
   CHECK(std::get<std::string>(protocol::read_snippet(answer, 7)) == "print(\"1\")\n");
   CHECK(std::get<Abstains>(protocol::read_snippet(R"({"seq":7,"abstains":"no"})", 7)).why == "no");
   CHECK_THROWS(protocol::read_snippet(R"({"seq":7,"result":{}})", 7));
-  CHECK(by_schema({line.substr(0, line.size() - 1), answer}) == std::vector<std::string>(2, "ok"));
+  CHECK(by_schema({line.substr(0, line.size() - 1), unsaid.substr(0, unsaid.size() - 1), answer}) ==
+        std::vector<std::string>(3, "ok"));
 }
 
 TEST_CASE("a question about work and its answer survive the way") {
@@ -271,7 +276,7 @@ TEST_CASE("fast counts its work, and is asked only about what its card promises"
 
 TEST_CASE("a C++ subject abstains from snippets") {
   ChildProcess child({TOUCHSTONE_SUBJECTS "/touchstone-subject-fast"});
-  const auto said = child.exchange(protocol::reproduce(3, "distance", json_of(scene()).dump()), {60, 60, 1 << 20});
+  const auto said = child.exchange(protocol::reproduce(3, "distance", json_of(scene()).dump(), ""), {60, 60, 1 << 20});
   CHECK(std::get<Abstains>(protocol::read_snippet(std::get<std::string>(said), 3)).why == "no snippets");
 }
 

@@ -136,10 +136,10 @@ class Bullet : public Subject {
     return deep(-found.m_distance, vec3(found.m_normalOnBInWorld));
   }
 
-  Answer<std::string> reproduce(const std::string& query, const Scene& scene) override {
+  Answer<std::string> reproduce(const std::string& query, const Scene& scene, const std::string& expected) override {
     if (query != "distance" && query != "penetration") return Abstains{"no snippets of " + query};
     if (has_compound(scene)) return no_compounds;
-    return pair_snippet(scene, is_double ? "bullet-float64" : "bullet");
+    return pair_snippet(scene, is_double ? "bullet-float64" : "bullet", expected);
   }
 
  private:

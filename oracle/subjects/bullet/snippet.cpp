@@ -29,7 +29,7 @@ std::string transform(const Pose& X_WB) {
 
 }  // namespace
 
-std::string pair_snippet(const Scene& scene, const std::string& package) {
+std::string pair_snippet(const Scene& scene, const std::string& package, const std::string& expected) {
   const Body &A = scene.bodies.at(0), &B = scene.bodies.at(1);
   return fmt::format(R"(// g++ pair.cpp $(pkg-config --cflags --libs {}) -o pair && ./pair
 #include <BulletCollision/NarrowPhaseCollision/btGjkEpaPenetrationDepthSolver.h>
@@ -41,7 +41,7 @@ std::string pair_snippet(const Scene& scene, const std::string& package) {
 #include <limits>
 
 int main() {{
-{}{}  btVoronoiSimplexSolver simplex;
+{}{}{}  btVoronoiSimplexSolver simplex;
   btGjkEpaPenetrationDepthSolver epa;
   btGjkPairDetector detector(&A, &B, &simplex, &epa);
   btGjkPairDetector::ClosestPointInput input;
@@ -56,8 +56,8 @@ int main() {{
   std::printf("normal from B to A: %.17g %.17g %.17g\n", double(n.x()), double(n.y()), double(n.z()));
 }}
 )",
-                     package, std::visit(Declared{"A"}, A.shape), std::visit(Declared{"B"}, B.shape), transform(A.X_WB),
-                     transform(B.X_WB));
+                     package, cpp_printed(expected), std::visit(Declared{"A"}, A.shape),
+                     std::visit(Declared{"B"}, B.shape), transform(A.X_WB), transform(B.X_WB));
 }
 
 }  // namespace touchstone::oracle::subjects::in_bullet

@@ -8,7 +8,7 @@
 namespace touchstone::oracle::subjects::in_bullet {
 
 /// Prints the signed distance of bodies 0 (A) and 1 (B), the point on B and the normal from B to A. `package`: for
-/// pkg-config. Requires convex bodies.
-std::string pair_snippet(const Scene& scene, const std::string& package);
+/// pkg-config; `expected` is printed first, unless empty. Requires convex bodies.
+std::string pair_snippet(const Scene& scene, const std::string& package, const std::string& expected);
 
 }  // namespace touchstone::oracle::subjects::in_bullet

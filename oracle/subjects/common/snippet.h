@@ -1,4 +1,4 @@
-// Numbers in the C++ programs that adapters write to reproduce a query in an engine's own API.
+// Numbers and texts in the C++ programs that adapters write to reproduce a query in an engine's own API.
 #pragma once
 
 #include <fmt/format.h>
@@ -6,6 +6,7 @@
 #include <string>
 
 #include "model/frame.h"
+#include "model/json.h"
 #include "oracle/rotation.h"
 
 namespace touchstone::oracle::subjects {
@@ -22,6 +23,13 @@ inline std::string cpp_list(const Vec3& v) {
 inline std::string cpp_rotation_xyzw(const Quaternion& q) {
   const Eigen::Quaterniond R = rotation(q);
   return fmt::format("{}, {}", cpp_list(R.vec()), cpp_number(R.w()));
+}
+
+/// A statement, indented, that prints what the answer should be; empty if that is.
+inline std::string cpp_printed(const std::string& expected) {
+  if (expected.empty()) return "";
+  const std::string quoted = Json("expected: " + expected).dump(-1, ' ', false, Json::error_handler_t::replace);
+  return fmt::format("  std::puts({});\n", quoted);
 }
 
 }  // namespace touchstone::oracle::subjects

@@ -109,12 +109,12 @@ class Fcl : public Subject {
     return deep(result.getContact(0).penetration_depth, -result.getContact(0).normal);
   }
 
-  Answer<std::string> reproduce(const std::string& query, const Scene& scene) override {
+  Answer<std::string> reproduce(const std::string& query, const Scene& scene, const std::string& expected) override {
     if (has_compound(scene)) return no_compounds;
     const char* solver = solver_ == ::fcl::GST_LIBCCD ? "GST_LIBCCD" : "GST_INDEP";
-    if (query == "distance") return distance_snippet(scene, solver);
-    if (query == "penetration") return penetration_snippet(scene, solver);
-    if (query == "mass") return mass_snippet(scene);
+    if (query == "distance") return distance_snippet(scene, solver, expected);
+    if (query == "penetration") return penetration_snippet(scene, solver, expected);
+    if (query == "mass") return mass_snippet(scene, expected);
     return Abstains{"no snippets of " + query};
   }
 

@@ -52,19 +52,21 @@ std::string pair(const Scene& scene) { return placed("A", scene.bodies.at(0)) + 
 
 }  // namespace
 
-std::string distance_snippet(const Scene& scene, const std::string& solver) {
-  return program(pair(scene) + fmt::format(R"(  fcl::DistanceRequestd request(true);
+std::string distance_snippet(const Scene& scene, const std::string& solver, const std::string& expected) {
+  return program(cpp_printed(expected) + pair(scene) +
+                 fmt::format(R"(  fcl::DistanceRequestd request(true);
   request.gjk_solver_type = fcl::{};
   fcl::DistanceResultd result;
   fcl::distance(&A, X_A, &B, X_B, request, result);
   std::printf("distance: %.17g\n", result.min_distance);  // below 0 in collision
   for (const fcl::Vector3d& p : result.nearest_points) std::printf("point: %.17g %.17g %.17g\n", p.x(), p.y(), p.z());
 )",
-                                           solver));
+                             solver));
 }
 
-std::string penetration_snippet(const Scene& scene, const std::string& solver) {
-  return program(pair(scene) + fmt::format(R"(  fcl::CollisionRequestd request(1, true);
+std::string penetration_snippet(const Scene& scene, const std::string& solver, const std::string& expected) {
+  return program(cpp_printed(expected) + pair(scene) +
+                 fmt::format(R"(  fcl::CollisionRequestd request(1, true);
   request.gjk_solver_type = fcl::{};
   fcl::CollisionResultd result;
   fcl::collide(&A, X_A, &B, X_B, request, result);
@@ -74,11 +76,11 @@ std::string penetration_snippet(const Scene& scene, const std::string& solver) {
   const fcl::Vector3d& n = contact.normal;
   std::printf("depth: %.17g\nnormal from A to B: %.17g %.17g %.17g\n", contact.penetration_depth, n.x(), n.y(), n.z());
 )",
-                                           solver));
+                             solver));
 }
 
-std::string mass_snippet(const Scene& scene) {
-  std::string statements;
+std::string mass_snippet(const Scene& scene, const std::string& expected) {
+  std::string statements = cpp_printed(expected);
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     const Body& body = scene.bodies[i];
     if (!std::holds_alternative<Density>(body.mass)) continue;

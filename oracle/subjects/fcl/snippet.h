@@ -7,11 +7,11 @@
 
 namespace touchstone::oracle::subjects::in_fcl {
 
-/// `solver`: "GST_LIBCCD" or "GST_INDEP". Require convex bodies.
-std::string distance_snippet(const Scene& scene, const std::string& solver);
-std::string penetration_snippet(const Scene& scene, const std::string& solver);
+/// `solver`: "GST_LIBCCD" or "GST_INDEP"; `expected` is printed first, unless empty. Require convex bodies.
+std::string distance_snippet(const Scene& scene, const std::string& solver, const std::string& expected);
+std::string penetration_snippet(const Scene& scene, const std::string& solver, const std::string& expected);
 
 /// Of the bodies with a density.
-std::string mass_snippet(const Scene& scene);
+std::string mass_snippet(const Scene& scene, const std::string& expected);
 
 }  // namespace touchstone::oracle::subjects::in_fcl

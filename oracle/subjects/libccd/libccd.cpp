@@ -90,9 +90,9 @@ class Libccd : public Subject {
     return deep(depth, -Vec3(direction.v[0], direction.v[1], direction.v[2]));
   }
 
-  Answer<std::string> reproduce(const std::string&, const Scene& scene) override {
+  Answer<std::string> reproduce(const std::string&, const Scene& scene, const std::string& expected) override {
     if (has_compound(scene)) return no_compounds;
-    return libccd_snippet(ccd_body(scene.bodies.at(0)), ccd_body(scene.bodies.at(1)), algorithm_);
+    return libccd_snippet(ccd_body(scene.bodies.at(0)), ccd_body(scene.bodies.at(1)), algorithm_, expected);
   }
 
  private:

@@ -51,11 +51,12 @@ void center(const void* object, ccd_vec3_t* inner) {
 
 }  // namespace
 
-std::string libccd_snippet(const CcdBody& A, const CcdBody& B, const std::string& algorithm) {
+std::string libccd_snippet(const CcdBody& A, const CcdBody& B, const std::string& algorithm,
+                           const std::string& expected) {
   return support + declared("A", A) + declared("B", B) +
          fmt::format(R"(
 int main() {{
-  ccd_t ccd;
+{1}  ccd_t ccd;
   CCD_INIT(&ccd);
   ccd.support1 = ccd.support2 = support;
   ccd.center1 = ccd.center2 = center;
@@ -69,7 +70,7 @@ int main() {{
   std::printf("depth: %.17g\ndirection: %.17g %.17g %.17g\n", double(depth), double(d[0]), double(d[1]), double(d[2]));
 }}
 )",
-                     algorithm);
+                     algorithm, cpp_printed(expected));
 }
 
 }  // namespace touchstone::oracle::subjects

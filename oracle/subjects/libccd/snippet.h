@@ -15,7 +15,9 @@ struct CcdBody {
   double radius = 0;
 };
 
-/// Prints whether A and B intersect and, if so, their depth. `algorithm`: "GJK" or "MPR".
-std::string libccd_snippet(const CcdBody& A, const CcdBody& B, const std::string& algorithm);
+/// Prints whether A and B intersect and, if so, their depth. `algorithm`: "GJK" or "MPR";
+/// `expected` is printed first, unless empty.
+std::string libccd_snippet(const CcdBody& A, const CcdBody& B, const std::string& algorithm,
+                           const std::string& expected);
 
 }  // namespace touchstone::oracle::subjects
