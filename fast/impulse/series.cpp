@@ -10,8 +10,8 @@ namespace touchstone::fast::impulse {
 namespace {
 
 /// Newton's method inside a shrinking bracket where x rises from below the target to it or above. It squares its error:
-/// a step of 2^-28 of the bracket is the last that matters.
-/// `below` and `above`: x − target at lo and hi.
+/// a step of 2^-28 of the root is the last that matters. (Not of the bracket: it may be 2^30 times as long as the
+/// root.) `below` and `above`: x − target at lo and hi.
 double crossing(const Series& x, double target, double lo, double hi, double below, double above) {
   double t = lo + (hi - lo) * (below / (below - above));
   for (int step = 0; step < 100; ++step) {
@@ -20,7 +20,7 @@ double crossing(const Series& x, double target, double lo, double hi, double bel
     (off < 0 ? lo : hi) = t;
     if (!(newton >= lo && newton <= hi)) {
       t = lo + (hi - lo) / 2;
-    } else if (std::abs(newton - t) <= 0x1p-28 * hi) {
+    } else if (std::abs(newton - t) <= 0x1p-28 * newton) {
       return newton;
     } else {
       t = newton;

@@ -51,17 +51,6 @@ class ImpactSolver {
     outcome_.P1 = at_.P1;
     outcome_.P2 = at_.P2;
     outcome_.p = at_.p;
-    return_to_cone();
-  }
-
-  /// Errors of many arcs may add up beyond the cone by more than rounding leaves. The true impulse is in the cone, so
-  /// the excess is at most (1 + mu) times the error of P.
-  void return_to_cone() {
-    const double friction = std::sqrt(outcome_.P1 * outcome_.P1 + outcome_.P2 * outcome_.P2);
-    const double most = i_.mu * outcome_.p;
-    if (!(friction > (1 + 8 * u) * most)) return;
-    outcome_.P1 *= most / friction;
-    outcome_.P2 *= most / friction;
   }
 
   void stick_at_once() {

@@ -1,0 +1,25 @@
+#include "fast/impulse/series.h"
+
+#include <cmath>
+
+#include "tests/catch.h"
+
+namespace touchstone::fast::impulse {
+namespace {
+
+TEST_CASE("series: a root that is 2^-29 of the length of the series is as precise as any") {
+  Series x;  // t + 100 t²
+  x.order = 2;
+  x.x[1] = 1;
+  x.x[2] = 100;
+  double miss = 1;
+  for (const double length : {0x1p-3, 0x1p-16, 0x1p-30}) {
+    const auto root = first_reach(x, 0x1p-32, length, miss);
+    REQUIRE(root);
+    const double exact = 0x1p-32 * (1 - 100 * 0x1p-32);  // but for 2·10⁴ · 2^-64 of it
+    CHECK(std::abs(*root - exact) < 0x1p-48 * exact);
+  }
+}
+
+}  // namespace
+}  // namespace touchstone::fast::impulse
