@@ -244,9 +244,11 @@ Answer<T> read_part(std::string_view line, Seq seq, const char* key, Read&& read
   return read(json[key], key);
 }
 
-std::string question(const char* op, Seq seq, std::string_view query, std::string_view scene_json) {
+/// `more`: further members, each after a comma.
+std::string question(const char* op, Seq seq, std::string_view query, std::string_view scene_json,
+                     std::string_view more = "") {
   std::string line = R"({"op":")" + std::string(op) + R"(","seq":)" + std::to_string(seq) + R"(,"query":")";
-  return line.append(query).append(R"(","scene":)").append(scene_json).append("}\n");
+  return line.append(query).append(R"(","scene":)").append(scene_json).append(more).append("}\n");
 }
 
 }  // namespace
@@ -339,10 +341,9 @@ std::string ask(Seq seq, std::string_view query, std::string_view scene_json) {
 }
 
 std::string reproduce(Seq seq, std::string_view query, std::string_view scene_json, std::string_view expected) {
-  std::string line = question("reproduce", seq, query, scene_json);
-  if (expected.empty()) return line;
-  line.resize(line.size() - std::string_view("}\n").size());
-  return line + R"(,"expected":)" + Json(expected).dump(-1, ' ', false, Json::error_handler_t::replace) + "}\n";
+  if (expected.empty()) return question("reproduce", seq, query, scene_json);
+  const std::string quoted = Json(expected).dump(-1, ' ', false, Json::error_handler_t::replace);
+  return question("reproduce", seq, query, scene_json, R"(,"expected":)" + quoted);
 }
 
 std::string work(Seq seq, std::string_view query, std::string_view scene_json) {
@@ -374,10 +375,9 @@ Request read_request(std::string_view line) {
   request.op = read_word(node.at("op"), ops);
   request.seq = node.at("seq").index();
   if (request.op != Request::Op::start && request.op != Request::Op::stop) {
-    const bool has_expected = request.op == Request::Op::reproduce && node.find("expected");
-    if (has_expected) {
+    if (request.op == Request::Op::reproduce) {
       node.expect_object({"op", "seq", "query", "scene", "expected"});
-      request.expected = node.at("expected").text();
+      request.expected = text_or(node, "expected", "");
     } else {
       node.expect_object({"op", "seq", "query", "scene"});
     }

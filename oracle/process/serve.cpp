@@ -84,13 +84,13 @@ std::optional<std::string> reply_to(const std::string& line, const Card& card, c
         return std::nullopt;
       case protocol::Request::Op::start:
         return protocol::introduction(request.seq, card);
-      case protocol::Request::Op::reproduce:
-        return part_for<std::string>(
-            std::move(request),
-            [&, expected = request.expected](const std::string& query, const Scene& scene) {
-              return functions.snippet(query, scene, expected);
-            },
-            protocol::snippet);
+      case protocol::Request::Op::reproduce: {
+        const std::string expected = std::move(request.expected);
+        const auto program = [&](const std::string& query, const Scene& scene) {
+          return functions.snippet(query, scene, expected);
+        };
+        return part_for<std::string>(std::move(request), program, protocol::snippet);
+      }
       case protocol::Request::Op::work:
         return part_for<Work>(std::move(request), functions.work,
                               [](protocol::Seq seq, const Work& counts) { return protocol::work(seq, counts); });

@@ -42,10 +42,10 @@ std::string placed(const std::string& name, const Body& body) {
       cpp_list(body.X_WB.p_WB));
 }
 
-std::string program(const std::string& statements) {
+std::string program(const std::string& expected, const std::string& statements) {
   return "// g++ fcl.cpp $(pkg-config --cflags --libs fcl ccd) -o fcl && ./fcl\n#include <fcl/fcl.h>\n\n"
          "#include <cstdio>\n\nint main() {\n" +
-         statements + "}\n";
+         cpp_printed(expected) + statements + "}\n";
 }
 
 std::string pair(const Scene& scene) { return placed("A", scene.bodies.at(0)) + placed("B", scene.bodies.at(1)); }
@@ -53,20 +53,18 @@ std::string pair(const Scene& scene) { return placed("A", scene.bodies.at(0)) + 
 }  // namespace
 
 std::string distance_snippet(const Scene& scene, const std::string& solver, const std::string& expected) {
-  return program(cpp_printed(expected) + pair(scene) +
-                 fmt::format(R"(  fcl::DistanceRequestd request(true);
+  return program(expected, pair(scene) + fmt::format(R"(  fcl::DistanceRequestd request(true);
   request.gjk_solver_type = fcl::{};
   fcl::DistanceResultd result;
   fcl::distance(&A, X_A, &B, X_B, request, result);
   std::printf("distance: %.17g\n", result.min_distance);  // below 0 in collision
   for (const fcl::Vector3d& p : result.nearest_points) std::printf("point: %.17g %.17g %.17g\n", p.x(), p.y(), p.z());
 )",
-                             solver));
+                                                     solver));
 }
 
 std::string penetration_snippet(const Scene& scene, const std::string& solver, const std::string& expected) {
-  return program(cpp_printed(expected) + pair(scene) +
-                 fmt::format(R"(  fcl::CollisionRequestd request(1, true);
+  return program(expected, pair(scene) + fmt::format(R"(  fcl::CollisionRequestd request(1, true);
   request.gjk_solver_type = fcl::{};
   fcl::CollisionResultd result;
   fcl::collide(&A, X_A, &B, X_B, request, result);
@@ -76,11 +74,11 @@ std::string penetration_snippet(const Scene& scene, const std::string& solver, c
   const fcl::Vector3d& n = contact.normal;
   std::printf("depth: %.17g\nnormal from A to B: %.17g %.17g %.17g\n", contact.penetration_depth, n.x(), n.y(), n.z());
 )",
-                             solver));
+                                                     solver));
 }
 
 std::string mass_snippet(const Scene& scene, const std::string& expected) {
-  std::string statements = cpp_printed(expected);
+  std::string statements;
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     const Body& body = scene.bodies[i];
     if (!std::holds_alternative<Density>(body.mass)) continue;
@@ -94,7 +92,7 @@ std::string mass_snippet(const Scene& scene, const std::string& expected) {
 )",
                                                                        name);
   }
-  return program(statements);
+  return program(expected, statements);
 }
 
 }  // namespace touchstone::oracle::subjects::in_fcl
