@@ -76,6 +76,24 @@ std::pair<double, double> speeds_of(const Scene& scene) {
   return {speed, angular_speed};
 }
 
+/// m/s: of the fastest point of a body, or somewhat more: about its origin, which need not be its centre of mass.
+double fastest_point(const Scene& scene) {
+  double fastest = 0;
+  for (const Body& body : scene.bodies) {
+    const double turning = body.velocity.w_WB.stableNorm() * tolerance::radius(body);
+    fastest = std::max(fastest, body.velocity.v_WBcm.stableNorm() + turning);
+  }
+  return fastest;
+}
+
+/// A scene at rest, or one that gravity sets moving, has no lowest speed.
+std::optional<std::string> too_slow(const std::optional<double>& limit, const Scene& scene) {
+  if (!limit || !scene.gravity.isZero(0)) return std::nullopt;
+  const double fastest = fastest_point(scene);
+  if (fastest == 0 || fastest >= *limit) return std::nullopt;
+  return fmt::format("the greatest speed of a point, {:.3g} m/s, is below {:.3g} m/s", fastest, *limit);
+}
+
 /// m: the scale, with the places of a sequence.
 double reach_of(const Scene& scene) {
   double reach = tolerance::scale(scene);
@@ -143,6 +161,7 @@ std::optional<std::string> beyond(const Domain& domain, const Scene& scene) {
   const auto [speed, angular_speed] = speeds_of(scene);
   if (auto why = above(speed, domain.speed, "a speed, m/s:")) return why;
   if (auto why = above(angular_speed, domain.angular_speed, "an angular speed, rad/s:")) return why;
+  if (auto why = too_slow(domain.lowest_speed, scene)) return why;
   if (limits_bodies(domain)) {
     if (auto why = beyond_bodies(domain, scene)) return why;
   }

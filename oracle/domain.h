@@ -19,6 +19,8 @@ struct Domain {
   std::optional<double> mass_ratio;       ///< 1: of the greatest and the least mass of two bodies that are not fixed
   std::optional<double> speed;            ///< m/s: of a centre of mass at the start
   std::optional<double> angular_speed;    ///< rad/s, likewise
+  /// m/s: where bodies move at the start and nothing falls, the fastest point of them is at least as fast.
+  std::optional<double> lowest_speed;
 
   bool operator==(const Domain&) const = default;
 };

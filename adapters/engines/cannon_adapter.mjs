@@ -12,7 +12,8 @@ export function serveCannon(name, relaxation, settings) {
     about: "Body.updateAABB; Shape.volume and calculateLocalInertia of balls and boxes; World.step, equal steps of at "
       + `most 1/256 s between sample times, without damping, e and mu of a pair the lesser, ${settings}`,
     homepage: "https://github.com/pmndrs/cannon-es",
-    domain: { lengths: [1e-6, 1e9], reach: 1e9, speed: 3e8, angular_speed: 1e6 }, // it states none: the customary one
+    // It states none: the customary one.
+    domain: { lengths: [1e-6, 1e9], reach: 1e9, speed: 3e8, angular_speed: 1e6, lowest_speed: 1e-6 },
     stepping: { step, order: 1 },
   };
   serve(card, { mass, bounds, simulation: simulationWith(relaxation) }, snippets);

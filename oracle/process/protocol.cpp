@@ -92,8 +92,8 @@ double limit_or_0(const Node& object, const char* key) {
 }
 
 Domain read_domain(const Node& node) {
-  node.expect_object(
-      {"lengths", "fixed_lengths", "reach", "aspect", "vertices", "mass_ratio", "speed", "angular_speed"});
+  node.expect_object({"lengths", "fixed_lengths", "reach", "aspect", "vertices", "mass_ratio", "speed", "angular_speed",
+                      "lowest_speed"});
   Domain domain;
   read_limits(node, "lengths", domain.lengths);
   read_limits(node, "fixed_lengths", domain.fixed_lengths);
@@ -103,6 +103,7 @@ Domain read_domain(const Node& node) {
   read_limit(node, "mass_ratio", domain.mass_ratio);
   read_limit(node, "speed", domain.speed);
   read_limit(node, "angular_speed", domain.angular_speed);
+  read_limit(node, "lowest_speed", domain.lowest_speed);
   return domain;
 }
 
@@ -263,6 +264,7 @@ Json json_of(const Domain& domain) {
   if (domain.mass_ratio) json["mass_ratio"] = *domain.mass_ratio;
   if (domain.speed) json["speed"] = *domain.speed;
   if (domain.angular_speed) json["angular_speed"] = *domain.angular_speed;
+  if (domain.lowest_speed) json["lowest_speed"] = *domain.lowest_speed;
   return json;
 }
 

@@ -78,5 +78,20 @@ TEST_CASE("the other limits") {
   CHECK(*beyond(with(&Domain::speed, 4), pair) == "a speed, m/s: 5 is above 4");
 }
 
+TEST_CASE("domain: a scene that moves may be too slow, one at rest or under gravity is not", "[domain]") {
+  Domain domain;
+  domain.lowest_speed = 3;
+  Scene scene = of({Sphere{2}, Sphere{1}});
+  CHECK_FALSE(beyond(domain, scene));
+  scene.bodies[0].velocity.w_WB = {0, 0, 1};  // 2 m/s on its equator
+  CHECK(*beyond(domain, scene) == "the greatest speed of a point, 2 m/s, is below 3 m/s");
+  scene.bodies[0].velocity.v_WBcm = {1, 0, 0};  // 3 m/s
+  CHECK_FALSE(beyond(domain, scene));
+  scene.bodies[0].velocity.v_WBcm = {0.999, 0, 0};
+  CHECK(beyond(domain, scene));
+  scene.gravity = {0, 0, -10};
+  CHECK_FALSE(beyond(domain, scene));
+}
+
 }  // namespace
 }  // namespace touchstone::oracle
