@@ -199,7 +199,7 @@ TEST_CASE("schema and reader refuse the same introductions") {
 
 TEST_CASE("a card survives the way") {
   Card card{"n", "1.2", Precision::binary32, {"mass"}, true, 0.05, "about", "home", {{"TS-MASS-1", "what", "link"}}};
-  card.domain = {Interval{0.25, 100}, Interval{0, 2000}, 1000, 50, 64, 10, 8, 20};
+  card.domain = {Interval{0.25, 100}, Interval{0, 2000}, 1000, 50, 64, 10, 8, 20, 0.5};
   card.distance_tolerance = {0.5, 0.125, 0.01, 0.02};
   card.contact_tolerance = {0.25, 0.5, 0.125};
   card.boxes = BoxKind::of_turned_box;
