@@ -76,7 +76,7 @@ std::pair<double, double> speeds_of(const Scene& scene) {
   return {speed, angular_speed};
 }
 
-/// m/s: of the fastest point of a body, or somewhat more: about its origin, which need not be its centre of mass.
+/// m/s: of the fastest point of a body; an estimate, since the radius is about its origin, not its centre of mass.
 double fastest_point(const Scene& scene) {
   double fastest = 0;
   for (const Body& body : scene.bodies) {

@@ -2,8 +2,8 @@
 """How long does fuzzing take to find a planted fault, beside check?
 
 For each query, mutants of fast are drawn as ./touchstone mutate draws them, from the sources of that query alone, until
-enough of them were found by anything: check, or fuzz. check quick and then standard ask the mutant as a
-subject; three times `fuzz --empty-corpus` asks it in its own process, with seeds 1, 2 and 3. A table goes to stdout.
+enough of them were found by anything: check, or fuzz. check quick and then standard ask the mutant as a subject; three
+times `fuzz --empty-corpus` asks it in its own process, with seeds 1, 2 and 3. A table goes to stdout.
 
 The build folder is that of ./touchstone mutate, which must have been run in it. What is measured is kept there."""
 
