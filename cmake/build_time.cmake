@@ -36,7 +36,8 @@ function(touchstone_precompile target level)
   endif()
   if(links MATCHES "CGAL|fcl|simbody|dart")  # these libraries add flags of their own
     if(target STREQUAL "touchstone_reference")
-      target_precompile_headers(${target} PRIVATE ${headers})
+      target_precompile_headers(${target} PRIVATE ${headers} <CGAL/Interval_nt.h> <boost/multiprecision/mpfi.hpp>
+        <boost/multiprecision/mpfr.hpp> <gmpxx.h>)
     endif()
     return()
   endif()

@@ -240,12 +240,12 @@ std::vector<Mistake> of_coefficients() {
   std::vector<Mistake> all;
   for (const auto& [name, rule] : rules()) {
     all.push_back({std::string("e combined by ") + name,
-                   [rule](Scene& scene) { combine(scene, rule, &Material::restitution); },
+                   [rule = rule](Scene& scene) { combine(scene, rule, &Material::restitution); },
                    {}});
   }
   for (const auto& [name, rule] : rules()) {
     all.push_back({std::string("μ combined by ") + name,
-                   [rule](Scene& scene) { combine(scene, rule, &Material::friction); },
+                   [rule = rule](Scene& scene) { combine(scene, rule, &Material::friction); },
                    {}});
   }
   const auto zero = [](double, double) { return 0.0; };

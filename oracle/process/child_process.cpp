@@ -5,6 +5,7 @@
 #include <poll.h>
 #include <signal.h>
 #include <spawn.h>
+#include <sys/personality.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <time.h>
@@ -62,6 +63,24 @@ Ends to_child() {
   return {Descriptor(fds[0]), Descriptor(fds[1])};
 }
 
+/// Programs that this thread starts while it lives have their memory at the same addresses each time. An engine that
+/// sorts by address, or reads memory that it has freed, then answers the same in every run. Where the kernel refuses
+/// (some containers), addresses stay random.
+class FixedAddresses {
+ public:
+  FixedAddresses() : before_(personality(0xffffffff)) {  // this argument only asks
+    if (before_ != -1) personality(static_cast<unsigned long>(before_) | ADDR_NO_RANDOMIZE);
+  }
+  ~FixedAddresses() {
+    if (before_ != -1) personality(static_cast<unsigned long>(before_));
+  }
+  FixedAddresses(const FixedAddresses&) = delete;
+  FixedAddresses& operator=(const FixedAddresses&) = delete;
+
+ private:
+  int before_;
+};
+
 /// posix_spawn instead of fork: it reports a program that cannot be run, and is safe in a process with many threads.
 pid_t spawn(const std::vector<std::string>& command, int in, int out, int err) {
   posix_spawn_file_actions_t actions;
@@ -84,6 +103,7 @@ pid_t spawn(const std::vector<std::string>& command, int in, int out, int err) {
   for (const std::string& word : command) argv.push_back(const_cast<char*>(word.c_str()));
   argv.push_back(nullptr);
   pid_t pid = -1;
+  const FixedAddresses fixed_addresses;
   const int error = posix_spawnp(&pid, argv[0], &actions, &attributes, argv.data(), environ);
   posix_spawnattr_destroy(&attributes);
   posix_spawn_file_actions_destroy(&actions);

@@ -1,6 +1,7 @@
 // Whatever the other process does becomes a verdict, and the run continues.
 #include "oracle/process/pipe.h"
 
+#include <sys/personality.h>
 #include <sys/wait.h>
 
 #include <cerrno>
@@ -8,6 +9,7 @@
 #include <thread>
 
 #include "model/input_error.h"
+#include "oracle/process/child_process.h"
 #include "tests/catch.h"
 
 namespace touchstone::oracle {
@@ -49,6 +51,21 @@ Breaks breaks(PipeSubject& subject) {
 int open_descriptors() {
   const std::filesystem::directory_iterator open("/proc/self/fd");
   return static_cast<int>(std::distance(begin(open), end(open)));
+}
+
+TEST_CASE("a program has its memory at the same addresses each time") {
+  const int before = personality(0xffffffff);
+  if (personality(static_cast<unsigned long>(before) | ADDR_NO_RANDOMIZE) == -1) return;  // as in some containers
+  personality(static_cast<unsigned long>(before));
+  const auto addresses = [] {
+    ChildProcess child({"/bin/sh", "-c", "read question; cut -d' ' -f1 /proc/self/maps | tr '\\n' ' '; echo"});
+    return std::get<std::string>(
+        child.exchange("where?\n", {.cpu_seconds = 60, .wall_seconds = 60, .longest_line = 1 << 16}));
+  };
+  const std::string first = addresses();
+  CHECK(first.size() > 100);
+  CHECK(addresses() == first);
+  CHECK(personality(0xffffffff) == before);
 }
 
 TEST_CASE("a well-behaved subject introduces itself and answers") {
