@@ -15,8 +15,8 @@
 namespace touchstone::oracle {
 
 /// Its stdin and stdout carry the lines. Its stderr is read, and only the last few kilobytes are kept. The child leads
-/// a process group of its own, which is killed together with it. Its memory is at the same addresses in every run, where
-/// the kernel permits it.
+/// a process group of its own, which is killed together with it. Its memory is at the same addresses in every run,
+/// where the kernel permits it.
 class ChildProcess {
  public:
   using Clock = std::chrono::steady_clock;
