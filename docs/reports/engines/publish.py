@@ -44,18 +44,19 @@ def chosen(rows):
 
 
 def ran(program, engines):
-    """Whether the program ends without an error, and what it prints, in one line."""
-    first = program.split("\n", 1)[0]
-    with tempfile.TemporaryDirectory(dir=None if first.startswith("// g++") else engines) as name:
-        folder = pathlib.Path(name)
-        if first.startswith("// g++"):
-            (folder / re.search(r"\w+\.cpp", first)[0]).write_text(program)
-            command, seconds = ["/bin/sh", "-c", first[3:]], SECONDS["g++"]
+    """Whether the program ends without an error, and what it prints, in one line. One for Node.js reads from the folder
+    where the engines are installed."""
+    command = program.split("\n", 1)[0].removeprefix("// ")
+    with tempfile.TemporaryDirectory() as name, tempfile.NamedTemporaryFile("w", dir=engines, suffix=".mjs") as script:
+        folder, words, seconds = name, ["/bin/sh", "-c", command], SECONDS["g++"]
+        if command.startswith("g++"):
+            pathlib.Path(name, re.search(r"\w+\.cpp", command)[0]).write_text(program)
         else:
-            (folder / "program.mjs").write_text(program)
-            command, seconds = ["node", "program.mjs"], SECONDS["node"]
+            folder, words, seconds = engines, ["node", script.name], SECONDS["node"]
+            script.write(program)
+            script.flush()
         try:
-            done = subprocess.run(command, cwd=folder, capture_output=True, text=True, timeout=seconds)
+            done = subprocess.run(words, cwd=folder, capture_output=True, text=True, timeout=seconds)
         except subprocess.TimeoutExpired:
             return False, f"does not end in {seconds} s"
     said = " ".join(done.stdout.split())
