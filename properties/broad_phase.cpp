@@ -95,7 +95,7 @@ struct Change {
 };
 
 // Two answers about the same set of pairs may differ only in pairs that are free within the greater reach of the two
-// scenes. A subject with a margin is asked only where lengths stay as they are.
+// scenes. Where pairs differ that overlap within rounding, the grade is A-, as of misses_none. A subject with a margin is asked only where lengths stay as they are.
 Finding pairs_kept(const Scene& before, const std::optional<Scene>& moved, Subject& subject, Defect defect,
                    const Change& change = {}) {
   return of_moved(moved, subject, [&](const Scene& after) {
@@ -118,8 +118,17 @@ Finding pairs_kept(const Scene& before, const std::optional<Scene>& moved, Subje
           return false;
         });
         if (differ.empty()) return judge::holds();
-        return judge::wrong_by(furthest, judge::in_ulps(after, subject.card(), free), defect,
-                               "differs by " + words::text(differ), "the same pairs as before");
+        const judge::Allowance allowed = judge::in_ulps(after, subject.card(), free);
+        Finding finding =
+            judge::wrong_by(furthest, allowed, defect, "differs by " + words::text(differ), "the same pairs as before");
+        const oracle::Precision precision = subject.card().precision;
+        const auto of_two_bodies = [](const Pair& pair) { return pair.first != pair.second; };
+        if (std::ranges::all_of(differ, of_two_bodies)) {
+          finding.rounding =
+              std::max(change.times * rounding_of_a_pair(before, precision), rounding_of_a_pair(after, precision)) /
+              allowed.unit;
+        }
+        return finding;
       });
     });
   });

@@ -153,7 +153,8 @@ Finding events(const Scene& sequence, Subject& subject) {
 
 // Laws: how the answer follows a change of the scene
 
-/// Two answers may differ only in free pairs of the frame.
+/// Two answers may differ only in free pairs of the frame. Where pairs differ that overlap within rounding, the grade is
+/// A-, as of misses_none.
 Finding none_but_free(const Scene& sequence, std::size_t f, PairSet differ, const oracle::Card& card, Defect defect,
                       const std::string& how, const std::string& expected) {
   if (differ.empty()) return judge::holds();
@@ -169,7 +170,13 @@ Finding none_but_free(const Scene& sequence, std::size_t f, PairSet differ, cons
     return false;
   });
   if (differ.empty()) return judge::holds();
-  return judge::wrong_by(furthest, free, defect, in_frame(f, how + ' ' + words::text(differ)), expected);
+  Finding finding = judge::wrong_by(furthest, free, defect, in_frame(f, how + ' ' + words::text(differ)), expected);
+  // Rounding explains no pair of an absent body.
+  const auto of_boxes = [&](const Pair& pair) { return pair.first != pair.second && both_there(boxes, pair); };
+  if (std::ranges::all_of(differ, of_boxes)) {
+    finding.rounding = rounding_of_a_pair(snapshot(sequence, f), card.precision) / free.unit;
+  }
+  return finding;
 }
 
 /// A transformed sequence. Its frame of(f) has the pairs of frame f; `renamed` maps the new indices back.

@@ -112,6 +112,18 @@ TEST_CASE("broad_phase.turned: a pair is free where the boxes that a subject dec
   CHECK(outcomes(1.75, BoxKind::of_ball) == Outcome::fails);  // the least boxes overlap
 }
 
+TEST_CASE("broad_phase.turned: a pair that touches and is lost in the turned world is graded as a missed one") {
+  const auto grades = [](double x) {
+    OfOneFrame subject(oracle::BoxKind::tight);
+    const auto still = oracle::grade(properties::find("broad_phase.turned").check(octahedron_and_ball(x), subject));
+    const Scene frame = octahedron_and_ball_in_a_frame(x);
+    CHECK(oracle::grade(properties::find("broad_phase.film.turned").check(frame, subject)) == still);
+    return still;
+  };
+  CHECK(grades(1.7999999999999998) == oracle::Grade::A_minus);  // the double below 4/5 + 1
+  CHECK(grades(1.75) == oracle::Grade::D);
+}
+
 TEST_CASE("broad_phase.film.adds_none: a pair of declared boxes that overlap is none too many") {
   using oracle::BoxKind;
   const auto outcome = [](double x, BoxKind kind) {
