@@ -95,7 +95,8 @@ struct Change {
 };
 
 // Two answers about the same set of pairs may differ only in pairs that are free within the greater reach of the two
-// scenes. Where pairs differ that overlap within rounding, the grade is A-, as of misses_none. A subject with a margin is asked only where lengths stay as they are.
+// scenes. Where pairs differ that overlap within rounding, the grade is A-, as of misses_none. A subject with a margin
+// is asked only where lengths stay as they are.
 Finding pairs_kept(const Scene& before, const std::optional<Scene>& moved, Subject& subject, Defect defect,
                    const Change& change = {}) {
   return of_moved(moved, subject, [&](const Scene& after) {

@@ -153,8 +153,8 @@ Finding events(const Scene& sequence, Subject& subject) {
 
 // Laws: how the answer follows a change of the scene
 
-/// Two answers may differ only in free pairs of the frame. Where pairs differ that overlap within rounding, the grade is
-/// A-, as of misses_none.
+/// Two answers may differ only in free pairs of the frame. Where pairs differ that overlap within rounding, the grade
+/// is A-, as of misses_none.
 Finding none_but_free(const Scene& sequence, std::size_t f, PairSet differ, const oracle::Card& card, Defect defect,
                       const std::string& how, const std::string& expected) {
   if (differ.empty()) return judge::holds();
