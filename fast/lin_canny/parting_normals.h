@@ -28,12 +28,18 @@ struct TurnedEdge {
   std::array<Vec3, 2> into;
 };
 
+/// Of n = a × b, for nearly parallel edges, what is perpendicular to both: the rest is rounding.
+inline Vec3 exactly_across(Vec3 n, const TurnedEdge& a, const TurnedEdge& b) {
+  for (const TurnedEdge* edge : {&a, &b}) n -= n.dot(edge->along) / (edge->length * edge->length) * edge->along;
+  return n;
+}
+
 /// Whether `found` returns true for one of the normals, from B to A, of planes along a face of B, a face of A, or an
-/// edge of each. Calls it in a fixed order, and stops at the first true. Edges within 2⁻²⁰ of parallel define no
-/// direction. A plane along two edges that cuts a face beside one of them, at a slope above 2⁻³⁰, is left out: it is
-/// along no face of the Minkowski difference, so it is not needed, and few of the thousands of planes are.
+/// edge of each. Calls it in a fixed order, and stops at the first true. Edges within `least_sine` of parallel define no
+/// direction. A plane along two edges that cuts a face beside one of them, at a slope above 2⁻³⁰ and rounding, is left
+/// out: it is along no face of the Minkowski difference, so it is not needed, and few of the thousands of planes are.
 template <class Found>
-bool any_parting_normal(const PosedHull& A, const PosedHull& B, Found&& found) {
+bool any_parting_normal(const PosedHull& A, const PosedHull& B, Found&& found, double least_sine = 0x1p-20) {
   for (int f = 0; f < A.hull->face_count(); ++f) {
     if (found(Vec3(-A.turned_out(A.hull->face(f).normal)))) return true;
   }
@@ -46,10 +52,12 @@ bool any_parting_normal(const PosedHull& A, const PosedHull& B, Found&& found) {
   for (int i = 0; i < A.hull->edge_count(); ++i) {
     const TurnedEdge a(A, i);
     for (const TurnedEdge& b : edges_of_B) {
-      const Vec3 n = a.along.cross(b.along);
-      const double size = n.norm();
-      if (!(size > 0x1p-20 * a.length * b.length)) continue;
-      const double flat_A = 0x1p-30 * size * a.length, flat_B = 0x1p-30 * size * b.length;
+      Vec3 n = a.along.cross(b.along);
+      const double size = n.norm(), unit = a.length * b.length;
+      if (!(size > least_sine * unit)) continue;
+      if (size < 0x1p-20 * unit) n = exactly_across(n, a, b);
+      const double flat = std::max(0x1p-30 * size, 16 * u * unit);
+      const double flat_A = flat * a.length, flat_B = flat * b.length;
       const double A_0 = n.dot(a.into[0]), A_1 = n.dot(a.into[1]);
       const bool up = A_0 >= -flat_A && A_1 >= -flat_A, down = A_0 <= flat_A && A_1 <= flat_A;
       if (!up && !down) continue;

@@ -19,6 +19,17 @@ double first_root(double z, double s, double c) {
   return root - s > 0 ? 2 * z / (root - s) : infinity;
 }
 
+namespace {
+
+/// Of x ≥ 1, by Newton's method, to a few digits up to 2^30.
+double cube_root(double x) {
+  double y = std::sqrt(std::sqrt(x));
+  for (int i = 0; i < 4; ++i) y = (2 * y + x / (y * y)) / 3;
+  return y;
+}
+
+}  // namespace
+
 /// Relative to A's core and centre of mass: only differences matter. lin_canny::rounding covers heights along any n;
 /// |n| is 1 within 2u, and the difference of the radii rounds. The length of m is at most 1 + |turn|² h²/2: this gives
 /// the radii's part of the bend.
@@ -112,7 +123,11 @@ double SeparatingPlane::clear_until(double h_max) const {
     H = std::min(h_max, 2 * H);
     h = std::max(h, clear(H));
   }
-  return h < H / 4 ? std::max(h, clear(2 * h)) : h;
+  if (!(h < H / 4)) return h;
+  const double twice = clear(2 * h);
+  if (twice < 2 * h) return std::max(h, twice);
+  // The third term alone ends the step: at c/√H for some c, so the horizon that is just reached is (h² H)^(1/3).
+  return std::max(twice, clear(h * cube_root(H / h)));
 }
 
 }  // namespace touchstone::fast::time_of_impact

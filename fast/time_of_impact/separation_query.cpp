@@ -37,6 +37,9 @@ std::optional<double> gap_above(double least, const PosedHull& A, const PosedHul
   return apart - top_A - top_B;
 }
 
+/// A choice: the least sine of two edges whose cross product defines a direction. Its error is some u over that.
+constexpr double least_crossing = 0x1p-40;
+
 /// Finds the direction of greatest gap among several.
 class Widest {
  public:
@@ -55,10 +58,11 @@ class Widest {
   }
   void ask_all() {
     mark(Mark::toi_all_normals);
-    lin_canny::any_parting_normal(A_, B_, [&](const Vec3& from_B) {
+    const auto ask_it = [&](const Vec3& from_B) {
       ask(-from_B);
       return false;
-    });
+    };
+    lin_canny::any_parting_normal(A_, B_, ask_it, least_crossing);
   }
   bool has_one() const { return gap_ > -infinity; }
   double found_gap() const { return gap_; }
@@ -70,6 +74,23 @@ class Widest {
   Vec3 n_ = Vec3::UnitZ();
   double gap_ = -infinity;
 };
+
+/// Of x, what is perpendicular to the unit vector y.
+Vec3 perpendicular(const Vec3& x, const Vec3& y) { return x - y.dot(x) * y; }
+
+/// The edges of P, as vectors, both of whose ends are within `depth` of the highest vertex along `up`.
+std::vector<Vec3> highest_edges(const PosedHull& P, const Vec3& up, double depth) {
+  const Vec3 up_P = P.turned_in(up);
+  double top = -infinity;
+  for (const Vec3& x : P.hull->vertices()) top = std::max(top, up_P.dot(x));
+  std::vector<Vec3> found;
+  const auto is_high = [&](int vertex) { return up_P.dot(P.hull->vertex(vertex)) >= top - depth; };
+  for (int i = 0; i < P.hull->edge_count(); ++i) {
+    const Hull::Edge& edge = P.hull->edge(i);
+    if (is_high(edge.tail) && is_high(edge.head)) found.push_back(P.edge_vector(i));
+  }
+  return found;
+}
 
 /// A vertex, or the middle of an edge, or of a face's first edge.
 Vec3 point_of(const PosedHull& P, const lin_canny::FeatureId& feature) {
@@ -127,6 +148,14 @@ double SeparationQuery::clear_until(const SeparatingPlane& plane, double h_max) 
   return h;
 }
 
+/// How fast n = e × f / |e × f| rotates, with e an edge of A and f of B; zero if they are parallel.
+Vec3 SeparationQuery::turn_with_edges(const Vec3& n, const Vec3& along_A, const Vec3& along_B) const {
+  const Vec3 e = along_A.normalized(), f = along_B.normalized();
+  const double crossing = n.dot(e.cross(f));
+  if (std::abs(crossing) < least_crossing) return Vec3::Zero();
+  return perpendicular(A_.w.cross(e).cross(f) + e.cross(B_.w.cross(f)), n) / crossing;
+}
+
 /// How fast the direction n of the closest features rotates with them. It rotates with a face, or with an edge that
 /// faces a vertex; with two edges e, f as their cross product does; with two points separated by their radii as their
 /// difference does. Two vertices of polytopes define no direction that persists: zero.
@@ -135,31 +164,44 @@ Vec3 SeparationQuery::turn_of_features(const Vec3& n) const {
   const auto& [a, b] = walked_.closest.features;
   if (a.kind == Kind::face) return A_.w.cross(n);
   if (b.kind == Kind::face) return B_.w.cross(n);
-  const auto across_n = [&](const Vec3& x) { return Vec3(x - n.dot(x) * n); };
   if (a.kind == Kind::edge && b.kind == Kind::edge) {
-    const Vec3 e = A_.core.edge_vector(a.index).normalized();
-    const Vec3 f = B_.core.edge_vector(b.index).normalized();
-    const double crossing = n.dot(e.cross(f));
-    if (std::abs(crossing) < 0x1p-5) return Vec3::Zero();
-    return across_n(A_.w.cross(e).cross(f) + e.cross(B_.w.cross(f))) / crossing;
+    return turn_with_edges(n, A_.core.edge_vector(a.index), B_.core.edge_vector(b.index));
   }
   if (a.kind == Kind::edge) return A_.w.cross(n);
   if (b.kind == Kind::edge) return B_.w.cross(n);
   if (!(A_.radius + B_.radius > 0)) return Vec3::Zero();
   const Vec3 at_a = walked_.closest.a - A_.core.t + A_.arm, at_b = walked_.closest.b - B_.core.t + B_.arm;
-  return across_n((B_.v + B_.w.cross(at_b)) - (A_.v + A_.w.cross(at_a))) / std::sqrt(walked_.closest.squared);
+  return perpendicular((B_.v + B_.w.cross(at_b)) - (A_.v + A_.w.cross(at_a)), n) / std::sqrt(walked_.closest.squared);
+}
+
+/// Where two edges are nearly parallel, their closest points are known badly, and their cross product may separate them
+/// better than the difference of those.
+Vec3 SeparationQuery::direction_of_features() const {
+  if (walked_.inside) return Vec3::Zero();
+  const Vec3 n = lin_canny::separating_direction(A_.core, B_.core, walked_.closest);
+  const auto& [a, b] = walked_.closest.features;
+  if (n.isZero(0) || a.kind != lin_canny::Kind::edge || b.kind != lin_canny::Kind::edge) return n;
+  const Vec3 e = A_.core.edge_vector(a.index).normalized(), f = B_.core.edge_vector(b.index).normalized();
+  const Vec3 crossed = e.cross(f);
+  const double sine = crossed.norm();
+  if (sine * sine > lin_canny::clearly_crossing || sine < least_crossing) return n;
+  Widest widest(A_.core, B_.core);
+  widest.ask(n);
+  const Vec3 m = perpendicular(perpendicular(crossed / sine, e), f).normalized();  // its part along the edges is rounding
+  widest.ask(n.dot(m) < 0 ? Vec3(-m) : m);
+  return widest.direction();
 }
 
 /// Features that are apart define their direction well, though the radii may touch. If they are no farther apart than
 /// rounding, they do not: the
 /// difference of two vertices is noise, the normal of two edges may have the wrong sign, and inside there is none.
 SeparatingPlane SeparationQuery::best_plane(const FeaturePair& before, const Vec3& known) const {
-  const Vec3 n =
-      walked_.inside ? Vec3(Vec3::Zero()) : lin_canny::separating_direction(A_.core, B_.core, walked_.closest);
+  const Vec3 n = direction_of_features();
   const Vec3 p_OC = walked_.inside ? A_.core.t : Vec3((walked_.closest.a + walked_.closest.b) / 2);
   if (!n.isZero(0)) {
-    SeparatingPlane plane(A_, B_, n, turn_of_features(n), p_OC);
-    if (plane.gap() > plane.error()) return plane;
+    const Vec3 turn = turn_of_features(n);
+    SeparatingPlane plane(A_, B_, n, turn, p_OC);
+    if (plane.gap() > plane.error()) return turn.isZero(0) ? longest_turned(plane, p_OC) : plane;
     const double distance = std::sqrt(walked_.closest.squared), beyond_radii = distance - (A_.radius + B_.radius);
     if (distance > 16 * plane.error() && plane.gap() > beyond_radii - 8 * plane.error()) return plane;
   }
@@ -180,11 +222,51 @@ SeparatingPlane SeparationQuery::best_plane(const FeaturePair& before, const Vec
   // than their distance says, and a normal of a face or of two edges separates the two.
   const double unseen = at_most() - std::max(0.0, widest.found_gap() - radii);
   if (!walked_.inside &&
-      (widest.found_gap() < -rounding || (widest.found_gap() < radii + rounding && unseen > 8 * rounding))) {
+      (widest.found_gap() < -rounding || (widest.found_gap() < radii + rounding && unseen > rounding / 2))) {
     widest.ask_faces();
     widest.ask_all();
   }
-  return {A_, B_, widest.direction(), Vec3::Zero(), p_OC};
+  return best_turned(widest.direction(), p_OC);
+}
+
+/// Calls `accepts` with planes perpendicular to n that rotate: not at all, with A, with B, and with an edge of each in
+/// the plane. One of them has the greatest least speed of all rotations (SeparatingPlane::least_speed), since the speeds
+/// of a body's vertices in the plane are linear in their places. Stops at the first that is accepted.
+template <class Accepts>
+bool SeparationQuery::any_turned(const Vec3& n, const Vec3& p_OC, Accepts&& accepts) const {
+  const auto turned = [&](const Vec3& turn) { return accepts(SeparatingPlane(A_, B_, n, turn, p_OC)); };
+  if (turned(Vec3::Zero())) return true;
+  if (A_.w.isZero(0) && B_.w.isZero(0)) return false;
+  if (turned(A_.w.cross(n)) || turned(B_.w.cross(n))) return true;
+  const double depth = 8 * lin_canny::rounding(A_.core, B_.core);
+  const std::vector<Vec3> of_A = highest_edges(A_.core, n, depth), of_B = highest_edges(B_.core, -n, depth);
+  return std::ranges::any_of(of_A, [&](const Vec3& e) {
+    return std::ranges::any_of(of_B, [&](const Vec3& f) { return turned(turn_with_edges(n, e, f)); });
+  });
+}
+
+/// Of the plane that does not rotate, that which rotates with A and that with B, the one that is clear for the longest
+/// time.
+SeparatingPlane SeparationQuery::longest_turned(const SeparatingPlane& plane, const Vec3& p_OC) const {
+  SeparatingPlane best = plane;
+  double longest = plane.clear_until(infinity);
+  for (const MovingCore* side : {&A_, &B_}) {
+    const SeparatingPlane other(A_, B_, plane.direction(), side->w.cross(plane.direction()), p_OC);
+    const double until = other.clear_until(infinity);
+    if (until > longest) best = other, longest = until;
+  }
+  return best;
+}
+
+SeparatingPlane SeparationQuery::best_turned(const Vec3& n, const Vec3& p_OC) const {
+  std::optional<SeparatingPlane> best;
+  double greatest = -infinity;
+  any_turned(n, p_OC, [&](const SeparatingPlane& plane) {
+    const double speed = plane.least_speed(8 * plane.error());
+    if (!best || speed > greatest) best = plane, greatest = speed;
+    return false;
+  });
+  return *best;
 }
 
 /// Any separating plane of two touching parts can be rotated, separating them all the while, to one along a face of
@@ -195,10 +277,10 @@ std::optional<SeparatingPlane> SeparationQuery::parting() const {
   std::optional<SeparatingPlane> found;
   lin_canny::any_parting_normal(A, B, [&](const Vec3& from_B) {
     const Vec3 n = -from_B;
-    if (!gap_above(radii - 8 * rounding, A, B, n)) return false;
-    const SeparatingPlane plane(A_, B_, n, Vec3::Zero(), A.t);
-    if (plane.parts()) found = plane;
-    return found.has_value();
+    return gap_above(radii - 8 * rounding, A, B, n) && any_turned(n, A.t, [&](const SeparatingPlane& plane) {
+      if (plane.parts()) found = plane;
+      return found.has_value();
+    });
   });
   return found;
 }
