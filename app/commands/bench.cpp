@@ -77,6 +77,9 @@ const std::map<std::string, Comparison>& registry() {
       {"pixel", of_errors("touchstone_pixel_bench", 6, 4,
                           {"pixels a metre (masks: side in pixels)", "share of overlapping pairs that is missed"})},
       {"simulation", of_simulations()},
+      {"time_of_impact",
+       of_errors("touchstone_time_of_impact_bench", 3, 6,
+                 {"vertices a body", "s: the width of an enclosure, or the difference from the exact time"})},
   };
   return comparisons;
 }

@@ -542,7 +542,8 @@ void add_bench(CLI::App& program, Options& options) {
       ->add_option(
           "--sizes", options.bench.sizes,
           "broad_phase: bodies; distance: vertices of a body; first_call: scenes of a row; impulse: impacts of "
-          "a class; pixel: pixels for a metre; simulation: steps for a second. Default: the comparison's own")
+          "a class; pixel: pixels for a metre; simulation: steps for a second; time_of_impact: vertices of a body. "
+          "Default: the comparison's own")
       ->delimiter(',')
       ->type_name("NUMBER");
   command
@@ -551,7 +552,8 @@ void add_bench(CLI::App& program, Options& options) {
           "broad_phase: coherent, settled, flickering, ratio, clustered, teleport, still, announced; distance: "
           "coherent, cold, each also _100 and _1000, once, once_overlapping, once_touching; first_call: the queries; "
           "impulse: generic, tiny_slip, friction_to_10, rods, levers, spheres, no_slip; pixel: masks, boxes, "
-          "triangles, 16-gons; simulation: names of `touchstone list motions`. Default: all")
+          "triangles, 16-gons; simulation: names of `touchstone list motions`; time_of_impact: screws, tumbling, each "
+          "also _1 and _once. Default: all")
       ->delimiter(',')
       ->type_name("WORKLOAD");
   add_whole_number(*command, "--rounds", options.bench.rounds, 1, 1000, "How many times; the median is printed")

@@ -310,6 +310,7 @@ Examples:
   ./touchstone bench impulse                                      work and precision of ways to compute an impact
   ./touchstone bench pixel                                        time of masks, and overlaps that sampling misses
   ./touchstone bench simulation --workloads bouncing_ball,gas     simulators; scenes: `touchstone list motions`
+  ./touchstone bench time_of_impact                               casts of moving hulls, and the error of each
 
 The launcher ./touchstone builds the comparison first; the program touchstone by itself only runs what is built.
 The engines run in turn, in slices of CPU time; a figure is the median of the rounds. An engine that cannot finish one

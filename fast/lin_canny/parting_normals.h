@@ -35,23 +35,25 @@ inline Vec3 exactly_across(Vec3 n, const TurnedEdge& a, const TurnedEdge& b) {
 }
 
 /// Whether `found` returns true for one of the normals, from B to A, of planes along a face of B, a face of A, or an
-/// edge of each. Calls it in a fixed order, and stops at the first true. Edges within `least_sine` of parallel define no
+/// edge of each: found(n, features), where a vertex stands for no feature. Calls it in a fixed order, and stops at the first true. Edges within `least_sine` of parallel define no
 /// direction. A plane along two edges that cuts a face beside one of them, at a slope above 2⁻³⁰ and rounding, is left
 /// out: it is along no face of the Minkowski difference, so it is not needed, and few of the thousands of planes are.
 template <class Found>
 bool any_parting_normal(const PosedHull& A, const PosedHull& B, Found&& found, double least_sine = 0x1p-20) {
   for (int f = 0; f < A.hull->face_count(); ++f) {
-    if (found(Vec3(-A.turned_out(A.hull->face(f).normal)))) return true;
+    if (found(Vec3(-A.turned_out(A.hull->face(f).normal)), FeaturePair{{Kind::face, f}, {}})) return true;
   }
   for (int f = 0; f < B.hull->face_count(); ++f) {
-    if (found(B.turned_out(B.hull->face(f).normal))) return true;
+    if (found(B.turned_out(B.hull->face(f).normal), FeaturePair{{}, {Kind::face, f}})) return true;
   }
   if (A.hull->edge_count() == 0) return false;  // a ball's core
   std::vector<TurnedEdge> edges_of_B;
   for (int j = 0; j < B.hull->edge_count(); ++j) edges_of_B.emplace_back(B, j);
   for (int i = 0; i < A.hull->edge_count(); ++i) {
     const TurnedEdge a(A, i);
-    for (const TurnedEdge& b : edges_of_B) {
+    for (int j = 0; j < B.hull->edge_count(); ++j) {
+      const TurnedEdge& b = edges_of_B[static_cast<std::size_t>(j)];
+      const FeaturePair edges{{Kind::edge, i}, {Kind::edge, j}};
       Vec3 n = a.along.cross(b.along);
       const double size = n.norm(), unit = a.length * b.length;
       if (!(size > least_sine * unit)) continue;
@@ -62,8 +64,8 @@ bool any_parting_normal(const PosedHull& A, const PosedHull& B, Found&& found, d
       const bool up = A_0 >= -flat_A && A_1 >= -flat_A, down = A_0 <= flat_A && A_1 <= flat_A;
       if (!up && !down) continue;
       const double B_0 = n.dot(b.into[0]), B_1 = n.dot(b.into[1]);
-      if (up && B_0 <= flat_B && B_1 <= flat_B && found(Vec3(n / size))) return true;
-      if (down && B_0 >= -flat_B && B_1 >= -flat_B && found(Vec3(-n / size))) return true;
+      if (up && B_0 <= flat_B && B_1 <= flat_B && found(Vec3(n / size), edges)) return true;
+      if (down && B_0 >= -flat_B && B_1 >= -flat_B && found(Vec3(-n / size), edges)) return true;
     }
   }
   return false;
@@ -74,7 +76,7 @@ template <class Width>
 Vec3 widest_parting_normal(const PosedHull& A, const PosedHull& B, Width&& width) {
   Vec3 best = Vec3::UnitZ();
   double widest = -infinity;
-  any_parting_normal(A, B, [&](const Vec3& n) {
+  any_parting_normal(A, B, [&](const Vec3& n, const FeaturePair&) {
     const double wide = width(n);
     if (wide > widest) widest = wide, best = n;
     return false;

@@ -66,7 +66,9 @@ Spread spread(const Polytope& polytope) {
       for (std::size_t i = 0; i < 3; ++i) {
         M[i] = M[i] + d * corners[3][i];
         for (std::size_t j = i; j < 3; ++j) {
-          for (const auto& x : corners) S[i][j] = S[i][j] + d * (x[i] * x[j]);
+          Dyadic sum;
+          for (const auto& x : corners) sum = sum + x[i] * x[j];
+          S[i][j] = S[i][j] + d * sum;
         }
       }
     }

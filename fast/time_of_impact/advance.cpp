@@ -59,8 +59,9 @@ class Advance {
       known_ = query.plane().direction();
       // That the two do not overlap was proved on the way here. At the start, any plane along whose normal they
       // separate will do. Later it must be the plane of this query, or a grazing contact would be missed.
-      const bool is_good = query.plane().is_clear() || query.plane().parts();
-      const std::optional<SeparatingPlane> other = !is_good && t_ == from_ ? query.parting() : std::nullopt;
+      const bool is_exact = has_exact_poses();
+      const bool is_good = query.plane().is_clear() || (query.plane().parts() && !is_exact);
+      const std::optional<SeparatingPlane> other = !is_good && t_ == from_ ? query.parting(is_exact) : std::nullopt;
       if (other) mark(Mark::toi_parting);
       if (is_good || other) {
         const double before = t_;
@@ -81,6 +82,12 @@ class Advance {
   /// The remaining time, rounded up.
   double left() const { return (until_ - t_) * (1 + 2 * u); }
 
+  /// With an envelope the two need not be separated exactly.
+  bool has_exact_poses() const {
+    return t_ == from_ && from_ == pair_.a.since() && from_ == pair_.b.since() && envelope_ == 0 &&
+           pair_.inflation.is_none() && pair_.A().radius + pair_.B().radius == 0;
+  }
+
   /// Advances by h, rounded down; returns false at the end.
   bool go_on(double h) {
     if (h >= left()) return false;
@@ -91,12 +98,14 @@ class Advance {
   /// At t_ only rounding separates the two.
   std::optional<FirstContact> touch(const SeparationQuery& query) {
     if (envelope_ > 0 && query.at_most() <= envelope_ && !query.plane().parts()) return hit(query, t_);
-    for (double h = first_wait(query);; h *= 2) {
+    const double first = first_wait(query);
+    for (double h = first;; h *= 2) {
       const double t = std::min(t_ + h, until_);
       lin_canny::FeaturePair memory = memory_;
       mark(Mark::toi_wait);
       ++queries_;
-      const SeparationQuery next(pair_, t, memory, known_);
+      // Mostly they overlap by then, and no plane separates them.
+      const SeparationQuery next(pair_, t, memory, known_, h > 32 * first ? Planes::all : Planes::likely);
       if (next.overlap(query)) return hit(query, t);
       if (next.plane().is_clear()) {
         if (may_have_met(next, t - t_)) doubt(query.at_most(), t);

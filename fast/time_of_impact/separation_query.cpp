@@ -2,15 +2,18 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <stdexcept>
 
 #include "fast/lin_canny/bracket.h"
+#include "fast/lin_canny/exact_plane.h"
 #include "fast/lin_canny/parting_normals.h"
 #include "fast/lin_canny/surround.h"
 #include "fast/mark.h"
-#include "fast/time_of_impact/common_middle.h"
+#include "fast/time_of_impact/common_point.h"
 #include "model/infinity.h"
 
 namespace touchstone::fast::time_of_impact {
@@ -58,7 +61,7 @@ class Widest {
   }
   void ask_all() {
     mark(Mark::toi_all_normals);
-    const auto ask_it = [&](const Vec3& from_B) {
+    const auto ask_it = [&](const Vec3& from_B, const FeaturePair&) {
       ask(-from_B);
       return false;
     };
@@ -125,20 +128,20 @@ Vec3 Pair::in_W(const Vec3& p, double t) const {
   return O.p_WO + O.a_WO * (tau * tau / 2) + p;
 }
 
-SeparationQuery::SeparationQuery(const Pair& pair, double t, FeaturePair& memory, const Vec3& known)
+SeparationQuery::SeparationQuery(const Pair& pair, double t, FeaturePair& memory, const Vec3& known, Planes planes)
     : pair_(pair),
       t_(t),
       A_(inflated(moving_core(pair.a, pair.part_A, t, pair.O), pair.inflation, t)),
       B_(moving_core(pair.b, pair.part_B, t, pair.O)),
       walked_(walked(A_.core, B_.core, memory)),
-      plane_(best_plane(memory, known)) {}
+      plane_(best_plane(memory, known, planes)) {}
 
 double SeparationQuery::clear_until(const SeparatingPlane& plane, double h_max) const {
   double h = plane.clear_until(h_max);
   const auto however_turned = [&](const motion::BallisticMotion& motion, const Inflation& inflation, auto&& plane_of) {
-    if (h < h_max && plane.gap() > motion.model().radius) {
-      h = std::max(h, plane_of(inflated(ball_around(motion, t_, pair_.O), inflation, t_)).clear_until(h_max));
-    }
+    if (!(h < h_max && plane.gap() > motion.model().radius)) return;
+    const SeparatingPlane far = plane_of(inflated(ball_around(motion, t_, pair_.O), inflation, t_));
+    if (far.is_clear()) h = std::max(h, far.clear_until(h_max));  // a centre of mass outside its body may be nearer
   };
   const Vec3 &n = plane.direction(), at_rest = Vec3::Zero();
   however_turned(pair_.a, pair_.inflation,
@@ -195,7 +198,7 @@ Vec3 SeparationQuery::direction_of_features() const {
 /// Features that are apart define their direction well, though the radii may touch. If they are no farther apart than
 /// rounding, they do not: the
 /// difference of two vertices is noise, the normal of two edges may have the wrong sign, and inside there is none.
-SeparatingPlane SeparationQuery::best_plane(const FeaturePair& before, const Vec3& known) const {
+SeparatingPlane SeparationQuery::best_plane(const FeaturePair& before, const Vec3& known, Planes planes) const {
   const Vec3 n = direction_of_features();
   const Vec3 p_OC = walked_.inside ? A_.core.t : Vec3((walked_.closest.a + walked_.closest.b) / 2);
   if (!n.isZero(0)) {
@@ -221,11 +224,12 @@ SeparatingPlane SeparationQuery::best_plane(const FeaturePair& before, const Vec
   // Nearly parallel faces: the walk may end at features that are not the closest. Then the plane between them is worse
   // than their distance says, and a normal of a face or of two edges separates the two.
   const double unseen = at_most() - std::max(0.0, widest.found_gap() - radii);
-  if (!walked_.inside &&
+  if (planes == Planes::all && !walked_.inside &&
       (widest.found_gap() < -rounding || (widest.found_gap() < radii + rounding && unseen > rounding / 2))) {
     widest.ask_faces();
     widest.ask_all();
   }
+  if (planes == Planes::likely) return {A_, B_, widest.direction(), Vec3::Zero(), p_OC};
   return best_turned(widest.direction(), p_OC);
 }
 
@@ -271,18 +275,30 @@ SeparatingPlane SeparationQuery::best_turned(const Vec3& n, const Vec3& p_OC) co
 
 /// Any separating plane of two touching parts can be rotated, separating them all the while, to one along a face of
 /// either or along an edge of each. So these are tried.
-std::optional<SeparatingPlane> SeparationQuery::parting() const {
+std::optional<SeparatingPlane> SeparationQuery::parting(bool at_start_poses) const {
   const PosedHull &A = A_.core, &B = B_.core;
   const double radii = A_.radius + B_.radius, rounding = lin_canny::rounding(A, B);
   std::optional<SeparatingPlane> found;
-  lin_canny::any_parting_normal(A, B, [&](const Vec3& from_B) {
+  lin_canny::any_parting_normal(A, B, [&](const Vec3& from_B, const FeaturePair& along) {
     const Vec3 n = -from_B;
-    return gap_above(radii - 8 * rounding, A, B, n) && any_turned(n, A.t, [&](const SeparatingPlane& plane) {
+    if (!gap_above(radii - 8 * rounding, A, B, n)) return false;
+    const bool parts = any_turned(n, A.t, [&](const SeparatingPlane& plane) {
       if (plane.parts()) found = plane;
       return found.has_value();
     });
+    if (parts && at_start_poses && !separates_at_start(along, from_B)) found = std::nullopt;
+    return found.has_value();
   });
   return found;
+}
+
+bool SeparationQuery::separates_at_start(const FeaturePair& along, const Vec3& from_B) const {
+  const lin_canny::Convex &A = pair_.A(), &B = pair_.B();
+  const std::array poses_A{pair_.a.start(), A.X_BP}, poses_B{pair_.b.start(), B.X_BP};
+  const auto posed = [](const lin_canny::Convex& convex, const std::array<Pose, 2>& poses) {
+    return exact::PosedPoints{std::span(poses).first(convex.is_posed ? 2 : 1), convex.core.vertices()};
+  };
+  return lin_canny::separates_exactly(A.core, posed(A, poses_A), B.core, posed(B, poses_B), along, from_B);
 }
 
 double SeparationQuery::greatest_speed() const {
@@ -315,7 +331,7 @@ bool SeparationQuery::overlap(const SeparationQuery& before) const {
     if (is_inside(A, B.out(before.B_.core.in(then.b)), error)) return true;
   }
   if (lin_canny::common_point(A, B)) return true;
-  return share_a_middle(A, B, error);
+  return share_a_point(A, B, error);
 }
 
 /// The plane's direction may be that of an earlier query.

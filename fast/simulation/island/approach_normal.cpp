@@ -25,7 +25,7 @@ std::vector<Vec3> separating_normals(const contact::Part& A, const contact::Part
   };
   std::vector<Candidate> all;
   double widest = -infinity;
-  lin_canny::any_parting_normal(A.core, B.core, [&](const Vec3& n) {
+  lin_canny::any_parting_normal(A.core, B.core, [&](const Vec3& n, const lin_canny::FeaturePair&) {
     all.push_back({n, contact::apart(A, B, n)});
     widest = std::max(widest, all.back().apart);
     return false;

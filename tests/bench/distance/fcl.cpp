@@ -1,19 +1,10 @@
 #include <fcl/fcl.h>
 
 #include "tests/bench/distance/contestant.h"
+#include "tests/bench/fcl_shape.h"
 
 namespace touchstone::bench {
 namespace {
-
-std::shared_ptr<fcl::Convexd> convex(const Polytope& polytope) {
-  const auto faces = std::make_shared<std::vector<int>>();
-  for (const std::vector<int>& face : polytope.faces) {
-    faces->push_back(static_cast<int>(face.size()));
-    faces->insert(faces->end(), face.begin(), face.end());
-  }
-  return std::make_shared<fcl::Convexd>(std::make_shared<const std::vector<Vec3>>(polytope.vertices),
-                                        static_cast<int>(polytope.faces.size()), faces);
-}
 
 fcl::Transform3d transform(const Pose& X) {
   const Quaternion& q = X.q_WB;
@@ -26,7 +17,7 @@ fcl::Transform3d transform(const Pose& X) {
 /// fcl::distance with witness points, starting from the cached direction of the previous query.
 class Fcl : public Contestant {
  public:
-  Fcl(const Polytope& A, const Polytope& B, fcl::GJKSolverType solver) : A_(convex(A)), B_(convex(B)) {
+  Fcl(const Polytope& A, const Polytope& B, fcl::GJKSolverType solver) : A_(fcl_convex(A)), B_(fcl_convex(B)) {
     request_.enable_nearest_points = true;
     request_.gjk_solver_type = solver;
   }

@@ -53,7 +53,7 @@ TEST_CASE("parting normals: of planes along two edges those that cut a body are 
     const PosedHull B = posed_hull(b.parts()[0], CachedPose(X_WB), Vec3::Zero());
     const Widest truth = of_all(A, B);
     Widest said;
-    any_parting_normal(A, B, [&](const Vec3& n) {
+    any_parting_normal(A, B, [&](const Vec3& n, const FeaturePair&) {
       said.ask(A, B, n);
       return false;
     });
