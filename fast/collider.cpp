@@ -81,8 +81,7 @@ void Collider::move(BodyId id, const Pose& X_WB) {
 void Collider::remove(BodyId id) { broad_phase_->remove(id); }
 
 std::vector<lin_canny::FeaturePair> Collider::places(BodyPair pair) const {
-  return std::vector<lin_canny::FeaturePair>(bodies_[pair.a]->solid.parts().size() *
-                                             bodies_[pair.b]->solid.parts().size());
+  return std::vector<lin_canny::FeaturePair>(lin_canny::pairs_of_parts(bodies_[pair.a]->solid, bodies_[pair.b]->solid));
 }
 
 void Collider::begin(BodyPair pair) {

@@ -117,7 +117,7 @@ FirstContact first_contact(const motion::BallisticMotion& a, const motion::Balli
 
 FirstContact first_contact(const motion::BallisticMotion& a, const motion::BallisticMotion& b, double from,
                            double until, double envelope) {
-  std::vector<lin_canny::FeaturePair> memory(a.model().solid.parts().size() * b.model().solid.parts().size());
+  std::vector<lin_canny::FeaturePair> memory(lin_canny::pairs_of_parts(a.model().solid, b.model().solid));
   return first_contact(a, b, from, until, envelope, memory);
 }
 
@@ -126,7 +126,7 @@ TimeOfImpact time_of_impact_of(const Scene& scene) {
   if (!scene.motion) throw InputError("motion", "is missing");
   const Start A(scene, 0), B(scene, 1);
   const double from = std::max(A.since, B.since), until = scene.motion->sample_times.back();
-  std::vector<lin_canny::FeaturePair> memory(A.model.solid.parts().size() * B.model.solid.parts().size());
+  std::vector<lin_canny::FeaturePair> memory(lin_canny::pairs_of_parts(A.model.solid, B.model.solid));
   if (verdict_at(from, A, B, memory) == Verdict::overlapping) {
     throw InputError("bodies",
                      '\'' + scene.bodies[0].name + "' and '" + scene.bodies[1].name + "' overlap at the start");

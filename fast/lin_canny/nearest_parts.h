@@ -1,6 +1,7 @@
 // The distance of two bodies that may be unions of convex parts.
 #pragma once
 
+#include <cstddef>
 #include <span>
 
 #include "fast/lin_canny/proximity.h"
@@ -12,6 +13,9 @@ struct NearestParts {
   int part_A = 0;
   int part_B = 0;
 };
+
+/// How many entries of memory two bodies need: one for each pair of parts.
+inline std::size_t pairs_of_parts(const Solid& A, const Solid& B) { return A.parts().size() * B.parts().size(); }
 
 /// The minimum over the pairs of parts: overlapping is nearer than touching, touching nearer than any distance; ties
 /// are resolved in the order of parts. Pairs whose bounding balls are farther apart than the minimum so far are

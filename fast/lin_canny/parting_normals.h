@@ -35,9 +35,10 @@ inline Vec3 exactly_across(Vec3 n, const TurnedEdge& a, const TurnedEdge& b) {
 }
 
 /// Whether `found` returns true for one of the normals, from B to A, of planes along a face of B, a face of A, or an
-/// edge of each: found(n, features), where a vertex stands for no feature. Calls it in a fixed order, and stops at the first true. Edges within `least_sine` of parallel define no
-/// direction. A plane along two edges that cuts a face beside one of them, at a slope above 2⁻³⁰ and rounding, is left
-/// out: it is along no face of the Minkowski difference, so it is not needed, and few of the thousands of planes are.
+/// edge of each: found(n, features), where a vertex stands for no feature. Calls it in a fixed order, and stops at the
+/// first true. Edges within `least_sine` of parallel define no direction. A plane along two edges that cuts a face
+/// beside one of them, at a slope above 2⁻³⁰ and rounding, is left out: it is along no face of the Minkowski
+/// difference, so it is not needed, and few of the thousands of planes are.
 template <class Found>
 bool any_parting_normal(const PosedHull& A, const PosedHull& B, Found&& found, double least_sine = 0x1p-20) {
   for (int f = 0; f < A.hull->face_count(); ++f) {

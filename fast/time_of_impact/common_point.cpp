@@ -15,7 +15,7 @@ namespace {
 /// The part of an edge of P that lies in Q, in the pair's frame.
 struct Segment {
   Vec3 from, to;
-  Vec3 tail, head;                   ///< the whole edge, in Q's frame
+  Vec3 tail, head;                    ///< the whole edge, in Q's frame
   int entered_by = -1, left_by = -1;  ///< faces of Q; none: the part ends with the edge
 };
 

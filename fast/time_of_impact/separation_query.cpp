@@ -9,11 +9,11 @@
 #include <stdexcept>
 
 #include "fast/lin_canny/bracket.h"
-#include "fast/lin_canny/exact_plane.h"
 #include "fast/lin_canny/parting_normals.h"
 #include "fast/lin_canny/surround.h"
 #include "fast/mark.h"
 #include "fast/time_of_impact/common_point.h"
+#include "fast/time_of_impact/exact_plane.h"
 #include "model/infinity.h"
 
 namespace touchstone::fast::time_of_impact {
@@ -190,7 +190,8 @@ Vec3 SeparationQuery::direction_of_features() const {
   if (sine * sine > lin_canny::clearly_crossing || sine < least_crossing) return n;
   Widest widest(A_.core, B_.core);
   widest.ask(n);
-  const Vec3 m = perpendicular(perpendicular(crossed / sine, e), f).normalized();  // its part along the edges is rounding
+  const Vec3 m =
+      perpendicular(perpendicular(crossed / sine, e), f).normalized();  // its part along the edges is rounding
   widest.ask(n.dot(m) < 0 ? Vec3(-m) : m);
   return widest.direction();
 }
@@ -234,8 +235,8 @@ SeparatingPlane SeparationQuery::best_plane(const FeaturePair& before, const Vec
 }
 
 /// Calls `accepts` with planes perpendicular to n that rotate: not at all, with A, with B, and with an edge of each in
-/// the plane. One of them has the greatest least speed of all rotations (SeparatingPlane::least_speed), since the speeds
-/// of a body's vertices in the plane are linear in their places. Stops at the first that is accepted.
+/// the plane. One of them has the greatest least speed of all rotations (SeparatingPlane::least_speed), since the
+/// speeds of a body's vertices in the plane are linear in their places. Stops at the first that is accepted.
 template <class Accepts>
 bool SeparationQuery::any_turned(const Vec3& n, const Vec3& p_OC, Accepts&& accepts) const {
   const auto turned = [&](const Vec3& turn) { return accepts(SeparatingPlane(A_, B_, n, turn, p_OC)); };
@@ -298,7 +299,7 @@ bool SeparationQuery::separates_at_start(const FeaturePair& along, const Vec3& f
   const auto posed = [](const lin_canny::Convex& convex, const std::array<Pose, 2>& poses) {
     return exact::PosedPoints{std::span(poses).first(convex.is_posed ? 2 : 1), convex.core.vertices()};
   };
-  return lin_canny::separates_exactly(A.core, posed(A, poses_A), B.core, posed(B, poses_B), along, from_B);
+  return separates_exactly(A.core, posed(A, poses_A), B.core, posed(B, poses_B), along, from_B);
 }
 
 double SeparationQuery::greatest_speed() const {

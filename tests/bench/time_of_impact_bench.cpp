@@ -1,10 +1,10 @@
 // Compares our time of impact with those of other libraries: CSV of nanoseconds per question, and the errors.
 //
-// Hulls of n points of the unit ball, 4 m apart, that close at 4 to 8 m/s and rotate at up to 8 rad/s for 2 s: about half
-// of them meet. As screws (equal moments of inertia), where an engine that interpolates poses is asked the same question,
-// and tumbling (a density), where ours alone are. A contestant asks about 100 pairs in turn, or about one pair again and
-// again (_1); those that are asked about a scene (_once) keep nothing. They run in turn, a round at a time; the result
-// is the median of the rounds' CPU time.
+// Hulls of n points of the unit ball, 4 m apart, that close at 4 to 8 m/s and rotate at up to 8 rad/s for 2 s: about
+// half of them meet. As screws (equal moments of inertia), where an engine that interpolates poses is asked the same
+// question, and tumbling (a density), where ours alone are. A contestant asks about 100 pairs in turn, or about one
+// pair again and again (_1); those that are asked about a scene (_once) keep nothing. They run in turn, a round at a
+// time; the result is the median of the rounds' CPU time.
 //
 // Errors, in seconds: the width of an enclosure; without one the difference from the exact time of impact. A wrong
 // verdict has the length of the motion.

@@ -101,6 +101,15 @@ TEST_CASE("contact at the start counts if the two approach there") {
   CHECK_THROWS_AS(time_of_impact_of(cube_over_table(-0.25, 0)), InputError);
 }
 
+TEST_CASE("a scene that is no motion of two bodies is refused") {
+  Scene still = cube_over_table(1, 0);
+  still.motion = std::nullopt;
+  CHECK_THROWS_AS(time_of_impact_of(still), InputError);
+  Scene alone = cube_over_table(1, 0);
+  alone.bodies.pop_back();
+  CHECK_THROWS_AS(time_of_impact_of(alone), InputError);
+}
+
 TEST_CASE("what pushes a body from its start is felt, a later push is refused") {
   Scene scene = cube_over_table(1, 0);
   scene.gravity = Vec3::Zero();

@@ -26,8 +26,8 @@ BEHIND = [
     (r"catch2/", r"tests/catch\.h"),  # which supports versions 2 and 3
     (r"benchmark/", r"tests/bench/.*"),
     (r"bt[A-Z]\w*\.h|Bullet\w*/|LinearMath/",
-     r"oracle/subjects/bullet/.*|tests/bench/(broad_phase|distance)/bullet\.cpp"),
-    (r"fcl/", r"oracle/subjects/fcl/.*|tests/bench/(broad_phase|distance)/fcl\.cpp"),
+     r"oracle/subjects/bullet/.*|tests/bench/(bullet_shape\.h|(broad_phase|distance|time_of_impact)/bullet\.cpp)"),
+    (r"fcl/", r"oracle/subjects/fcl/.*|tests/bench/(fcl_shape\.h|(broad_phase|distance|time_of_impact)/fcl\.cpp)"),
     (r"ccd/", r"oracle/subjects/libccd/.*|tests/bench/distance/libccd\.cpp"),
     (r"ode/", r"oracle/subjects/ode/.*|tests/bench/broad_phase/ode\.cpp"),
     (r"Simbody\.h|simbody/|SimTK", r"oracle/subjects/simbody/.*"),

@@ -150,7 +150,7 @@ Touch touch(const BodyMotion& a, const BodyMotion& b, double t, PairMemory& memo
   }
   if (memory.time == t) return memory.touch;
   const lin_canny::Solid &A = a.model().solid, &B = b.model().solid;
-  memory.features.resize(A.parts().size() * B.parts().size());
+  memory.features.resize(lin_canny::pairs_of_parts(A, B));
   const auto found = lin_canny::nearest_parts(A, lin_canny::CachedPose(a.ballistic().pose(t)), B,
                                               lin_canny::CachedPose(b.ballistic().pose(t)), memory.features);
   const lin_canny::Proximity& at = found.proximity;
@@ -169,7 +169,7 @@ double first_contact(const BodyMotion& a, const BodyMotion& b, double from, doub
                            : by_planes(a, b, from, until, envelope, margin);
     return t <= until ? t : never;
   }
-  memory.features.resize(a.model().solid.parts().size() * b.model().solid.parts().size());
+  memory.features.resize(lin_canny::pairs_of_parts(a.model().solid, b.model().solid));
   return by_advancement(a, b, from, until, envelope, inflation, memory);
 }
 

@@ -28,8 +28,8 @@ struct Pair {
   std::optional<double> cast(const oracle::subjects::Way& way) {
     btConvexCast::CastResult result;
     btContinuousConvexCollision collision(A.get(), B.get(), &simplex, &epa);
-    const bool hit = collision.calcTimeOfImpact(turned(way.from_A), turned(way.to_A), turned(way.from_B),
-                                                turned(way.to_B), result);
+    const bool hit =
+        collision.calcTimeOfImpact(turned(way.from_A), turned(way.to_A), turned(way.from_B), turned(way.to_B), result);
     return hit && result.m_fraction <= 1 ? std::optional<double>(result.m_fraction) : std::nullopt;
   }
 

@@ -15,7 +15,8 @@ using fast::motion::RigidBodyModel;
 
 /// Two bodies, each with a density or given mass properties, that fall freely from time 0.
 struct Pair {
-  explicit Pair(const Scene& given) : scene(given), models{RigidBodyModel(given.bodies[0]), RigidBodyModel(given.bodies[1])} {}
+  explicit Pair(const Scene& given)
+      : scene(given), models{RigidBodyModel(given.bodies[0]), RigidBodyModel(given.bodies[1])} {}
 
   BallisticMotion motion(std::size_t i) const {
     return {models[i], 0, scene.bodies[i].X_WB, scene.bodies[i].velocity, scene.gravity};

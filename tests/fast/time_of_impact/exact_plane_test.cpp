@@ -1,5 +1,5 @@
 // Planes along features, of bodies that touch, miss or overlap by 2^-60.
-#include "fast/lin_canny/exact_plane.h"
+#include "fast/time_of_impact/exact_plane.h"
 
 #include <array>
 #include <span>
@@ -7,8 +7,13 @@
 #include "fast/lin_canny/solid.h"
 #include "tests/catch.h"
 
-namespace touchstone::fast::lin_canny {
+namespace touchstone::fast::time_of_impact {
 namespace {
+
+using lin_canny::FeaturePair;
+using lin_canny::Hull;
+using lin_canny::Kind;
+using lin_canny::Solid;
 
 /// The normals, from B to A, of the planes along some faces or edges.
 const Vec3 down = -Vec3::UnitZ(), aslant = Vec3(-1, 0, -1).normalized();
@@ -66,4 +71,4 @@ TEST_CASE("exact plane: along an edge of each, also where they are parallel") {
 }
 
 }  // namespace
-}  // namespace touchstone::fast::lin_canny
+}  // namespace touchstone::fast::time_of_impact

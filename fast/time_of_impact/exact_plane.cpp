@@ -1,13 +1,15 @@
-#include "fast/lin_canny/exact_plane.h"
+#include "fast/time_of_impact/exact_plane.h"
 
 #include <span>
 
-namespace touchstone::fast::lin_canny {
-
-namespace {
+namespace touchstone::fast::time_of_impact {
 
 using exact::Vector;
-using exact::VertexPair;
+using lin_canny::FeaturePair;
+using lin_canny::Hull;
+using lin_canny::Kind;
+
+namespace {
 
 /// Twice the normal of the triangle of a face's first corners, in or out. A hull's faces have no straight corners.
 template <class Along>
@@ -35,4 +37,4 @@ bool separates_exactly(const Hull& hull_A, const exact::PosedPoints& A, const Hu
   return dot(to_B, difference(difference.support(to_B))).sign() >= 0;
 }
 
-}  // namespace touchstone::fast::lin_canny
+}  // namespace touchstone::fast::time_of_impact
