@@ -23,7 +23,7 @@ struct Declared {
   std::string operator()(const Compound&) const { return ""; }
 };
 
-std::string transform(const Pose& X_WB) {
+std::string transform_text(const Pose& X_WB) {
   return fmt::format("btTransform(btQuaternion({}), btVector3({}))", cpp_rotation_xyzw(X_WB.q_WB), cpp_list(X_WB.p_WB));
 }
 
@@ -57,7 +57,7 @@ int main() {{
 }}
 )",
                      package, cpp_printed(expected), std::visit(Declared{"A"}, A.shape),
-                     std::visit(Declared{"B"}, B.shape), transform(A.X_WB), transform(B.X_WB));
+                     std::visit(Declared{"B"}, B.shape), transform_text(A.X_WB), transform_text(B.X_WB));
 }
 
 }  // namespace touchstone::oracle::subjects::in_bullet

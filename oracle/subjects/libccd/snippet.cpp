@@ -11,7 +11,7 @@ std::string declared(const std::string& name, const CcdBody& body) {
   return fmt::format("const Body {}{{{{\n{}  }}, {}}};\n", name, vertices, cpp_number(body.radius));
 }
 
-constexpr const char* support = R"(// g++ -std=c++17 pair.cpp -lccd -o pair && ./pair
+constexpr const char* support_text = R"(// g++ -std=c++17 pair.cpp -lccd -o pair && ./pair
 #include <ccd/ccd.h>
 
 #include <array>
@@ -53,7 +53,7 @@ void center(const void* object, ccd_vec3_t* inner) {
 
 std::string libccd_snippet(const CcdBody& A, const CcdBody& B, const std::string& algorithm,
                            const std::string& expected) {
-  return support + declared("A", A) + declared("B", B) +
+  return support_text + declared("A", A) + declared("B", B) +
          fmt::format(R"(
 int main() {{
 {1}  ccd_t ccd;
