@@ -14,8 +14,8 @@ namespace touchstone::oracle {
 ///
 /// Computed as the least over all vertex-triangle and edge-edge pairs of the claimed vertices: right for points,
 /// segments and plane polygons, in whichever order their vertices are listed. In long double (u = 2⁻⁶⁴ on x86): the
-/// error is far below a subject's own allowance. Every candidate is a distance of two points of the hulls, so a nearly
-/// parallel pair of edges makes the gap at most too large by second order, never too small.
+/// error is far below a subject's own allowance, whatever the angle of two edges. Every candidate is a distance of two
+/// points of the hulls, so the gap is never too small by more than that.
 std::optional<double> feature_gap(const Body& A, const Feature& feature_A, const Body& B, const Feature& feature_B);
 
 }  // namespace touchstone::oracle

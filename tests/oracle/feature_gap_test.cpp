@@ -44,6 +44,13 @@ TEST_CASE("feature_gap: long edges that cross at a hundred thousandth of a right
   CHECK(*feature_gap(A, {0, {2, 3}}, B, {0, {2, 3}}) < 1e-12);
 }
 
+TEST_CASE("feature_gap: edges that cross at 2^-36 of a radian do cross") {
+  const Polytope bar{{{-0.375, -0.25, -1}, {0, 0, 0}, {0, 0.25, 0}, {-0.375, -0.25, 1}}, {}};
+  const Body turned = posed(bar, {0, 0, 0}, {1, 0, -0x1p-37, 0});
+  CHECK(*feature_gap(turned, {0, {0, 3}}, posed(bar, {0, 0, 0}), {0, {0, 3}}) < 1e-18);
+  CHECK(*feature_gap(turned, {0, {0, 3}}, posed(bar, {0, -1, 0}), {0, {0, 3}}) == Approx(1));
+}
+
 TEST_CASE("feature_gap: what is not there has no gap") {
   CHECK_FALSE(feature_gap(cube, {0, {8}}, above, {0, {0}}));
   CHECK_FALSE(feature_gap(cube, {0, {-1}}, above, {0, {0}}));
