@@ -17,15 +17,14 @@ bool holds_for_extremes(const properties::Property& property) {
   return property.id.ends_with(".survives") || property.id.ends_with(".repeats");
 }
 
-/// Open: edges of 1 m and 512 m, parallel at the start and 2e-7 m apart, that turn past each other. The time that fast
-/// encloses is right, but one end is 0.39 s off, and it differs if the bodies are exchanged.
+/// Open: long edges, parallel at the start, that turn past each other. They take up to 1.7 times the promised steps.
 bool is_known(const properties::Property& property, const TestVector& vector) {
-  const bool is_known = property.id == "time_of_impact.tight" || property.id == "time_of_impact.symmetric" ||
-                        property.id == "time_of_impact.work";
-  return is_known && vector.source.value("note", "").starts_with("Edges of 1 m and 512 m");
+  const std::string note = vector.source.value("note", "");
+  const bool glide = note.starts_with("Edges of 1 m and 512 m") || note.starts_with("Two parallel edges, 16 ulps");
+  return glide && property.id == "time_of_impact.work";
 }
 
-TEST_CASE("fast holds every property on every test vector, but three that are known") {
+TEST_CASE("fast holds every property on every test vector, but two that are known") {
   const auto fast = oracle::subjects::make_fast();
   std::map<std::string, int> held, known;
   for (const properties::Property& property : properties::all()) {
@@ -40,8 +39,7 @@ TEST_CASE("fast holds every property on every test vector, but three that are kn
     }
   }
   for (const std::string& query : properties::tested_queries()) CHECK(held[query] > 0);
-  CHECK(known == std::map<std::string, int>{
-                     {"time_of_impact.symmetric", 1}, {"time_of_impact.tight", 1}, {"time_of_impact.work", 1}});
+  CHECK(known == std::map<std::string, int>{{"time_of_impact.work", 2}});
 }
 
 }  // namespace
