@@ -190,15 +190,14 @@ Vec3 SeparationQuery::direction_of_features() const {
   if (sine * sine > lin_canny::clearly_crossing || sine < least_crossing) return n;
   Widest widest(A_.core, B_.core);
   widest.ask(n);
-  const Vec3 m =
-      perpendicular(perpendicular(crossed / sine, e), f).normalized();  // its part along the edges is rounding
+  const Vec3 m = perpendicular(perpendicular(crossed / sine, e), f).normalized();  // the rest is rounding
   widest.ask(n.dot(m) < 0 ? Vec3(-m) : m);
   return widest.direction();
 }
 
 /// Features that are apart define their direction well, though the radii may touch. If they are no farther apart than
-/// rounding, they do not: the
-/// difference of two vertices is noise, the normal of two edges may have the wrong sign, and inside there is none.
+/// rounding, they do not: the difference of two vertices is noise, the normal of two edges may have the wrong sign, and
+/// inside there is none.
 SeparatingPlane SeparationQuery::best_plane(const FeaturePair& before, const Vec3& known, Planes planes) const {
   const Vec3 n = direction_of_features();
   const Vec3 p_OC = walked_.inside ? A_.core.t : Vec3((walked_.closest.a + walked_.closest.b) / 2);
