@@ -1,5 +1,6 @@
 #include "oracle/judge/grade.h"
 
+#include "model/infinity.h"
 #include "oracle/judge/judge.h"
 #include "oracle/tolerance/tolerance.h"
 #include "tests/catch.h"
@@ -99,6 +100,20 @@ TEST_CASE("grades: an error in metres is compared with the metres that are allow
   CHECK(grade(far) == Grade::C);
   far.allowed = 0;
   CHECK(grade(far) == Grade::D);
+}
+
+TEST_CASE("grades: the excess is the error over what is allowed; of ulps, over one ulp at least") {
+  Finding finding = failing(6, 2, Defect::too_much_work);
+  finding.unit = "times the promised work";
+  CHECK(excess(finding) == 3);
+  finding.allowed = 0.25;
+  CHECK(excess(finding) == 24);
+  finding.allowed = 0;
+  CHECK(excess(finding) == infinity);
+  finding.unit = "ulps of the scene's scale";
+  CHECK(excess(finding) == 6);
+  finding.error = 0;
+  CHECK(excess(finding) == 0);
 }
 
 TEST_CASE("grades: a length counts by its share of the exact value or of the smaller body, whichever is less") {
