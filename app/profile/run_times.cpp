@@ -2,12 +2,14 @@
 
 #include <time.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace touchstone::app {
 
 void RunTimes::count(double seconds) {
-  if (seconds > 0) ++classes[static_cast<int>(std::lround(classes_per_octave * std::log2(seconds)))];
+  constexpr double clock_unit = 1e-9;
+  ++classes[static_cast<int>(std::lround(classes_per_octave * std::log2(std::max(seconds, clock_unit))))];
 }
 
 void RunTimes::merge(const RunTimes& later) {

@@ -13,7 +13,7 @@ struct RunTimes {
 
   std::map<int, long> classes;  ///< k -> times within half a class of 2^(k/16) s
 
-  /// Times that are not positive (the clock did not advance) are not counted.
+  /// If the clock did not advance, as its least unit: the number of times is that of the questions.
   void count(double seconds);
   void merge(const RunTimes& later);
   long total() const;
