@@ -169,7 +169,7 @@ TEST_CASE("a frame that follows the same pairs asks for no memory") {
   CHECK(asked == 0);
 }
 
-TEST_CASE("who is not there cannot move or go; what is no solid cannot come") {
+TEST_CASE("who is not there cannot move or go, what is no solid cannot come") {
   Collider collider(find_strategy("sweep_and_prune").make());
   CHECK_THROWS_AS(collider.move(3, {}), InputError);
   CHECK_THROWS_AS(collider.remove(3), InputError);

@@ -27,7 +27,7 @@ TEST_CASE("feature_gap: vertices, edges and faces, in any order of their vertice
   CHECK(*feature_gap(cube, {0, {7}}, above, {0, {0}}) == Approx(Vec3(1.5, 1.75, 1).norm()));
 }
 
-TEST_CASE("feature_gap: hulls that cross are 0 apart; a sphere is its centre; poses of parts count") {
+TEST_CASE("feature_gap: hulls that cross are 0 apart, a sphere is its centre, poses of parts count") {
   const Body through = posed(Box{{0.5, 0.5, 4}}, {0, 0, 0});
   CHECK(*feature_gap(cube, {0, {4, 5, 6, 7}}, through, {0, {0, 4}}) == Approx(0.5 * 0).margin(1e-15));
   const Body ball = posed(Sphere{1}, {0, 0, 5});

@@ -102,7 +102,7 @@ TEST_CASE("grades: an error in metres is compared with the metres that are allow
   CHECK(grade(far) == Grade::D);
 }
 
-TEST_CASE("grades: the excess is the error over what is allowed; of ulps, over one ulp at least") {
+TEST_CASE("grades: the excess is the error over what is allowed, of ulps, over one ulp at least") {
   Finding finding = failing(6, 2, Defect::too_much_work);
   finding.unit = "times the promised work";
   CHECK(excess(finding) == 3);

@@ -167,7 +167,7 @@ TEST_CASE("A hull of hundreds of vertices is cut down within a small budget") {
   CHECK(size.significant_bits_max <= 8);
 }
 
-TEST_CASE("A budget of nothing asks nothing; a failure that needs everything keeps everything") {
+TEST_CASE("A budget of nothing asks nothing, a failure that needs everything keeps everything") {
   const Scene scene = balls(12, 0.1);
   CHECK(minimise(
             scene, [](const Scene&) -> bool { throw std::logic_error("asked"); }, 0) == scene);

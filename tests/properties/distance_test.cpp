@@ -87,7 +87,7 @@ TEST_CASE("distance.features: of parts that are equally near either may be named
   CHECK(outcome({1, {0}}) == Outcome::fails);
 }
 
-TEST_CASE("distance.verdict: a two-valued subject may say either where bodies touch; one that knows touching may not") {
+TEST_CASE("distance.verdict: a two-valued subject may say either where bodies touch, one that knows touching may not") {
   for (const Verdict said : {Verdict::separated, Verdict::overlapping}) {
     CHECK(judged("distance.verdict", touching, verdict(said)).outcome == Outcome::holds);
     const auto strict = judged("distance.verdict", touching, verdict(said), knowing_touching());

@@ -125,14 +125,14 @@ TEST_CASE("A top about its middle axis turns over as Euler's equations say") {
   CHECK((w_B - w).norm() < 1e-10);
 }
 
-TEST_CASE("A principal axis is kept, whatever the moments; a sphere's is any") {
+TEST_CASE("A principal axis is kept, whatever the moments, a sphere's is any") {
   const BallisticTruth truth =
       ballistic_state(spinning(Vec3(1, 2, 2.75).asDiagonal(), Vec3(0, 4, 0), {1, 0, 0, 0}), 0, 1);
   CHECK(vec(truth.w_WB) == Vec3(0, 4, 0));
   CHECK(rotation(truth)(0, 0) == Approx(std::cos(4.0)).epsilon(1e-15));
 }
 
-TEST_CASE("The centre of mass falls; a fixed body turns about its origin") {
+TEST_CASE("The centre of mass falls, a fixed body turns about its origin") {
   const BallisticTruth truth = ballistic_state(spinning(Vec3(1, 2, 2.75).asDiagonal(), Vec3(1, 2, 3)), 0, 2);
   const Scene scene = spinning(Vec3(1, 2, 2.75).asDiagonal(), Vec3(1, 2, 3));
   const Vec3 c(0.25, 0, -0.5);

@@ -42,7 +42,7 @@ std::array<Row, 3> scaled_rotation(const Quaternion& q) {
   return rows;
 }
 
-TEST_CASE("bounds: an upright box, exactly; far away too") {
+TEST_CASE("bounds: an upright box, exactly, far away too") {
   const ExactBox b = box(tests::body(Box{Vec3(1, 2, 3)}, Vec3(0x1p60, 0.1, -0x1p60)));
   CHECK(b.lo[0] == Rational(0x1p60) - Rational(1));  // no double has this value
   CHECK(b.hi[0] == Rational(0x1p60) + Rational(1));

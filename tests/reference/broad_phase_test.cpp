@@ -17,7 +17,7 @@ Scene cubes(const std::vector<Vec3>& centres) {
   return scene;
 }
 
-TEST_CASE("broad_phase: closed boxes that share a face, an edge or a corner overlap; an ulp apart they do not") {
+TEST_CASE("broad_phase: closed boxes that share a face, an edge or a corner overlap, an ulp apart they do not") {
   for (const Vec3& p : {Vec3(2, 0, 0), Vec3(2, 2, 0), Vec3(-2, 2, 2)})
     CHECK(broad_phase(cubes({Vec3::Zero(), p})).size() == 1);
   CHECK(broad_phase(cubes({Vec3::Zero(), Vec3(0, std::nextafter(2, 3), 0)})).empty());

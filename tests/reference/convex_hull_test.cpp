@@ -94,7 +94,7 @@ TEST_CASE("convex_hull: the hull of a lattice of points is a cube") {
                           {0, 1, 5, 4}, {0, 2, 3, 1}, {0, 4, 6, 2}, {1, 3, 7, 5}, {2, 6, 7, 3}, {4, 5, 7, 6}});
 }
 
-TEST_CASE("convex_hull: hulls of lattice points keep the laws; flat ones are refused") {
+TEST_CASE("convex_hull: hulls of lattice points keep the laws, flat ones are refused") {
   Dice dice(11);
   for (int i = 0; i < 3000; ++i) {
     const int n = dice.between(4, 14);

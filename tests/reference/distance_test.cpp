@@ -205,7 +205,7 @@ TEST_CASE("distance: a proof of overlap exists where no tetrahedron of differenc
   CHECK(distance(scene).certificate.cores == Verdict::overlapping);
 }
 
-TEST_CASE("distance: compounds: the nearest parts speak; any overlap is an overlap") {
+TEST_CASE("distance: compounds: the nearest parts speak, any overlap is an overlap") {
   Compound two;
   two.parts.push_back({{Vec3(5, 0, 0), {}}, Box{Vec3(1, 1, 1)}});
   two.parts.push_back({{Vec3(0, 5, 0), {1, 0, 0, 1}}, Sphere{1}});

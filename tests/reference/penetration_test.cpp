@@ -160,7 +160,7 @@ TEST_CASE("depth: identical bodies in one place: every way ties, both routes fin
   }
 }
 
-TEST_CASE("depth: moving A out along the direction by the depth leaves nothing; by half of it, half") {
+TEST_CASE("depth: moving A out along the direction by the depth leaves nothing, by half of it, half") {
   Dice dice(9);
   for (int i = 0; i < 30; ++i) {
     const Scene scene =

@@ -49,7 +49,7 @@ TEST_CASE("A query that is never answered counts as abstained from, though some 
   CHECK(row(ledger, 2).failing());
 }
 
-TEST_CASE("What an engine refuses beside what it abstains from counts as not offered; what it only refuses does not") {
+TEST_CASE("What an engine refuses beside what it abstains from counts as not offered, what it only refuses does not") {
   Ledger ledger = of_one_subject();
   count(ledger, 0, Outcome::abstains);
   count(ledger, 0, Outcome::breaks, Defect::refused);
@@ -61,7 +61,7 @@ TEST_CASE("What an engine refuses beside what it abstains from counts as not off
   CHECK(row(ledger, 2).counts.refused == 1);
 }
 
-TEST_CASE("A part that is never given counts as abstained from; a part that is given is judged") {
+TEST_CASE("A part that is never given counts as abstained from, a part that is given is judged") {
   Ledger ledger = of_one_subject();
   count(ledger, 0, Outcome::abstains);
   count(ledger, 0, Outcome::breaks, Defect::threw);

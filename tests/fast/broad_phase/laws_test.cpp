@@ -73,7 +73,7 @@ class EndPoints {
   std::vector<Point> order_;
 };
 
-TEST_CASE("sweep and prune: swaps are the inversions of the three lists; a still frame has none") {
+TEST_CASE("sweep and prune: swaps are the inversions of the three lists, a still frame has none") {
   for (const World world : tests::worlds) {
     Dice dice(71);
     for (int round = 0; round < 10; ++round) {

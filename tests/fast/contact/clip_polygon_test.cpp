@@ -36,7 +36,7 @@ TEST_CASE(
   CHECK(clip_polygon(segment, [](const Vec2& p) { return p.x() - 1; }) == Polygon{{1, 0}, {4, 0}, {1, 0}});
 }
 
-TEST_CASE("clip_polygon: a point is kept or not; nothing stays nothing") {
+TEST_CASE("clip_polygon: a point is kept or not, nothing stays nothing") {
   CHECK(clip_polygon(Polygon{{1, 1}}, [](const Vec2& p) { return p.x(); }).size() == 1);
   CHECK(clip_polygon(Polygon{{1, 1}}, [](const Vec2& p) { return -p.x(); }).empty());
   CHECK(clip_polygon(Polygon{}, [](const Vec2& p) { return p.x(); }).empty());

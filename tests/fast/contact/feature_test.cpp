@@ -29,7 +29,7 @@ TEST_CASE("feature: a ball of radius 1/2 with its centre 2 above a plane has a g
   check(nearness(point(0.5), at({1, 2, 3}), plane(z, z), origin, z), 1.5, z, {1, 2, 2.5});
 }
 
-TEST_CASE("feature: the plane may be A's; then the normal is the opposite, and the contact point is on the plane") {
+TEST_CASE("feature: the plane may be A's, then the normal is the opposite, and the contact point is on the plane") {
   check(nearness(plane(z, z), origin, point(0.5), at({1, 2, 3}), z), 1.5, -z, {1, 2, 1});
 }
 
@@ -38,7 +38,7 @@ TEST_CASE("feature: the pose turns a plane and moves its point") {
   check(nearness(point(0), at({7, 7, 7}), plane(y, y), turned, z), 1, z, {7, 7, 7});
 }
 
-TEST_CASE("feature: two lines that cross at a height of 2; `about` decides on the sign") {
+TEST_CASE("feature: two lines that cross at a height of 2, `about` decides on the sign") {
   check(nearness(line(x), at(2 * z), line(y), origin, z), 2, z, 2 * z);
   check(nearness(line(x), at(2 * z), line(y), origin, -z), -2, -z, 2 * z);
 }
@@ -55,7 +55,7 @@ TEST_CASE("feature: a ball beside a line 5 away touches along the shortest conne
   check(nearness(line(x), origin, point(1), at({9, 3, 4}), z), 4, -n, {9, 0, 0});
 }
 
-TEST_CASE("feature: two balls that overlap by 1; without a connection the normal is `about`") {
+TEST_CASE("feature: two balls that overlap by 1, without a connection the normal is `about`") {
   check(nearness(point(2), at(4 * x), point(3), origin, z), -1, x, 2 * x);
   check(nearness(point(2), origin, point(3), origin, y), -5, y, -2 * y);
 }

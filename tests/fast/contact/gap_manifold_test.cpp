@@ -61,7 +61,7 @@ TEST_CASE("gap_manifold: a ball has one point, along the direction of its centre
 }
 
 TEST_CASE(
-    "gap_manifold: tilted by less than 25 degrees the faces still oppose each other; each corner has its own gap") {
+    "gap_manifold: tilted by less than 25 degrees the faces still oppose each other, each corner has its own gap") {
   const double t = 0x1p-4;  // tan of half the angle: sine 32/257, cosine 255/257
   const Posed A(cube(), 3 * z, {1, 0, t, 0}), B(plate(), Vec3::Zero());
   const GapManifold found = manifold_of(A, B);

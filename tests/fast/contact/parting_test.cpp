@@ -14,7 +14,7 @@ const Vec3 z(0, 0, 1);
 
 bool is_near(const Vec3& a, const Vec3& b) { return (a - b).norm() < 1e-14; }
 
-TEST_CASE("parting: two cubes, one 3 above the other, are 1 apart; overlap is negative") {
+TEST_CASE("parting: two cubes, one 3 above the other, are 1 apart, overlap is negative") {
   const Posed A(cube(), 3 * z), B(cube(), Vec3::Zero()), low(cube(), 1.75 * z);
   CHECK(apart(A.part(), B.part(), z) == 1);
   CHECK(apart(low.part(), B.part(), z) == -0.25);

@@ -20,7 +20,7 @@ ContactRow row_below() {
   return row;
 }
 
-TEST_CASE("row: K along the normal is 1/m; across it, a turn about y adds r²/I, and the greater eigenvalue counts") {
+TEST_CASE("row: K along the normal is 1/m, across it, a turn about y adds r²/I, and the greater eigenvalue counts") {
   const ContactRow row = row_below();
   CHECK(row.K_nn == Approx(0.5));
   CHECK(row.K_tt == Approx(0.5 + 2));  // an impulse along x turns about y, with 1/I = 2; along y it would be 1/2 + 1
@@ -47,7 +47,7 @@ TEST_CASE("row: an impulse changes the velocity at the contact by K P, on both b
   CHECK(relative_velocity(row, apart) == Vec3(0, 0, 3));
 }
 
-TEST_CASE("row: a contact sticks inside of its friction disc; on the rim it slips") {
+TEST_CASE("row: a contact sticks inside of its friction disc, on the rim it slips") {
   ContactRow row = row_below();
   row.P = 2 * z + x;
   row.friction = 0.5;

@@ -128,7 +128,7 @@ TEST_CASE("the width of generic enclosures") {
   CHECK(widths[widths.size() / 2] <= 40);
 }
 
-TEST_CASE("clear overlap is proved in doubles, by a point of both; contact and gaps never are") {
+TEST_CASE("clear overlap is proved in doubles, by a point of both, contact and gaps never are") {
   Dice dice(27);
   int proved = 0;
   int overlapping = 0;

@@ -43,7 +43,7 @@ TEST_CASE("a tetrahedron around the origin: its planes face away, whatever the o
   }
 }
 
-TEST_CASE("a farther vertex makes it larger; moved away it does not enclose the origin") {
+TEST_CASE("a farther vertex makes it larger, moved away it does not enclose the origin") {
   Vertices some(around);
   InnerPolytope polytope;
   polytope.start(some.A, some.B, {some[0], some[1], some[2], some[3]});

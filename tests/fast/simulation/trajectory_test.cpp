@@ -28,7 +28,7 @@ TEST_CASE("trajectory: a tumbling body that cannot be followed for a frame stops
   CHECK(run.guard.stopped()->b == -1);
 }
 
-TEST_CASE("trajectory: a body continues from the state, under what accelerates it; a fixed one is left alone") {
+TEST_CASE("trajectory: a body continues from the state, under what accelerates it, a fixed one is left alone") {
   const Scene scene = moving_scene({ball(1, {0, 0, 6}, still, {}), table()}, g_W, {4});
   Run run(scene, {.frame = 2});
   begin_frame(run);

@@ -39,7 +39,7 @@ TEST_CASE("work: a count is at most what is promised, for sizes of the scene and
         Outcome::fails);
 }
 
-TEST_CASE("work: where nothing is promised, one step is too many; what is not counted is not taken") {
+TEST_CASE("work: where nothing is promised, one step is too many, what is not counted is not taken") {
   CHECK(outcome({}, {{"distance", "exact"}}) == Outcome::holds);
   const oracle::Finding finding = judged({Work{{"exact", 1}}}, {{"distance", "exact"}});
   CHECK(finding.outcome == Outcome::fails);

@@ -31,7 +31,7 @@ TEST_CASE("contact pair: a box that lies on a table touches it at four corners")
   }
 }
 
-TEST_CASE("contact pair: between near and reach it has no contact points; beyond reach it is none") {
+TEST_CASE("contact pair: between near and reach it has no contact points, beyond reach it is none") {
   const IslandBodies within = box_above_table(0.0625), beyond = box_above_table(0.25), on = box_above_table(0);
   ContactPair pair{0, 1};
   REQUIRE(update(pair, within[0], within[1], near, reach));

@@ -21,7 +21,7 @@ TEST_CASE("island: it waits until its step begins, and the step lasts a part of 
   CHECK(island.drift() == Approx(2 * 0.03125 / 0.125));
 }
 
-TEST_CASE("island: samples inside a step change no state; ending it does, at its end or before") {
+TEST_CASE("island: samples inside a step change no state, ending it does, at its end or before") {
   const IslandBodies falls({ball(2, {0, 0, 50}, still, {})}, {0, 0, -8});
   for (const double end : {3.125, 3.0625}) {
     Island island(falls.graph(near, reach), 3);

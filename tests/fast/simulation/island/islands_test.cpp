@@ -60,7 +60,7 @@ TEST_CASE("islands: the state of a body is its island's, or that on its trajecto
   CHECK(balls.islands.state(3).X_WB.p_WB == Vec3(20, 0, 2));
 }
 
-TEST_CASE("islands: those that wait begin in the order of their bodies; the earliest end is first") {
+TEST_CASE("islands: those that wait begin in the order of their bodies, the earliest end is first") {
   Balls balls;
   CHECK(balls.islands.next_waiting() == nullptr);
   CHECK(balls.islands.first_to_finish() == nullptr);

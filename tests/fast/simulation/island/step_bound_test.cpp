@@ -6,7 +6,7 @@
 namespace touchstone::fast::simulation {
 namespace {
 
-TEST_CASE("step bound: none at first; it shrinks, and grows by 2, 4, 16, 256, until it is shortened again") {
+TEST_CASE("step bound: none at first, it shrinks, and grows by 2, 4, 16, 256, until it is shortened again") {
   StepBound bound;
   CHECK(bound.longest() == infinity);
   bound.shorten(0x1p-16);
