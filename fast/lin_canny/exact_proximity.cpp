@@ -17,12 +17,6 @@ namespace {
 using exact::Dyadic;
 using exact::VertexPair;
 
-std::array<Pose, 2> poses_of(const Convex& part, const CachedPose& body) { return {body.X_WB, part.X_BP}; }
-
-exact::PosedPoints posed(const Convex& part, const std::array<Pose, 2>& poses) {
-  return {std::span(poses).first(part.is_posed ? 2 : 1), part.core.vertices()};
-}
-
 int some_vertex(const Hull& hull, const FeatureId& f, int which) {
   if (f.kind == Kind::vertex) return f.index;
   if (f.kind == Kind::edge) return which % 2 == 0 ? hull.edge(f.index).tail : hull.edge(f.index).head;
@@ -90,9 +84,8 @@ Proximity exact_proximity(const Convex& A, const CachedPose& body_A, const Conve
 Proximity exact_proximity(const Convex& A, const CachedPose& body_A, const Convex& B, const CachedPose& body_B,
                           const std::vector<VertexPair>& guess) {
   mark(Mark::exact_proximity);
-  const std::array<Pose, 2> poses_A = poses_of(A, body_A);
-  const std::array<Pose, 2> poses_B = poses_of(B, body_B);
-  exact::Difference difference(posed(A, poses_A), posed(B, poses_B));
+  const ExactCore core_A(A, body_A.X_WB), core_B(B, body_B.X_WB);
+  exact::Difference difference(core_A.points(), core_B.points());
   const exact::Nearest found = exact::nearest(difference, guess);
 
   Proximity answer;

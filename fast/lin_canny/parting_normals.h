@@ -28,9 +28,10 @@ struct TurnedEdge {
   std::array<Vec3, 2> into;
 };
 
-/// Of n = a × b, for nearly parallel edges, what is perpendicular to both: the rest is rounding.
-inline Vec3 exactly_across(Vec3 n, const TurnedEdge& a, const TurnedEdge& b) {
-  for (const TurnedEdge* edge : {&a, &b}) n -= n.dot(edge->along) / (edge->length * edge->length) * edge->along;
+/// Of n, a multiple of e × f for nearly parallel unit vectors, what is perpendicular to both: the rest is rounding.
+inline Vec3 across_both(Vec3 n, const Vec3& e, const Vec3& f) {
+  n -= n.dot(e) * e;
+  n -= n.dot(f) * f;
   return n;
 }
 
@@ -58,7 +59,7 @@ bool any_parting_normal(const PosedHull& A, const PosedHull& B, Found&& found, d
       Vec3 n = a.along.cross(b.along);
       const double size = n.norm(), unit = a.length * b.length;
       if (!(size > least_sine * unit)) continue;
-      if (size < 0x1p-20 * unit) n = exactly_across(n, a, b);
+      if (size < 0x1p-20 * unit) n = across_both(n, a.along / a.length, b.along / b.length);
       const double flat = std::max(0x1p-30 * size, 16 * u * unit);
       const double flat_A = flat * a.length, flat_B = flat * b.length;
       const double A_0 = n.dot(a.into[0]), A_1 = n.dot(a.into[1]);

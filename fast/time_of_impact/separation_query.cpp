@@ -2,10 +2,8 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
-#include <span>
 #include <stdexcept>
 
 #include "fast/lin_canny/bracket.h"
@@ -151,30 +149,31 @@ double SeparationQuery::clear_until(const SeparatingPlane& plane, double h_max) 
   return h;
 }
 
-/// How fast n = e × f / |e × f| rotates, with e an edge of A and f of B; zero if they are parallel.
-Vec3 SeparationQuery::turn_with_edges(const Vec3& n, const Vec3& along_A, const Vec3& along_B) const {
+/// How fast n = e × f / |e × f| rotates, with e an edge of A and f of B; none if they are parallel.
+std::optional<Vec3> SeparationQuery::turn_with_edges(const Vec3& n, const Vec3& along_A, const Vec3& along_B) const {
   const Vec3 e = along_A.normalized(), f = along_B.normalized();
   const double crossing = n.dot(e.cross(f));
-  if (std::abs(crossing) < least_crossing) return Vec3::Zero();
-  return perpendicular(A_.w.cross(e).cross(f) + e.cross(B_.w.cross(f)), n) / crossing;
+  if (std::abs(crossing) < least_crossing) return std::nullopt;
+  return Vec3(perpendicular(A_.w.cross(e).cross(f) + e.cross(B_.w.cross(f)), n) / crossing);
 }
 
 /// How fast the direction n of the closest features rotates with them. It rotates with a face, or with an edge that
 /// faces a vertex; with two edges e, f as their cross product does; with two points separated by their radii as their
-/// difference does. Two vertices of polytopes define no direction that persists: zero.
-Vec3 SeparationQuery::turn_of_features(const Vec3& n) const {
+/// difference does. Two vertices of polytopes define no direction that persists: none.
+std::optional<Vec3> SeparationQuery::turn_of_features(const Vec3& n) const {
   using lin_canny::Kind;
   const auto& [a, b] = walked_.closest.features;
-  if (a.kind == Kind::face) return A_.w.cross(n);
-  if (b.kind == Kind::face) return B_.w.cross(n);
+  if (a.kind == Kind::face) return Vec3(A_.w.cross(n));
+  if (b.kind == Kind::face) return Vec3(B_.w.cross(n));
   if (a.kind == Kind::edge && b.kind == Kind::edge) {
     return turn_with_edges(n, A_.core.edge_vector(a.index), B_.core.edge_vector(b.index));
   }
-  if (a.kind == Kind::edge) return A_.w.cross(n);
-  if (b.kind == Kind::edge) return B_.w.cross(n);
-  if (!(A_.radius + B_.radius > 0)) return Vec3::Zero();
+  if (a.kind == Kind::edge) return Vec3(A_.w.cross(n));
+  if (b.kind == Kind::edge) return Vec3(B_.w.cross(n));
+  if (!(A_.radius + B_.radius > 0)) return std::nullopt;
   const Vec3 at_a = walked_.closest.a - A_.core.t + A_.arm, at_b = walked_.closest.b - B_.core.t + B_.arm;
-  return perpendicular((B_.v + B_.w.cross(at_b)) - (A_.v + A_.w.cross(at_a)), n) / std::sqrt(walked_.closest.squared);
+  const Vec3 apart = (B_.v + B_.w.cross(at_b)) - (A_.v + A_.w.cross(at_a));
+  return Vec3(perpendicular(apart, n) / std::sqrt(walked_.closest.squared));
 }
 
 /// Where two edges are nearly parallel, their closest points are known badly, and their cross product may separate them
@@ -190,7 +189,7 @@ Vec3 SeparationQuery::direction_of_features() const {
   if (sine * sine > lin_canny::clearly_crossing || sine < least_crossing) return n;
   Widest widest(A_.core, B_.core);
   widest.ask(n);
-  const Vec3 m = perpendicular(perpendicular(crossed / sine, e), f).normalized();  // the rest is rounding
+  const Vec3 m = lin_canny::across_both(crossed / sine, e, f).normalized();
   widest.ask(n.dot(m) < 0 ? Vec3(-m) : m);
   return widest.direction();
 }
@@ -202,9 +201,9 @@ SeparatingPlane SeparationQuery::best_plane(const FeaturePair& before, const Vec
   const Vec3 n = direction_of_features();
   const Vec3 p_OC = walked_.inside ? A_.core.t : Vec3((walked_.closest.a + walked_.closest.b) / 2);
   if (!n.isZero(0)) {
-    const Vec3 turn = turn_of_features(n);
-    SeparatingPlane plane(A_, B_, n, turn, p_OC);
-    if (plane.gap() > plane.error()) return turn.isZero(0) ? longest_turned(plane, p_OC) : plane;
+    const std::optional<Vec3> turn = turn_of_features(n);
+    SeparatingPlane plane(A_, B_, n, turn.value_or(Vec3::Zero()), p_OC);
+    if (plane.gap() > plane.error()) return turn ? plane : longest_turned(plane, p_OC);
     const double distance = std::sqrt(walked_.closest.squared), beyond_radii = distance - (A_.radius + B_.radius);
     if (distance > 16 * plane.error() && plane.gap() > beyond_radii - 8 * plane.error()) return plane;
   }
@@ -245,7 +244,8 @@ bool SeparationQuery::any_turned(const Vec3& n, const Vec3& p_OC, Accepts&& acce
   const double depth = 8 * lin_canny::rounding(A_.core, B_.core);
   const std::vector<Vec3> of_A = highest_edges(A_.core, n, depth), of_B = highest_edges(B_.core, -n, depth);
   return std::ranges::any_of(of_A, [&](const Vec3& e) {
-    return std::ranges::any_of(of_B, [&](const Vec3& f) { return turned(turn_with_edges(n, e, f)); });
+    return std::ranges::any_of(of_B,
+                               [&](const Vec3& f) { return turned(turn_with_edges(n, e, f).value_or(Vec3::Zero())); });
   });
 }
 
@@ -255,6 +255,7 @@ SeparatingPlane SeparationQuery::longest_turned(const SeparatingPlane& plane, co
   SeparatingPlane best = plane;
   double longest = plane.clear_until(infinity);
   for (const MovingCore* side : {&A_, &B_}) {
+    if (side->w.isZero(0)) continue;
     const SeparatingPlane other(A_, B_, plane.direction(), side->w.cross(plane.direction()), p_OC);
     const double until = other.clear_until(infinity);
     if (until > longest) best = other, longest = until;
@@ -279,26 +280,19 @@ std::optional<SeparatingPlane> SeparationQuery::parting(bool at_start_poses) con
   const PosedHull &A = A_.core, &B = B_.core;
   const double radii = A_.radius + B_.radius, rounding = lin_canny::rounding(A, B);
   std::optional<SeparatingPlane> found;
-  lin_canny::any_parting_normal(A, B, [&](const Vec3& from_B, const FeaturePair& along) {
+  const auto is_parting = [&](const Vec3& from_B, const FeaturePair& along) {
     const Vec3 n = -from_B;
     if (!gap_above(radii - 8 * rounding, A, B, n)) return false;
     const bool parts = any_turned(n, A.t, [&](const SeparatingPlane& plane) {
-      if (plane.parts()) found = plane;
-      return found.has_value();
+      if (!plane.parts()) return false;
+      found = plane;
+      return true;
     });
-    if (parts && at_start_poses && !separates_at_start(along, from_B)) found = std::nullopt;
-    return found.has_value();
-  });
-  return found;
-}
-
-bool SeparationQuery::separates_at_start(const FeaturePair& along, const Vec3& from_B) const {
-  const lin_canny::Convex &A = pair_.A(), &B = pair_.B();
-  const std::array poses_A{pair_.a.start(), A.X_BP}, poses_B{pair_.b.start(), B.X_BP};
-  const auto posed = [](const lin_canny::Convex& convex, const std::array<Pose, 2>& poses) {
-    return exact::PosedPoints{std::span(poses).first(convex.is_posed ? 2 : 1), convex.core.vertices()};
+    return parts && (!at_start_poses ||
+                     separates_exactly(pair_.A(), pair_.a.start(), pair_.B(), pair_.b.start(), along, from_B));
   };
-  return separates_exactly(A.core, posed(A, poses_A), B.core, posed(B, poses_B), along, from_B);
+  if (!lin_canny::any_parting_normal(A, B, is_parting)) return std::nullopt;
+  return found;
 }
 
 double SeparationQuery::greatest_speed() const {

@@ -62,13 +62,12 @@ class SeparationQuery {
  private:
   SeparatingPlane best_plane(const lin_canny::FeaturePair& before, const Vec3& known, Planes planes) const;
   Vec3 direction_of_features() const;
-  bool separates_at_start(const lin_canny::FeaturePair& along, const Vec3& from_B) const;
   template <class Accepts>
   bool any_turned(const Vec3& n, const Vec3& p_OC, Accepts&& accepts) const;
   SeparatingPlane longest_turned(const SeparatingPlane& plane, const Vec3& p_OC) const;
   SeparatingPlane best_turned(const Vec3& n, const Vec3& p_OC) const;
-  Vec3 turn_with_edges(const Vec3& n, const Vec3& along_A, const Vec3& along_B) const;
-  Vec3 turn_of_features(const Vec3& n) const;
+  std::optional<Vec3> turn_with_edges(const Vec3& n, const Vec3& along_A, const Vec3& along_B) const;
+  std::optional<Vec3> turn_of_features(const Vec3& n) const;
 
   const Pair& pair_;
   double t_;

@@ -13,6 +13,7 @@
 #include "tests/bench/command_line.h"
 #include "tests/bench/cpu_time.h"
 #include "tests/bench/distance/contestant.h"
+#include "tests/bench/work_precision.h"
 
 namespace touchstone::bench {
 namespace {
@@ -28,11 +29,6 @@ struct Runner {
 constexpr std::size_t frame_count = 2000;
 constexpr std::size_t judged_frames = 200;
 constexpr double scale = 5;
-
-double median(std::vector<double> values) {
-  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
-  return values[values.size() / 2];
-}
 
 using Sequences = std::vector<FrameSequence>;
 
@@ -96,10 +92,9 @@ void compare(const std::string& workload, int vertices, int rounds) {
 }
 
 void run(const Options& options) {
-  std::printf("workload,size,name,whose,ns,median_error,worst_error,left_out\n");
-  for (const std::string& workload : options.workloads) {
-    for (const int vertices : options.sizes) compare(workload, std::max(vertices, 4), options.rounds);
-  }
+  compare_each(options, [](const std::string& workload, int vertices, int rounds) {
+    compare(workload, std::max(vertices, 4), rounds);
+  });
 }
 
 }  // namespace

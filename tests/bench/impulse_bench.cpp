@@ -8,13 +8,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <ctime>
 
 #include "properties/random.h"
 #include "reference/impulse.h"
 #include "reference/validity.h"
 #include "tests/bench/command_line.h"
+#include "tests/bench/cpu_time.h"
 #include "tests/bench/impulse/integrator.h"
+#include "tests/bench/work_precision.h"
 
 namespace touchstone::bench {
 namespace {
@@ -106,17 +107,6 @@ double error_of(const Outcome& out, const Asked& asked) {
   return std::sqrt(std::max(off.dot(asked.K * off), 0.0)) / asked.scale / 0x1p-53;
 }
 
-double cpu_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-double median(std::vector<double> values) {
-  std::ranges::sort(values);
-  return values[values.size() / 2];
-}
-
 void compare(const std::string& name, int count, int rounds) {
   const std::vector<Asked> all = questions(name, count);
   const std::vector<Integrator> methods = integrators();
@@ -146,12 +136,7 @@ void compare(const std::string& name, int count, int rounds) {
   if (unused == 1) std::puts("");  // the compiler must not see that the answers are unused
 }
 
-void run(const Options& options) {
-  std::printf("workload,size,name,whose,ns,median_error,worst_error,left_out\n");
-  for (const std::string& name : options.workloads) {
-    for (const int count : options.sizes) compare(name, count, options.rounds);
-  }
-}
+void run(const Options& options) { compare_each(options, compare); }
 
 }  // namespace
 }  // namespace touchstone::bench

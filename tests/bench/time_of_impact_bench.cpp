@@ -17,6 +17,7 @@
 #include "tests/bench/command_line.h"
 #include "tests/bench/cpu_time.h"
 #include "tests/bench/time_of_impact/contestant.h"
+#include "tests/bench/work_precision.h"
 #include "tests/reference/moving_scenes.h"
 
 namespace touchstone::bench {
@@ -62,11 +63,6 @@ double error_of(const TimeOfImpact& said, const reference::TimeOfImpactTruth& tr
   if (said.status != TimeOfImpact::Status::hit) return 0;
   if (said.enclosure) return said.enclosure->hi - said.enclosure->lo;
   return std::abs(*said.time - truth.time.lo);
-}
-
-double median(std::vector<double> values) {
-  std::ranges::sort(values);
-  return values[values.size() / 2];
 }
 
 struct Runner {
@@ -120,10 +116,9 @@ void compare(const std::string& workload, int vertices, int rounds) {
 }
 
 void run(const Options& options) {
-  std::printf("workload,size,name,whose,ns,median_error,worst_error,left_out\n");
-  for (const std::string& workload : options.workloads) {
-    for (const int vertices : options.sizes) compare(workload, std::max(vertices, 4), options.rounds);
-  }
+  compare_each(options, [](const std::string& workload, int vertices, int rounds) {
+    compare(workload, std::max(vertices, 4), rounds);
+  });
 }
 
 }  // namespace

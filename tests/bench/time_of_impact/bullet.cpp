@@ -4,11 +4,9 @@
 
 #include <memory>
 #include <optional>
-#include <variant>
 
-#include "oracle/subjects/common/cast.h"
 #include "tests/bench/bullet_shape.h"
-#include "tests/bench/time_of_impact/contestant.h"
+#include "tests/bench/time_of_impact/casting.h"
 
 namespace touchstone::bench {
 namespace {
@@ -21,8 +19,7 @@ btTransform turned(const Pose& X) {
 
 struct Pair {
   explicit Pair(const Scene& given)
-      : scene(given),
-        A(bullet_hull(std::get<Polytope>(given.bodies[0].shape))),
+      : A(bullet_hull(std::get<Polytope>(given.bodies[0].shape))),
         B(bullet_hull(std::get<Polytope>(given.bodies[1].shape))) {}
 
   std::optional<double> cast(const oracle::subjects::Way& way) {
@@ -33,21 +30,13 @@ struct Pair {
     return hit && result.m_fraction <= 1 ? std::optional<double>(result.m_fraction) : std::nullopt;
   }
 
-  Scene scene;
   std::unique_ptr<btConvexHullShape> A, B;
   btVoronoiSimplexSolver simplex;
   btGjkEpaPenetrationDepthSolver epa;
 };
 
-Ask prepared(const Scene& scene) {
-  return [pair = std::make_shared<Pair>(scene)] {
-    const auto cast = [&](const oracle::subjects::Way& way) { return pair->cast(way); };
-    return std::get<TimeOfImpact>(oracle::subjects::cast_along(pair->scene, true, cast));
-  };
-}
-
 }  // namespace
 
-std::vector<Entrant> bullet() { return {{"Bullet double", "peer", prepared}}; }
+std::vector<Entrant> bullet() { return {{"Bullet double", "peer", casting<Pair>}}; }
 
 }  // namespace touchstone::bench

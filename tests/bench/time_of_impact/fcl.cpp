@@ -2,12 +2,10 @@
 
 #include <memory>
 #include <optional>
-#include <variant>
 
 #include "oracle/rotation.h"
-#include "oracle/subjects/common/cast.h"
 #include "tests/bench/fcl_shape.h"
-#include "tests/bench/time_of_impact/contestant.h"
+#include "tests/bench/time_of_impact/casting.h"
 
 namespace touchstone::bench {
 namespace {
@@ -20,8 +18,7 @@ namespace {
 
 struct Pair {
   explicit Pair(const Scene& given)
-      : scene(given),
-        A(fcl_convex(std::get<Polytope>(given.bodies[0].shape))),
+      : A(fcl_convex(std::get<Polytope>(given.bodies[0].shape))),
         B(fcl_convex(std::get<Polytope>(given.bodies[1].shape))) {
     request.ccd_solver_type = ::fcl::CCDC_CONSERVATIVE_ADVANCEMENT;
   }
@@ -33,20 +30,12 @@ struct Pair {
     return result.is_collide ? std::optional<double>(result.time_of_contact) : std::nullopt;
   }
 
-  Scene scene;
   std::shared_ptr<::fcl::Convexd> A, B;
   ::fcl::ContinuousCollisionRequestd request;
 };
 
-Ask prepared(const Scene& scene) {
-  return [pair = std::make_shared<Pair>(scene)] {
-    const auto cast = [&](const oracle::subjects::Way& way) { return pair->cast(way); };
-    return std::get<TimeOfImpact>(oracle::subjects::cast_along(pair->scene, true, cast));
-  };
-}
-
 }  // namespace
 
-std::vector<Entrant> fcl() { return {{"FCL conservative advancement", "peer", prepared}}; }
+std::vector<Entrant> fcl() { return {{"FCL conservative advancement", "peer", casting<Pair>}}; }
 
 }  // namespace touchstone::bench

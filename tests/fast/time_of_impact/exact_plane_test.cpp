@@ -1,8 +1,5 @@
-// Planes along features, of bodies that touch, miss or overlap by 2^-60.
+// Planes along features, of bodies that touch, miss or overlap by an ulp.
 #include "fast/time_of_impact/exact_plane.h"
-
-#include <array>
-#include <span>
 
 #include "fast/lin_canny/solid.h"
 #include "tests/catch.h"
@@ -21,9 +18,8 @@ const Vec3 down = -Vec3::UnitZ(), aslant = Vec3(-1, 0, -1).normalized();
 /// A is the cube with the corners (±1, ±1, ±1), and B the same cube at p.
 bool separates(const Vec3& p, const FeaturePair& along, const Vec3& from_B, const Quaternion& q = {}) {
   const Solid cube(Box{Vec3(1, 1, 1)});
-  const Hull& hull = cube.parts()[0].core;
-  const std::array at_A{Pose{Vec3::Zero(), q}}, at_B{Pose{p, q}};
-  return separates_exactly(hull, {at_A, hull.vertices()}, hull, {at_B, hull.vertices()}, along, from_B);
+  const lin_canny::Convex& part = cube.parts()[0];
+  return separates_exactly(part, {Vec3::Zero(), q}, part, {p, q}, along, from_B);
 }
 
 int face_along(const Vec3& n) {
