@@ -5,6 +5,7 @@
 
 #include "fast/contact/clip_polygon.h"
 #include "fast/contact/support.h"
+#include "model/infinity.h"
 
 namespace touchstone::fast::contact {
 namespace {
@@ -14,6 +15,9 @@ using Kind = Feature::Kind;
 constexpr double is_parallel = 0x1p-10;  // sine of the angle below which two edges have no unique crossing
 // Times `within`: so small that even at a sharp corner of a face a contact point is on the face within `within`.
 constexpr double beside = 0x1p-4;
+// Times `within`: faces whose corners are that near to the other part's face are nearly parallel to it. Their outermost
+// corners may hang over its sides, and then it is corners of its own that touch.
+constexpr double nearly_parallel = 0x1p10;
 
 /// The vertices that are outermost along `out`, as a polygon seen from outside; the face behind them if they are at
 /// least three.
@@ -73,13 +77,15 @@ std::vector<Vec3> common_of_edges(const Outline& a, const Outline& b) {
   return {ends[1], ends[2]};
 }
 
+/// The corners of what is over a face of B, or of A, and at most `highest` above it.
 std::vector<ContactPoint> points_on_face(const Part& A, const Outline& of_A, const Part& B, const Outline& of_B,
-                                         double slack) {
+                                         bool is_face_of_B, double slack, double highest = infinity) {
   std::vector<ContactPoint> made;
-  const bool plane_of_B = of_B.corners.size() >= 3;
-  const Outline &face = plane_of_B ? of_B : of_A, &other = plane_of_B ? of_A : of_B;
+  const Outline &face = is_face_of_B ? of_B : of_A, &other = is_face_of_B ? of_A : of_B;
+  const double radius = (is_face_of_B ? A : B).convex->radius;
   for (const Vec3& p : over_face(other.corners, face, slack)) {
-    if (plane_of_B) {
+    if (face.normal.dot(p - face.corners[0]) - radius > highest) continue;
+    if (is_face_of_B) {
       made.push_back({point(A, p), plane(B, face.corners[0], face.normal)});
     } else {
       made.push_back({plane(A, face.corners[0], face.normal), point(B, p)});
@@ -112,8 +118,14 @@ std::vector<ContactPoint> points_without_face(const Part& A, const Outline& of_A
 
 std::vector<ContactPoint> contact_points(const Part& A, const Part& B, const Vec3& n, double within) {
   const Outline of_A = outline(A, -n, within), of_B = outline(B, n, within);
-  if (of_A.corners.size() < 3 && of_B.corners.size() < 3) return points_without_face(A, of_A, B, of_B, n);
-  return points_on_face(A, of_A, B, of_B, beside * within);
+  const bool face_of_A = of_A.corners.size() >= 3, face_of_B = of_B.corners.size() >= 3;
+  if (!face_of_A && !face_of_B) return points_without_face(A, of_A, B, of_B, n);
+  if (!face_of_A || !face_of_B) {
+    const Outline wide_A = outline(A, -n, nearly_parallel * within), wide_B = outline(B, n, nearly_parallel * within);
+    std::vector<ContactPoint> points = points_on_face(A, wide_A, B, wide_B, face_of_B, beside * within, within);
+    if (!points.empty()) return points;
+  }
+  return points_on_face(A, of_A, B, of_B, face_of_B, beside * within);
 }
 
 ContactPoint contact_point_between(const Part& A, const Vec3& p_Wa, const Part& B, const Vec3& p_Wb, const Vec3& n) {

@@ -4,9 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fast/contact/solver.h"
+#include "fast/contact/combined_solver.h"
 #include "fast/contact/sparse/balance.h"
-#include "fast/contact/sparse/newton.h"
 #include "fast/lin_canny/rotation.h"
 #include "fast/mark.h"
 #include "fast/motion/quaternion.h"
@@ -17,8 +16,6 @@ namespace {
 
 constexpr int most_rounds = 16;
 constexpr int sweeps_of_a_round = 400;
-constexpr std::size_t most_swept_contacts = 64;
-constexpr int next_factorisations = 32, last_factorisations = 128;
 constexpr double of_recovery = 0x1p-10;  // of `recovery`: smaller changes of velocity count as converged
 constexpr int projection_sweeps = 8;
 
@@ -154,30 +151,6 @@ std::vector<ContactRow> rows_at(const std::vector<StepBody>& step_bodies,
   return rows;
 }
 
-/// By sweeps, as long as they converge fast, as they do where few contacts lie above one another. From where they led
-/// by Newton's method, and then by more sweeps; at last by Newton's method from the impulses of bonded contacts.
-void solve_island(std::vector<ContactRow>& rows, const std::vector<Mobility>& mobilities, std::vector<Twist>& twists,
-                  SolverLimits sweeps) {
-  const std::vector<Twist> free = twists;
-  const auto swept = [&](bool is_patient) {
-    twists = free;
-    sweeps.is_patient = is_patient;
-    return solve(rows, mobilities, twists, sweeps);
-  };
-  const auto newton = [&](int factorisations) {
-    twists = free;
-    return solve_newton(rows, mobilities, twists, {sweeps.enough, factorisations});
-  };
-  if (swept(false) || newton(next_factorisations) || swept(true)) return;
-  if (newton(next_factorisations) || rows.size() <= most_swept_contacts) return;
-  const std::vector<ContactRow> best = rows;
-  const std::vector<Twist> best_twists = twists;
-  for (ContactRow& row : rows) row.P.setZero();
-  if (newton(last_factorisations)) return;
-  rows = best;
-  twists = best_twists;
-}
-
 std::vector<Mobility> mobilities_of(const std::vector<StepBody>& step_bodies) {
   std::vector<Mobility> all;
   for (const StepBody& step_body : step_bodies) all.push_back(step_body.mobility());
@@ -237,11 +210,11 @@ Stepped step(const std::vector<StepBody>& step_bodies, std::vector<ContactConstr
     std::vector<Twist> free;
     for (const BodyStep& body : bodies) free.push_back(body.free(h));
     mean = free;
-    solve_island(rows, mobilities, mean,
-                 {.sweeps = sweeps_of_a_round,
-                  .sweeps_per_active_set = 64,
-                  .most_active_set_contacts = 16,
-                  .enough = std::min(tolerance / h, of_recovery * recovery)});
+    solve_combined(rows, mobilities, mean,
+                   {.sweeps = sweeps_of_a_round,
+                    .sweeps_per_active_set = 64,
+                    .most_active_set_contacts = 16,
+                    .enough = std::min(tolerance / h, of_recovery * recovery)});
     const double changed = change;
     change = 0;
     for (std::size_t i = 0; i < bodies.size(); ++i) change = std::max(change, bodies[i].go(mean[i], free[i], h));
@@ -290,7 +263,7 @@ void land(std::vector<StepBody>& step_bodies, const std::vector<ContactConstrain
   std::vector<ContactRow> rows = rows_at(step_bodies, constraints, mobilities);
   std::vector<Twist> twists;
   for (const StepBody& step_body : step_bodies) twists.push_back(twist(step_body.state));
-  solve_island(rows, mobilities, twists, {});
+  solve_combined(rows, mobilities, twists, {.most_active_set_contacts = 16});
   for (std::size_t i = 0; i < step_bodies.size(); ++i) {
     if (!step_bodies[i].is_fixed()) set_velocity(step_bodies[i].state, twists[i]);
   }

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "fast/contact/combined_solver.h"
 #include "fast/contact/least_norm.h"
-#include "fast/contact/solver.h"
 #include "fast/mark.h"
 #include "fast/simultaneous/nonnegative.h"
 
@@ -93,7 +93,7 @@ VectorXd shared(const std::vector<Region>& regions, const std::vector<ContactRow
     both.topRows(A.rows()) = weight * A;
     for (int step = 0; step < steps_per_weight && !is_kept(); ++step) {
       goal.head(A.rows()) = weight * effect + multipliers / weight;
-      split = nonnegative_least_squares(both, goal);
+      split = nonnegative_least_squares(both, goal, split);
       missing = effect - A * split;
       multipliers += weight * weight * missing;
     }
@@ -202,7 +202,8 @@ void act(std::vector<Region>& regions, const std::vector<Mobility>& bodies, std:
   if (regions.size() > 1) p = shared(regions, rows, bodies, p);
   for (std::size_t k = 0; k < rows.size(); ++k) rows[k].P = p[static_cast<Index>(k)] * rows[k].n;
   if (is_rough) {
-    contact::solve(rows, bodies, twists, {});  // from the impulses without friction
+    // From the impulses without friction.
+    contact::solve_combined(rows, bodies, twists, {.most_active_set_contacts = 16});
   } else {
     for (const ContactRow& row : rows) apply_impulse(row, row.P, bodies, twists);
   }

@@ -11,11 +11,14 @@
 namespace touchstone::fast::simulation {
 namespace {
 
+constexpr double tied = 0x1p-10;  // of `near`: separations that differ by less are equal; steps are as accurate as that
+
 /// The direction of greatest separation among n, the contact point's normal, and the normals of nearby faces of A and
-/// B.
-Vec3 separating_direction(const contact::Part& A, const contact::Part& B, const Vec3& n) {
+/// B; n if it is the greatest up to `tie` (m). Otherwise the normal would change with rounding between two faces that
+/// are nearly parallel, and with it which corners are said to be above the other part.
+Vec3 separating_direction(const contact::Part& A, const contact::Part& B, const Vec3& n, double tie) {
   Vec3 best = n;
-  double widest = apart(A, B, n);
+  double widest = apart(A, B, n) + tie;
   for (const Vec3& other : contact::faces_along(A, B, n)) {
     const double wide = apart(A, B, other);
     if (wide > widest) widest = wide, best = other;
@@ -42,7 +45,7 @@ Vec3 normal(const ContactPair& contact_pair, const contact::Part& A, const State
   if (contact_pair.contact_points.empty()) return contact::parting(A, B, proximity_of(A, at_a, B, at_b));
   const contact::ContactPoint& contact_point = contact_pair.contact_points.front();
   const Vec3 n = separating_direction(
-      A, B, nearness(contact_point.a, A.body, contact_point.b, B.body, contact_pair.nhat_BA_W).nhat_BA_W);
+      A, B, nearness(contact_point.a, A.body, contact_point.b, B.body, contact_pair.nhat_BA_W).nhat_BA_W, tied * near);
   const double wide = apart(A, B, n);
   if (wide >= -near / 4) return n;
   const Vec3 other = contact::parting(A, B, proximity_of(A, at_a, B, at_b));

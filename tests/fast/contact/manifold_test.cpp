@@ -47,6 +47,14 @@ TEST_CASE("manifold: a cube over the plate's side stands on the common rectangle
   check_places(Posed(cube(), Vec3(6, 0, 2)), B, {});
 }
 
+// The cube is tilted by 2⁻¹⁵ about the plate's side, x = 4. Its lowest edge hangs over that side, 2⁻¹⁵ below it.
+TEST_CASE("manifold: a face that is nearly parallel to the plate and hangs over its side stands on the side") {
+  const double t = 0x1p-15;
+  const Posed B(plate(), Vec3::Zero());
+  const Posed A(cube(), Vec3(4 + std::sin(t), 0, 1 + std::cos(t)), {1, 0, std::tan(t / 2), 0});
+  check_places(A, B, {{4, -1, 1}, {4, 1, 1}});
+}
+
 TEST_CASE("manifold: the plane is A's if B has no face there") {
   const Posed A(plate(), (1 + std::sqrt(2.0)) * z),
       B(cube(), Vec3::Zero(), eighth_turn(x));  // B's upper edge is along x

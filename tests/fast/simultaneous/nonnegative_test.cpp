@@ -2,6 +2,7 @@
 // minimum on drawn ones.
 #include "fast/simultaneous/nonnegative.h"
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -45,7 +46,7 @@ TEST_CASE("least squares: redundant, repeated and zero columns leave the nearest
   }
 }
 
-TEST_CASE("least squares: the conditions of the minimum hold on drawn problems") {
+TEST_CASE("least squares: the conditions of the minimum hold on drawn problems, from any start") {
   std::mt19937 generator(1);
   const auto draw = [&] { return static_cast<double>(generator()) * 0x1p-31 - 1; };
   for (int k = 0; k < 400; ++k) {
@@ -55,7 +56,13 @@ TEST_CASE("least squares: the conditions of the minimum hold on drawn problems")
     if (k % 4 == 0) A.row(0) *= 0x1p-20;  // a body that is 2^40 times as heavy
     VectorXd b(A.rows());
     for (double& x : b) x = draw();
-    CHECK(is_nearest(A, b, nonnegative_least_squares(A, b)));
+    const VectorXd x = nonnegative_least_squares(A, b);
+    CHECK(is_nearest(A, b, x));
+    VectorXd start(A.cols());
+    for (double& y : start) y = std::max(0.0, draw());
+    const VectorXd from_start = nonnegative_least_squares(A, b, start);
+    CHECK(is_nearest(A, b, from_start));
+    if (k % 4 != 0) CHECK((A * (from_start - x)).norm() < 1e-12 * (b.norm() + A.colwise().norm() * x));
   }
 }
 

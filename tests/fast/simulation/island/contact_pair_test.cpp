@@ -2,6 +2,7 @@
 #include "fast/simulation/island/contact_pair.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "tests/catch.h"
 #include "tests/fast/simulation/island/island_bodies.h"
@@ -63,6 +64,34 @@ TEST_CASE("contact pair: approach speed and distance of a point midway between t
   CHECK(at.touch.gap == Approx(0x1p-11));
   CHECK(at.touch.p_WC.z() == Approx(0x1p-12));
   CHECK(pair.p_WC == at.touch.p_WC);
+}
+
+// The upper box is tilted by t about its lower edge at x = d, the lower one has an edge at x = 0. Along z the two are 0
+// apart, and along the normal of the tilted face −d sin t. The tie is 2⁻¹⁰ near = 2⁻²⁰.
+TEST_CASE("contact pair: of two normals that separate nearly equally the last one stays, and with it the clearances") {
+  const double t = 0x1p-8;
+  const auto tilted = [&](double d) {
+    const Vec3 along(std::cos(t), 0, std::sin(t)), up(-std::sin(t), 0, std::cos(t));
+    Body box = brick({1, 1, 1}, Vec3(d, 0, 0) + along + up, {});
+    box.X_WB.q_WB = {std::cos(t / 2), 0, -std::sin(t / 2), 0};
+    return IslandBodies{{box, brick({1, 1, 1}, {1, 0, -1}, {})}, Vec3::Zero()};
+  };
+  ContactPair pair{0, 1};
+  const auto above = [&](const IslandBodies& bodies) {
+    std::vector<bool> all;
+    for (const double clearance : clearances(pair, bodies[0], bodies[0].state(), bodies[1], bodies[1].state(), near))
+      all.push_back(clearance > near);
+    return all;
+  };
+  const IslandBodies inside = tilted(0x1p-6), tie = tilted(-0x1p-15), outside = tilted(-0x1p-9);
+  REQUIRE(update(pair, inside[0], inside[1], near, reach));
+  CHECK((pair.nhat_BA_W - Vec3(0, 0, 1)).norm() < 1e-12);
+  const std::vector<bool> corners = above(inside);
+  CHECK(above(tie) == corners);
+  REQUIRE(update(pair, tie[0], tie[1], near, reach));
+  CHECK((pair.nhat_BA_W - Vec3(0, 0, 1)).norm() < 1e-12);
+  REQUIRE(update(pair, outside[0], outside[1], near, reach));
+  CHECK((pair.nhat_BA_W - Vec3(-std::sin(t), 0, std::cos(t))).norm() < 1e-12);
 }
 
 TEST_CASE("contact pair: clearances are those of all corners of both, in the given states") {
