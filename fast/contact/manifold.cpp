@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <optional>
 
 #include "fast/contact/clip_polygon.h"
 #include "fast/contact/support.h"
@@ -94,8 +95,20 @@ std::vector<ContactPoint> points_on_face(const Part& A, const Outline& of_A, con
   return made;
 }
 
+/// The corner of an edge at which it ends before it comes to where its line is nearest to that of the other edge, or at
+/// most `within` before; none if it comes there. The two are not parallel.
+std::optional<Vec3> end_before_crossing(const Outline& edge, const Outline& other, double within) {
+  const Vec3 side = edge.corners[1] - edge.corners[0], e = (other.corners[1] - other.corners[0]).normalized();
+  const double length = side.norm();
+  const Vec3 d = side / length, between = other.corners[0] - edge.corners[0];
+  const double along = between.dot(d - d.dot(e) * e) / d.cross(e).squaredNorm();
+  if (along < -within) return edge.corners[0];
+  if (along > length + within) return edge.corners[1];
+  return {};
+}
+
 std::vector<ContactPoint> points_without_face(const Part& A, const Outline& of_A, const Part& B, const Outline& of_B,
-                                              const Vec3& n) {
+                                              const Vec3& n, double within) {
   const std::size_t a = of_A.corners.size(), b = of_B.corners.size();
   if (A.is_ball() || B.is_ball()) {
     return {{a == 2 ? line(A, of_A) : point(A, of_A.corners[0]), b == 2 ? line(B, of_B) : point(B, of_B.corners[0])}};
@@ -103,6 +116,10 @@ std::vector<ContactPoint> points_without_face(const Part& A, const Outline& of_A
   if (a == 2 && b == 2) {
     const Vec3 d = (of_A.corners[1] - of_A.corners[0]).normalized();
     if (d.cross((of_B.corners[1] - of_B.corners[0]).normalized()).norm() > is_parallel) {
+      if (const auto end = end_before_crossing(of_A, of_B, within))
+        return {{point(A, *end), plane(B, of_B.corners[0], n)}};
+      if (const auto end = end_before_crossing(of_B, of_A, within))
+        return {{plane(A, of_A.corners[0], -n), point(B, *end)}};
       return {{line(A, of_A), line(B, of_B)}};
     }
     std::vector<ContactPoint> made;
@@ -119,7 +136,7 @@ std::vector<ContactPoint> points_without_face(const Part& A, const Outline& of_A
 std::vector<ContactPoint> contact_points(const Part& A, const Part& B, const Vec3& n, double within) {
   const Outline of_A = outline(A, -n, within), of_B = outline(B, n, within);
   const bool face_of_A = of_A.corners.size() >= 3, face_of_B = of_B.corners.size() >= 3;
-  if (!face_of_A && !face_of_B) return points_without_face(A, of_A, B, of_B, n);
+  if (!face_of_A && !face_of_B) return points_without_face(A, of_A, B, of_B, n, within);
   if (!face_of_A || !face_of_B) {
     const Outline wide_A = outline(A, -n, nearly_parallel * within), wide_B = outline(B, n, nearly_parallel * within);
     std::vector<ContactPoint> points = points_on_face(A, wide_A, B, wide_B, face_of_B, beside * within, within);

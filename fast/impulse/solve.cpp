@@ -12,8 +12,9 @@
 namespace touchstone::fast::impulse {
 namespace {
 
-/// Where u_n should be 0, rounding leaves less than this, relative to |u|. A choice: some ten roundings in each of a
-/// few phases. A speed below it counts as 0.
+/// Where u_n should be 0, rounding leaves less than this, relative to |u| and to the terms whose sum u_n is: near
+/// jamming they are far greater than |u|. A choice: some ten roundings in each of a few phases. A speed below it counts
+/// as 0.
 constexpr double noise = 64 * 0x1p-53;
 
 class ImpactSolver {
@@ -85,7 +86,8 @@ class ImpactSolver {
     if (!jams_) return false;
     const double u = normal_speed(i_, at_);
     if (i_.e > 0) closest_miss_ = std::min(closest_miss_, std::abs(u));
-    if (!(u < -noise * speeds_) || ++compressions_ > most_compressions) return false;
+    const double terms = std::abs(i_.k1 * at_.P1) + std::abs(i_.k2 * at_.P2) + i_.b * at_.p;
+    if (!(u < -noise * std::max(speeds_, terms)) || ++compressions_ > most_compressions) return false;
     outcome_.regime.compressed_again = true;
     mark(Mark::impulse_again);
     return true;

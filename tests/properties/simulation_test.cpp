@@ -489,11 +489,12 @@ TEST_CASE("simulation: impacts in lockstep are counted, and both ends of the env
   CHECK(judged("lockstep", said).error == 0);
 }
 
+struct TwoAnswers : tests::FixedSubject {
+  Trajectory elsewhere;  ///< the answer for every other scene
+  Answer<Trajectory> simulation(const Scene& scene) override { return scene == wall() ? said_simulation : elsewhere; }
+};
+
 TEST_CASE("simulation: a run of the moved scene may stop before the first impact, but not lose it and stop later") {
-  struct TwoAnswers : tests::FixedSubject {
-    Trajectory elsewhere;  ///< the answer for every other scene
-    Answer<Trajectory> simulation(const Scene& scene) override { return scene == wall() ? said_simulation : elsewhere; }
-  };
   const auto translated = [](double complete_until) {
     TwoAnswers subject;
     subject.said_simulation = turned_back();
@@ -504,6 +505,31 @@ TEST_CASE("simulation: a run of the moved scene may stop before the first impact
   };
   CHECK(translated(0.75).outcome == Outcome::abstains);
   CHECK(translated(1.25).defect == Defect::moved_with_frame);
+}
+
+TEST_CASE("simulation: where a run gives up may depend on a bystander, but nothing before may") {
+  Trajectory stopped = turned_back();
+  stopped.states.resize(1);
+  stopped.complete_until = 1;
+  stopped.gave_up = "time hardly goes on";
+  const auto finding = [](const Trajectory& alone, const Trajectory& beside) {
+    TwoAnswers subject;
+    subject.said_simulation = alone;
+    subject.elsewhere = beside;
+    return properties::find("simulation.bystanders").check(wall(), subject).outcome;
+  };
+  CHECK(finding(turned_back(), stopped) == Outcome::holds);
+  CHECK(finding(stopped, turned_back()) == Outcome::holds);
+  Trajectory earlier = stopped, other = stopped, moved = stopped;
+  earlier.events->clear();
+  earlier.complete_until = 0.75;
+  event_of(other).p_WC.x() += 1e-12;
+  moved.states[0][0].X_WB.p_WB.x() += 1e-12;
+  CHECK(finding(turned_back(), earlier) == Outcome::holds);
+  CHECK(finding(turned_back(), other) == Outcome::fails);
+  CHECK(finding(turned_back(), moved) == Outcome::fails);
+  moved.complete_until.reset();
+  CHECK(finding(stopped, moved) == Outcome::fails);
 }
 
 TEST_CASE("simulation: of bodies that overlap at the start nothing but form, survival and repetition is asked") {

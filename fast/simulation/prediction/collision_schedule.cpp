@@ -55,12 +55,12 @@ void CollisionSchedule::begin_frame() {
 void CollisionSchedule::predict_frame() {
   const auto bodies = static_cast<BodyId>(world_->bodies().size());
   for (BodyId id = 0; id < bodies; ++id) {
-    if (moves(id) || statistics_->frames == 1) update_proxy(id);
+    if (is_queried(id) || statistics_->frames == 1) update_proxy(id);
   }
   for (BodyId a = 0; a < bodies; ++a) {
-    if (!moves(a)) continue;
+    if (!is_queried(a)) continue;
     for (const BodyId b : neighbours(a)) {
-      if (!moves(b) || a < b) predict(std::min(a, b), std::max(a, b), 0);
+      if (!is_queried(b) || a < b) predict(std::min(a, b), std::max(a, b), 0);
     }
   }
 }

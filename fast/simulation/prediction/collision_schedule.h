@@ -51,11 +51,12 @@ class CollisionSchedule {
  private:
   struct Search;
 
-  /// Whether the body's box is renewed and its neighbours are queried in each frame; in the first frame this includes
-  /// bodies at rest that are not fixed.
-  bool moves(BodyId id) const {
+  /// Whether the body's box is renewed and its neighbours are queried in each frame. This includes bodies at rest that
+  /// are not fixed in the first frame, and those whose resting contact ends, since that event is in one frame's queue.
+  bool is_queried(BodyId id) const {
     const BodyMotion& body = world_->body(id);
-    return !is_stationary(body) || (statistics_->frames == 1 && !body.fixed());
+    const RestingContact* rest = rests_->of(id);
+    return !is_stationary(body) || (rest && rest->until < never) || (statistics_->frames == 1 && !body.fixed());
   }
   void update_proxy(BodyId id);
   std::optional<Search> search_of(BodyId a, BodyId b, double from);

@@ -10,13 +10,13 @@ std::vector<WorkLimit> fast_work_limits() {
   return {
       {"distance", "exact_proximity", 12, {}, generic},
       {"distance", "descent_step", 96, {{"vertices", 0.75}}, generic},
-      {"distance", "exact_step", 4, {{"exact_proximity", 8}}},
+      {"distance", "exact_step", 8, {{"exact_proximity", 8}}},
 
       {"penetration", "exact_proximity", 12, {}, generic},
       {"penetration", "depth_exact", 160, {}, generic},
       {"penetration", "depth_step", 6500, {}, generic},
       {"penetration", "descent_step", 200, {}, generic},
-      {"penetration", "exact_step", 4, {{"exact_proximity", 8}}},
+      {"penetration", "exact_step", 8, {{"exact_proximity", 8}}},
 
       {"pair_history", "climb_step", 0, {{"climb", 64}}},
       {"pair_history", "climb_exact", 16, {{"climb", 9}}},
@@ -49,7 +49,7 @@ std::vector<WorkLimit> fast_work_limits() {
       {"simulation", "toi_query", 64, {{"toi_search", 6}}},
       {"simulation", "tumble_step", 2048, {{"toi_query", 3}}},
       {"simulation", "walk", 2048, {{"toi_query", 4}}},
-      {"simulation", "walk_step", 64, {{"walk", 4}}},
+      {"simulation", "walk_step", 64, {{"walk", 6}}},
       {"simulation", "walk_in_doubles", 64, {{"walk", 3}}},
       {"simulation", "walk_inside", 32, {{"walk", 1}}},
       {"simulation", "face_scan", 128, {{"walk", 6}}},

@@ -80,6 +80,14 @@ TEST_CASE("manifold: two edges that cross touch in one point, two that are paral
   check_places(A, along, {{0, 0, std::sqrt(2.0)}, {1, 0, std::sqrt(2.0)}});
 }
 
+// An edge of A along x, one of B along y from -1 to 1. First A's is at y = 1.25, then it begins at x = 0.25.
+TEST_CASE("manifold: where an edge ends before it crosses the other, its end touches") {
+  check_places(Posed(cube(), Vec3(0, 1.25, 2 * std::sqrt(2.0)), eighth_turn(x)),
+               Posed(cube(), Vec3::Zero(), eighth_turn(y)), {{0, 1, std::sqrt(2.0)}});
+  check_places(Posed(cube(), Vec3(1.25, 0, 2 * std::sqrt(2.0)), eighth_turn(x)),
+               Posed(cube(), Vec3::Zero(), eighth_turn(y)), {{0.25, 0, std::sqrt(2.0)}});
+}
+
 TEST_CASE("manifold: a corner touches a corner or an edge where the corner is") {
   const Polytope octahedron{{x, -x, y, -y, z, -z},
                             {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}}};

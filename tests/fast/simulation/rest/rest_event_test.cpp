@@ -1,6 +1,8 @@
 // A ball that comes to rest on a table, changes from slip to rolling, and leaves.
 #include "fast/simulation/rest/rest_event.h"
 
+#include <cmath>
+
 #include "tests/catch.h"
 #include "tests/fast/simulation/scenes.h"
 
@@ -165,6 +167,20 @@ TEST_CASE("rest event: a pushed ball that reaches the edge of its table within r
     CHECK(!done.stopped);
     CHECK(done.statistics.of(Event::Kind::release) < 8);
     CHECK(done.statistics.of(Event::Kind::contact) < 8);
+  }
+}
+
+// It falls 1/2 m at 10 m/s² and bounces with e = 1/2 to the time of the end of all bounces, 3 √0.1 s. A frame ends a
+// little before. Then the ball is at rest, and its rest is one in the next frame too.
+TEST_CASE("rest event: bounces that end in a later frame than the last impact are an event") {
+  const double ends = 3 * std::sqrt(0.1);
+  const Scene scene = moving_scene({ball(1, 1.5 * up, still, {0.5, 0}), table()}, {0, 0, -10}, {1});
+  for (const double after : {-0x1p-17, 0x1p-17}) {
+    const Simulated done = simulate(scene, {.frame = ends + after});
+    CHECK(done.statistics.of(Event::Kind::completed) == 1);
+    const Event& last = done.trajectory.events->back();
+    CHECK(last.kind == Event::Kind::completed);
+    CHECK(last.time == Approx(ends).epsilon(1e-12));
   }
 }
 
