@@ -134,7 +134,7 @@ def strategies(path):
 
 def tests_of(root, path):
     """(folder of tests/, names of its sources) for each folder that has tests of a file: those that are named after it or
-    its folder, and those that include its header."""
+    a folder that it is in, or are in the folder of that name, and those that include its header."""
     parts = pathlib.PurePosixPath(path).with_suffix("").parts
     header = pathlib.PurePosixPath(path).with_suffix(".h").as_posix()
     for folder in TEST_FOLDERS[draws.group_of(path)]:
@@ -142,7 +142,7 @@ def tests_of(root, path):
         for test in sorted((pathlib.Path(root) / "tests" / folder).rglob("*_test.cpp")):
             about = test.stem.removesuffix("_test")
             places = test.relative_to(pathlib.Path(root) / "tests" / folder).parts[:-1]
-            is_named = about in parts[1:] or (places and places[-1] == parts[-2])
+            is_named = about in parts[1:] or (places and places[-1] in parts[1:-1])
             if is_named or re.search(rf'^#include "{re.escape(header)}"', test.read_text(), re.MULTILINE):
                 names.append(test.stem)
         if names:

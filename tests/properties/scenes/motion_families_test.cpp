@@ -72,6 +72,27 @@ TEST_CASE("drawn motions: flights.tangent touches exactly, by next to nothing, o
   CHECK(count(scenes, [](const Scene& s) { return truth(s).status == Status::miss; }) >= 12);
 }
 
+TEST_CASE("drawn motions: flights.tangent has two balls or two boxes") {
+  CHECK(count(drawn("flights.tangent", draws), [](const Scene& scene) {
+          return scene.bodies[0].shape.index() == scene.bodies[1].shape.index();
+        }) == draws);
+}
+
+// From the plate's middle: its centre lies h below the middle of the face, and the ball's centre r above the face.
+TEST_CASE("drawn motions: tables.slope has a ball that touches the tilted face, also beside its middle") {
+  int beside = 0;
+  const int touching = count(drawn("tables.slope", draws), [&](const Scene& scene) {
+    const Body &ball = scene.bodies[0], &plate = scene.bodies[1];
+    const Eigen::Quaterniond q(plate.X_WB.q_WB.w, plate.X_WB.q_WB.x, plate.X_WB.q_WB.y, plate.X_WB.q_WB.z);
+    const Vec3 p_B = q.normalized().conjugate() * (ball.X_WB.p_WB - plate.X_WB.p_WB);
+    if (std::abs(p_B.x()) > 1e-12) ++beside;
+    const double height = std::get<Box>(plate.shape).half_extents.z() + std::get<Sphere>(ball.shape).radius;
+    return std::abs(p_B.z() - height) < 1e-12;
+  });
+  CHECK(touching == draws);
+  CHECK(beside > draws / 4);
+}
+
 TEST_CASE("drawn motions: flights.turning_points are in contact at the turn, just before it and just after") {
   const std::vector<Scene> scenes = drawn("flights.turning_points", draws);
   constexpr double at_once = 0x1p-45;  // s
