@@ -2,7 +2,6 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <optional>
 
 #include "fast/contact/clip_polygon.h"
 #include "fast/contact/support.h"
@@ -95,16 +94,14 @@ std::vector<ContactPoint> points_on_face(const Part& A, const Outline& of_A, con
   return made;
 }
 
-/// The corner of an edge at which it ends before it comes to where its line is nearest to that of the other edge, or at
-/// most `within` before; none if it comes there. The two are not parallel.
-std::optional<Vec3> end_before_crossing(const Outline& edge, const Outline& other, double within) {
+/// Whether an edge ends more than `within` before the place where its line is nearest to that of the other edge. The
+/// two are not parallel.
+bool ends_before_crossing(const Outline& edge, const Outline& other, double within) {
   const Vec3 side = edge.corners[1] - edge.corners[0], e = (other.corners[1] - other.corners[0]).normalized();
   const double length = side.norm();
   const Vec3 d = side / length, between = other.corners[0] - edge.corners[0];
   const double along = between.dot(d - d.dot(e) * e) / d.cross(e).squaredNorm();
-  if (along < -within) return edge.corners[0];
-  if (along > length + within) return edge.corners[1];
-  return {};
+  return along < -within || along > length + within;
 }
 
 std::vector<ContactPoint> points_without_face(const Part& A, const Outline& of_A, const Part& B, const Outline& of_B,
@@ -116,10 +113,7 @@ std::vector<ContactPoint> points_without_face(const Part& A, const Outline& of_A
   if (a == 2 && b == 2) {
     const Vec3 d = (of_A.corners[1] - of_A.corners[0]).normalized();
     if (d.cross((of_B.corners[1] - of_B.corners[0]).normalized()).norm() > is_parallel) {
-      if (const auto end = end_before_crossing(of_A, of_B, within))
-        return {{point(A, *end), plane(B, of_B.corners[0], n)}};
-      if (const auto end = end_before_crossing(of_B, of_A, within))
-        return {{plane(A, of_A.corners[0], -n), point(B, *end)}};
+      if (ends_before_crossing(of_A, of_B, within) || ends_before_crossing(of_B, of_A, within)) return {};
       return {{line(A, of_A), line(B, of_B)}};
     }
     std::vector<ContactPoint> made;

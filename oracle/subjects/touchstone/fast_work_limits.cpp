@@ -46,7 +46,7 @@ std::vector<WorkLimit> fast_work_limits() {
       {"time_of_impact", "exact_proximity", 1, {{"toi_search", 1}}},
       {"time_of_impact", "exact_step", 8, {{"exact_proximity", 6}}},
 
-      {"simulation", "toi_query", 64, {{"toi_search", 6}}},
+      {"simulation", "toi_query", 128, {{"toi_search", 6}}},
       {"simulation", "tumble_step", 2048, {{"toi_query", 3}}},
       {"simulation", "walk", 2048, {{"toi_query", 4}}},
       {"simulation", "walk_step", 64, {{"walk", 6}}},

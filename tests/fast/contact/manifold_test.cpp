@@ -81,11 +81,10 @@ TEST_CASE("manifold: two edges that cross touch in one point, two that are paral
 }
 
 // An edge of A along x, one of B along y from -1 to 1. First A's is at y = 1.25, then it begins at x = 0.25.
-TEST_CASE("manifold: where an edge ends before it crosses the other, its end touches") {
-  check_places(Posed(cube(), Vec3(0, 1.25, 2 * std::sqrt(2.0)), eighth_turn(x)),
-               Posed(cube(), Vec3::Zero(), eighth_turn(y)), {{0, 1, std::sqrt(2.0)}});
-  check_places(Posed(cube(), Vec3(1.25, 0, 2 * std::sqrt(2.0)), eighth_turn(x)),
-               Posed(cube(), Vec3::Zero(), eighth_turn(y)), {{0.25, 0, std::sqrt(2.0)}});
+TEST_CASE("manifold: two edges of which one ends before it crosses the other do not touch") {
+  const Posed B(cube(), Vec3::Zero(), eighth_turn(y));
+  check_places(Posed(cube(), Vec3(0, 1.25, 2 * std::sqrt(2.0)), eighth_turn(x)), B, {});
+  check_places(Posed(cube(), Vec3(1.25, 0, 2 * std::sqrt(2.0)), eighth_turn(x)), B, {});
 }
 
 TEST_CASE("manifold: a corner touches a corner or an edge where the corner is") {
