@@ -124,6 +124,7 @@ std::vector<ContactRow> points_of(const std::vector<Region>& regions, const std:
 void add_friction(std::vector<ContactRow>& rows, const std::vector<Mobility>& bodies, std::vector<Twist>& twists) {
   double greatest = 0;
   for (int sweep = 0; sweep < most_friction_sweeps; ++sweep) {
+    mark(Mark::contact_sweep);
     mark(Mark::contact_row, rows.size());
     double change = 0;
     for (ContactRow& row : rows) {
