@@ -132,8 +132,9 @@ std::vector<ContactPoint> contact_points(const Part& A, const Part& B, const Vec
   const bool face_of_A = of_A.corners.size() >= 3, face_of_B = of_B.corners.size() >= 3;
   if (!face_of_A && !face_of_B) return points_without_face(A, of_A, B, of_B, n, within);
   if (!face_of_A || !face_of_B) {
-    const Outline wide_A = outline(A, -n, nearly_parallel * within), wide_B = outline(B, n, nearly_parallel * within);
-    std::vector<ContactPoint> points = points_on_face(A, wide_A, B, wide_B, face_of_B, beside * within, within);
+    const Outline wide = face_of_B ? outline(A, -n, nearly_parallel * within) : outline(B, n, nearly_parallel * within);
+    std::vector<ContactPoint> points = face_of_B ? points_on_face(A, wide, B, of_B, true, beside * within, within)
+                                                 : points_on_face(A, of_A, B, wide, false, beside * within, within);
     if (!points.empty()) return points;
   }
   return points_on_face(A, of_A, B, of_B, face_of_B, beside * within);

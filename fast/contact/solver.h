@@ -12,7 +12,7 @@ namespace touchstone::fast::contact {
 struct SolverLimits {
   int sweeps = 200;
   int sweeps_per_active_set = 16;
-  std::size_t most_active_set_contacts = 64;  ///< it costs their cube
+  std::size_t most_active_set_contacts = 16;  ///< it costs their cube
   double enough = 0;                          ///< m/s; a smaller change of velocity counts as converged
   bool is_patient = true;                     ///< otherwise sweeps end too when they converge slowly
 };

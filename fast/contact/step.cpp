@@ -213,7 +213,6 @@ Stepped step(const std::vector<StepBody>& step_bodies, std::vector<ContactConstr
     solve_combined(rows, mobilities, mean,
                    {.sweeps = sweeps_of_a_round,
                     .sweeps_per_active_set = 64,
-                    .most_active_set_contacts = 16,
                     .enough = std::min(tolerance / h, of_recovery * recovery)});
     const double changed = change;
     change = 0;
@@ -263,7 +262,7 @@ void land(std::vector<StepBody>& step_bodies, const std::vector<ContactConstrain
   std::vector<ContactRow> rows = rows_at(step_bodies, constraints, mobilities);
   std::vector<Twist> twists;
   for (const StepBody& step_body : step_bodies) twists.push_back(twist(step_body.state));
-  solve_combined(rows, mobilities, twists, {.most_active_set_contacts = 16});
+  solve_combined(rows, mobilities, twists, {});
   for (std::size_t i = 0; i < step_bodies.size(); ++i) {
     if (!step_bodies[i].is_fixed()) set_velocity(step_bodies[i].state, twists[i]);
   }

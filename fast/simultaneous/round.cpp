@@ -203,8 +203,7 @@ void act(std::vector<Region>& regions, const std::vector<Mobility>& bodies, std:
   if (regions.size() > 1) p = shared(regions, rows, bodies, p);
   for (std::size_t k = 0; k < rows.size(); ++k) rows[k].P = p[static_cast<Index>(k)] * rows[k].n;
   if (is_rough) {
-    // From the impulses without friction.
-    contact::solve_combined(rows, bodies, twists, {.most_active_set_contacts = 16});
+    contact::solve_combined(rows, bodies, twists, {});  // from the impulses without friction
   } else {
     for (const ContactRow& row : rows) apply_impulse(row, row.P, bodies, twists);
   }

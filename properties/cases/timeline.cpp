@@ -70,6 +70,19 @@ double complete_until(const Scene& scene, const Trajectory& trajectory) {
   return trajectory.complete_until.value_or(scene.motion->sample_times.back());
 }
 
+Trajectory reported_before(const Scene& scene, Trajectory said, double time) {
+  const std::vector<double>& times = scene.motion->sample_times;
+  const auto samples = static_cast<std::size_t>(std::ranges::lower_bound(times, time) - times.begin());
+  if (said.states.size() > samples) said.states.resize(samples);
+  if (said.events) std::erase_if(*said.events, [time](const Event& event) { return event.time >= time; });
+  if (said.complete_until && *said.complete_until >= time) {
+    said.complete_until.reset();
+    said.gave_up.clear();
+  }
+  said.contact_solver.reset();
+  return said;
+}
+
 Timeline timeline(const Scene& scene, const Trajectory& trajectory) {
   const double end = complete_until(scene, trajectory);
   Timeline segments(scene.bodies.size());

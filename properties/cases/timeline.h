@@ -29,6 +29,9 @@ bool overlap_at_start(const Scene& scene);
 /// s: states and events are complete until then.
 double complete_until(const Scene& scene, const Trajectory& trajectory);
 
+/// What is reported before `time`. Counts over the whole run are left out, and that a run gives up later.
+Trajectory reported_before(const Scene& scene, Trajectory said, double time);
+
 /// Requires a scene with a motion, and events of existing bodies, in order for each body.
 Timeline timeline(const Scene& scene, const Trajectory& trajectory);
 

@@ -32,20 +32,6 @@ Scene opposed_from(Scene scene, double time) {
   return scene;
 }
 
-/// What a trajectory reports before `time`. Statistics over the whole run are left out.
-Trajectory before(const Scene& scene, Trajectory said, double time) {
-  const std::vector<double>& times = scene.motion->sample_times;
-  const auto samples = static_cast<std::size_t>(std::ranges::lower_bound(times, time) - times.begin());
-  if (said.states.size() > samples) said.states.resize(samples);
-  if (said.events) std::erase_if(*said.events, [time](const Event& event) { return event.time >= time; });
-  if (said.complete_until && *said.complete_until >= time) {
-    said.complete_until.reset();
-    said.gave_up.clear();
-  }
-  said.contact_solver.reset();
-  return said;
-}
-
 bool is_empty(const Trajectory& said) { return said.states.empty() && (!said.events || said.events->empty()); }
 
 // In advance a subject knows the times of forces and the bound of their strength, but not the forces.
@@ -57,10 +43,10 @@ Finding no_foresight(const Scene& scene, Subject& subject) {
     }
     Finding finding = judge::outside("nothing is reported before an applied force");
     for (const double time : times) {
-      const Trajectory expected = before(scene, asked.said, time);
+      const Trajectory expected = reported_before(scene, asked.said, time);
       if (is_empty(expected)) continue;
       finding = judge::given(subject.simulation(opposed_from(scene, time)), [&](const Trajectory& said) {
-        if (before(scene, said, time) == expected) return judge::holds();
+        if (reported_before(scene, said, time) == expected) return judge::holds();
         return judge::wrong(Defect::inconsistent,
                             "another trajectory before a force of opposite direction at " + words::text(time) + " s",
                             "the same bits before the force");

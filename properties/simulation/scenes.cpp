@@ -176,22 +176,11 @@ double farthest_apart(const Trajectory& one, const Trajectory& other) {
   return farthest;
 }
 
-/// What was reported of the time before `until`, and of the first samples.
-Trajectory reported_before(Trajectory said, double until, std::size_t samples) {
-  said.states.resize(samples);
-  if (said.events) std::erase_if(*said.events, [&](const Event& event) { return !(event.time < until); });
-  said.complete_until.reset();
-  said.gave_up.clear();
-  said.contact_solver.reset();
-  return said;
-}
-
 /// Whether the two are the same up to where the first of them gives up: when a subject does may depend on all bodies.
-bool agree_where_reported(const Trajectory& one, const Trajectory& other) {
+bool agree_where_reported(const Scene& scene, const Trajectory& one, const Trajectory& other) {
   if (!one.complete_until && !other.complete_until) return one == other;
   const double until = std::min(one.complete_until.value_or(infinity), other.complete_until.value_or(infinity));
-  const std::size_t samples = std::min(one.states.size(), other.states.size());
-  return reported_before(one, until, samples) == reported_before(other, until, samples);
+  return reported_before(scene, one, until) == reported_before(scene, other, until);
 }
 
 Finding bystanders(const Scene& scene, Subject& subject) {
@@ -206,7 +195,7 @@ Finding bystanders(const Scene& scene, Subject& subject) {
         for (std::vector<State>& states : said.states) {
           if (states.size() == more.bodies.size()) states.resize(static_cast<std::size_t>(others));
         }
-        if (agree_where_reported(said, asked.said)) return judge::holds();
+        if (agree_where_reported(scene, said, asked.said)) return judge::holds();
         const double off = farthest_apart(said, asked.said);
         return judge::wrong_by(off, judge::in_ulps(scene, subject.card(), 0), Defect::inconsistent,
                                "another trajectory of the other bodies, up to " + words::text(off) + " m away",
