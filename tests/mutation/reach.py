@@ -134,7 +134,7 @@ def strategies(path):
 
 def tests_of(root, path):
     """(folder of tests/, names of its sources) for each folder that has tests of a file: those that are named after it or
-    a folder that it is in, or are in the folder of that name, and those that include its header."""
+    after a folder that it is in, those in the tests' folder of that name, and those that include its header."""
     parts = pathlib.PurePosixPath(path).with_suffix("").parts
     header = pathlib.PurePosixPath(path).with_suffix(".h").as_posix()
     for folder in TEST_FOLDERS[draws.group_of(path)]:
