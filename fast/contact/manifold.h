@@ -13,7 +13,8 @@ struct ContactPoint {
   ContactPoint(Feature on_a, Feature on_b) : a(std::move(on_a)), b(std::move(on_b)) {}
 
   Feature a, b;
-  Vec3 P_A_W = Vec3::Zero();  ///< N s; of the last step: half its impulse, which changes its mean velocities
+  Vec3 F_A_W = Vec3::Zero();  ///< N; the mean force on A in the last step
+  double h = 0;               ///< s; the length of that step
 };
 
 /// The corners of the region in which each part is within `within` of the other's extreme plane perpendicular to n̂;

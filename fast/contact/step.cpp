@@ -48,7 +48,8 @@ struct BodyStep {
   /// Moves the body with the mean twist. Returns a bound on how far its points moved since the last iteration.
   double go(const Twist& mean, const Twist& free, double h) {
     const RigidTransform was = after;
-    if (step_body->is_fixed()) {
+    const bool spins_freely = is_round(*step_body->model) && mean.w == step_body->state.velocity.w_WB;
+    if (step_body->is_fixed() || spins_freely) {
       turn = motion::steady_turn(mean.w, h).q;
     } else {
       turn = {1, h / 2 * mean.w.x(), h / 2 * mean.w.y(), h / 2 * mean.w.z()};
@@ -80,6 +81,12 @@ struct BodyStep {
 Nearness nearness_of(const ContactConstraint& constraint, const RigidTransform& A, const RigidTransform& B,
                      const Vec3& about) {
   return nearness(constraint.contact_point.a, A, constraint.contact_point.b, B, about);
+}
+
+/// Half the impulse of a step of h, if its forces are those of the last step. Forces of a shorter step are not expected
+/// to last longer than they did: they may be those of an impact.
+Vec3 expected_impulse(const ContactPoint& contact_point, double h) {
+  return std::min(h, contact_point.h) / 2 * contact_point.F_A_W;
 }
 
 /// The contact's row for the solver: normal and arms are the means of those before and after.
@@ -201,7 +208,7 @@ Stepped step(const std::vector<StepBody>& step_bodies, std::vector<ContactConstr
           nearness_of(constraint, bodies[constraint.a].after, bodies[constraint.b].after, before[i].nhat_BA_W);
       const double over = after.gap - (before[i].gap + h * least_u_n[i]);
       if (round > 1 && (over < 0 || !rows[i].P.isZero(0))) missed[i] += over;
-      const Vec3 guess = round > 0 ? rows[i].P : constraint.contact_point.P_A_W;
+      const Vec3 guess = round > 0 ? rows[i].P : expected_impulse(constraint.contact_point, h);
       rows[i] = row_of(constraint, before[i], after, bodies);
       rows[i].P = guess;
       rows[i].least_u_n = least_u_n[i] - missed[i] / h;
@@ -225,7 +232,10 @@ Stepped step(const std::vector<StepBody>& step_bodies, std::vector<ContactConstr
     moved[i].state = bodies[i].state(mean[i]);
     twists.push_back(twist(moved[i].state));
   }
-  for (std::size_t i = 0; i < constraints.size(); ++i) constraints[i].contact_point.P_A_W = rows[i].P;
+  for (std::size_t i = 0; i < constraints.size(); ++i) {
+    constraints[i].contact_point.F_A_W = 2 / h * rows[i].P;
+    constraints[i].contact_point.h = h;
+  }
   mobilities = mobilities_of(moved);
   project_velocities(rows_at(moved, constraints, mobilities), rows, mobilities, twists);
   Stepped stepped;
@@ -253,7 +263,7 @@ double unbalanced(const std::vector<StepBody>& step_bodies, std::vector<ContactC
     if (!step_bodies[i].is_fixed())
       most = std::max(most, left[i].v.norm() + step_bodies[i].model->radius * left[i].w.norm());
   }
-  for (std::size_t i = 0; i < constraints.size(); ++i) constraints[i].contact_point.P_A_W = rows[i].P;
+  for (std::size_t i = 0; i < constraints.size(); ++i) constraints[i].contact_point.F_A_W = rows[i].P;
   return most / greatest;
 }
 

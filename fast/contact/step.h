@@ -54,13 +54,13 @@ struct Stepped {
 /// Afterwards the remaining relative velocity at contacts that press (its tangential part only where they stick) is
 /// removed from the velocities by projections. These only take energy, of second order in h.
 ///
-/// The contact constraints keep their impulses as the next initial guess. Error: of second order in h.
+/// The contact constraints keep their forces as the next initial guess. Error: of second order in h.
 Stepped step(const std::vector<StepBody>& step_bodies, std::vector<ContactConstraint>& constraints, double h,
              double tolerance, double recovery);
 
 /// How well contact forces within their friction cones balance all applied accelerations at rest: the greatest
 /// remaining acceleration of a point, relative to the greatest applied acceleration. The contact constraints keep their
-/// forces (times 1 s). Requires an applied acceleration.
+/// forces. Requires an applied acceleration.
 double unbalanced(const std::vector<StepBody>& step_bodies, std::vector<ContactConstraint>& constraints);
 
 /// Removes the approach velocities at the contacts, without restitution and with friction.

@@ -107,15 +107,16 @@ void respond(Run& run, const PairEvent& pair, const PairContact& contact) {
 }
 
 /// With at least one body in an island. The steps lead near the predicted contact but not exactly there, so the contact
-/// is tested again. If both bodies are in islands or fixed, their islands merge before the bodies touch: steps of the
-/// merged island end where they do.
+/// is tested again. If both are in islands or fixed, they take their steps together before they touch: steps of the
+/// merged island end where they do. A ball likewise, since steps without contact follow its motion exactly.
 void resolve_island_contact(Run& run, const PairEvent& pair) {
   cut_step(run, pair.a);
   cut_step(run, pair.b);
   if (run.islands.follows_steps(pair.a) && run.islands.follows_steps(pair.b))
     return merge_islands(run, pair.a, pair.b) ? void() : recheck(run, pair.a, pair.b);
   const std::optional<PairContact> contact = with_all_points(run, pair);
-  if (!contact) return recheck(run, pair.a, pair.b);
+  const bool is_exact_in_steps = has_closed_form(run.world.body(pair.a), run.world.body(pair.b));
+  if (!contact) return is_exact_in_steps && merge_islands(run, pair.a, pair.b) ? void() : recheck(run, pair.a, pair.b);
   for (const BodyId id : {pair.a, pair.b}) {
     if (Island* island = run.islands.of(id)) island->bound().lift();
   }

@@ -10,13 +10,6 @@ namespace {
 
 constexpr double overlap_tolerance = 0x1p-10;  // of `near`: contact steps are as accurate as that (island_step.cpp)
 
-/// An upper bound of the speed of any point of the body within h (m/s), without contact forces.
-double speed_bound(const IslandBody& island_body, double h) {
-  const Velocity& V = island_body.state().velocity;
-  return length(V.v_WBcm) + length(V.w_WB) * island_body.body->radius() +
-         h * length(island_body.step_body.acceleration);
-}
-
 void sort(std::vector<ContactPair>& pairs) {
   std::ranges::stable_sort(pairs, {}, [](const ContactPair& j) { return std::tuple(j.a, j.b, j.part_a, j.part_b); });
 }
@@ -24,17 +17,18 @@ void sort(std::vector<ContactPair>& pairs) {
 }  // namespace
 
 void ContactGraph::add(const IslandBody& island_body) {
-  const auto place = std::ranges::lower_bound(bodies_, island_body.id, {}, &IslandBody::id);
-  bodies_.insert(place, island_body);
+  const auto place = static_cast<std::ptrdiff_t>(index(island_body.id));
+  bodies_.insert(bodies_.begin() + place, island_body);
+  ids_.insert(ids_.begin() + place, island_body.id);
 }
 
 std::size_t ContactGraph::index(BodyId id) const {
-  return static_cast<std::size_t>(std::ranges::lower_bound(bodies_, id, {}, &IslandBody::id) - bodies_.begin());
+  return static_cast<std::size_t>(std::ranges::lower_bound(ids_, id) - ids_.begin());
 }
 
 bool ContactGraph::has(BodyId id) const {
   const std::size_t i = index(id);
-  return i < bodies_.size() && bodies_[i].id == id;
+  return i < ids_.size() && ids_[i] == id;
 }
 
 bool ContactGraph::connects(BodyId a, BodyId b) const {
@@ -65,6 +59,7 @@ bool ContactGraph::link(BodyId id_a, BodyId id_b) {
 /// Requires a < b.
 void ContactGraph::link(BodyId a, BodyId b, double reach) {
   const IslandBody &A = bodies_[index(a)], &B = bodies_[index(b)];
+  const std::size_t before = contact_pairs_.size();
   const std::size_t parts_a = A.body->model().solid.parts().size(), parts_b = B.body->model().solid.parts().size();
   for (std::size_t i = 0; i < parts_a; ++i) {
     for (std::size_t j = 0; j < parts_b; ++j) {
@@ -74,7 +69,7 @@ void ContactGraph::link(BodyId a, BodyId b, double reach) {
       if (update(contact_pair, A, B, near_, reach)) contact_pairs_.push_back(std::move(contact_pair));
     }
   }
-  sort(contact_pairs_);
+  if (contact_pairs_.size() > before) sort(contact_pairs_);
 }
 
 void ContactGraph::link_parts(double h) {
@@ -104,8 +99,19 @@ std::vector<ContactPair> ContactGraph::take_out_separating(const std::function<d
     }
     near.push_back(contact_pair);
   }
-  for (const ContactPair& contact_pair : near)
-    (held[index(contact_pair.a)] && held[index(contact_pair.b)] ? kept : out).push_back(contact_pair);
+  const auto holds = [&](const ContactPair& contact_pair) {
+    return held[index(contact_pair.a)] && held[index(contact_pair.b)];
+  };
+  const auto moves_in_contact = [&](BodyId id) { return held[index(id)] && !bodies_[index(id)].fixed(); };
+  for (bool grows = true; grows;) {
+    grows = false;
+    for (const ContactPair& contact_pair : near) {
+      const BodyId a = contact_pair.a, b = contact_pair.b;
+      if (contact_pair.touched || holds(contact_pair) || (!moves_in_contact(a) && !moves_in_contact(b))) continue;
+      held[index(a)] = held[index(b)] = grows = true;
+    }
+  }
+  for (ContactPair& contact_pair : near) (holds(contact_pair) ? kept : out).push_back(std::move(contact_pair));
   contact_pairs_ = std::move(kept);
   std::erase_if(out, [](const ContactPair& contact_pair) { return !contact_pair.touched; });
   return out;
@@ -134,23 +140,24 @@ std::vector<ContactGraph> ContactGraph::components() const {
     return i;
   };
   for (const ContactPair& contact_pair : contact_pairs_) {
-    const std::size_t a = find(index(contact_pair.a)), b = find(index(contact_pair.b));
-    if (!bodies_[index(contact_pair.a)].fixed() && !bodies_[index(contact_pair.b)].fixed())
-      root[std::max(a, b)] = std::min(a, b);
+    const std::size_t a = index(contact_pair.a), b = index(contact_pair.b);
+    if (bodies_[a].fixed() || bodies_[b].fixed()) continue;
+    const std::size_t root_a = find(a), root_b = find(b);
+    root[std::max(root_a, root_b)] = std::min(root_a, root_b);
+  }
+  std::vector<std::optional<ContactGraph>> of_root(bodies_.size());
+  for (const ContactPair& contact_pair : contact_pairs_) {
+    const std::size_t a = index(contact_pair.a), b = index(contact_pair.b);
+    std::optional<ContactGraph>& graph = of_root[find(bodies_[a].fixed() ? b : a)];
+    if (!graph) graph.emplace(near_, reach_);
+    for (const std::size_t body : {a, b}) {
+      if (!graph->has(bodies_[body].id)) graph->add(bodies_[body]);
+    }
+    graph->contact_pairs_.push_back(contact_pair);
   }
   std::vector<ContactGraph> graphs;
-  for (std::size_t i = 0; i < bodies_.size(); ++i) {
-    if (bodies_[i].fixed() || root[i] != i) continue;
-    ContactGraph graph(near_, reach_);
-    for (const ContactPair& contact_pair : contact_pairs_) {
-      const std::size_t a = index(contact_pair.a), b = index(contact_pair.b);
-      if (find(bodies_[a].fixed() ? b : a) != i) continue;
-      for (const std::size_t body : {a, b}) {
-        if (!graph.has(bodies_[body].id)) graph.add(bodies_[body]);
-      }
-      graph.contact_pairs_.push_back(contact_pair);
-    }
-    if (!graph.contact_pairs_.empty()) graphs.push_back(std::move(graph));
+  for (std::optional<ContactGraph>& graph : of_root) {
+    if (graph) graphs.push_back(std::move(*graph));
   }
   return graphs;
 }

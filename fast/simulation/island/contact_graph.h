@@ -38,7 +38,8 @@ class ContactGraph {
   const State& state(BodyId id) const { return bodies_[index(id)].state(); }
 
   /// Recomputes the contact points. Releases a body when all its contacts separate faster than `release_speed(a, b)`
-  /// (m/s) and none overlaps. Removes the contact pairs of released bodies, and returns those that have touched.
+  /// (m/s) and none overlaps. A body that has not touched yet stays while it is near one in contact that moves. Removes
+  /// the contact pairs of released bodies, and returns those that have touched.
   std::vector<ContactPair> take_out_separating(const std::function<double(BodyId, BodyId)>& release_speed);
   /// The contact points of each contact pair that has any, at the bodies' current states.
   std::vector<PairPoints> points() const;
@@ -50,6 +51,7 @@ class ContactGraph {
 
   double near_, reach_;
   std::vector<IslandBody> bodies_;
+  std::vector<BodyId> ids_;  ///< of `bodies_`: searched more often than all else
   std::vector<ContactPair> contact_pairs_;
 };
 

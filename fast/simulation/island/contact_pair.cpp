@@ -7,6 +7,7 @@
 #include "fast/lin_canny/proximity.h"
 #include "fast/mark.h"
 #include "fast/simulation/island/approach_normal.h"
+#include "fast/simulation/prediction/length.h"
 
 namespace touchstone::fast::simulation {
 namespace {
@@ -33,6 +34,11 @@ lin_canny::Proximity proximity_of(const contact::Part& A, const State& at_a, con
                               memory);
 }
 
+Vec3 parting(const contact::Part& A, const State& at_a, const contact::Part& B, const State& at_b) {
+  const bool are_balls = A.is_ball() && B.is_ball();  // whose centres give the normal
+  return contact::parting(A, B, are_balls ? lin_canny::Proximity{} : proximity_of(A, at_a, B, at_b));
+}
+
 contact::Part part_of(const IslandBody& island_body, std::size_t part, const State& state) {
   contact::StepBody there = island_body.step_body;
   there.state = state;
@@ -42,13 +48,13 @@ contact::Part part_of(const IslandBody& island_body, std::size_t part, const Sta
 
 Vec3 normal(const ContactPair& contact_pair, const contact::Part& A, const State& at_a, const contact::Part& B,
             const State& at_b, double near) {
-  if (contact_pair.contact_points.empty()) return contact::parting(A, B, proximity_of(A, at_a, B, at_b));
+  if (contact_pair.contact_points.empty()) return parting(A, at_a, B, at_b);
   const contact::ContactPoint& contact_point = contact_pair.contact_points.front();
   const Vec3 n = separating_direction(
       A, B, nearness(contact_point.a, A.body, contact_point.b, B.body, contact_pair.nhat_BA_W).nhat_BA_W, tied * near);
   const double wide = apart(A, B, n);
   if (wide >= -near / 4) return n;
-  const Vec3 other = contact::parting(A, B, proximity_of(A, at_a, B, at_b));
+  const Vec3 other = parting(A, at_a, B, at_b);
   return apart(A, B, other) > wide ? other : n;
 }
 
@@ -65,6 +71,12 @@ std::optional<Vec3> middle_of_segment(const std::vector<Vec3>& points, double wi
 }
 
 }  // namespace
+
+double speed_bound(const IslandBody& island_body, double h) {
+  const Velocity& V = island_body.state().velocity;
+  return length(V.v_WBcm) + length(V.w_WB) * island_body.body->radius() +
+         h * length(island_body.step_body.acceleration);
+}
 
 bool update(ContactPair& contact_pair, const IslandBody& body_a, const IslandBody& body_b, double near, double reach) {
   const State &at_a = body_a.state(), &at_b = body_b.state();
@@ -84,9 +96,12 @@ bool update(ContactPair& contact_pair, const IslandBody& body_a, const IslandBod
       contact_points = {contact::contact_point_between(A, found.p_WCa, B, found.p_WCb, contact_pair.nhat_BA_W)};
     }
   }
-  // Initial guess: the impulses of the last step, if the points may be the same ones.
-  for (std::size_t i = 0; i < contact_points.size() && contact_points.size() == contact_pair.contact_points.size(); ++i)
-    contact_points[i].P_A_W = contact_pair.contact_points[i].P_A_W;
+  // Initial guess: the forces of the last step, if the points may be the same ones.
+  for (std::size_t i = 0; i < contact_points.size() && contact_points.size() == contact_pair.contact_points.size();
+       ++i) {
+    contact_points[i].F_A_W = contact_pair.contact_points[i].F_A_W;
+    contact_points[i].h = contact_pair.contact_points[i].h;
+  }
   contact_pair.contact_points = std::move(contact_points);
   contact_pair.touched = contact_pair.touched || !contact_pair.contact_points.empty();
   if (!contact_pair.contact_points.empty())
@@ -127,6 +142,33 @@ std::vector<double> clearances(const ContactPair& contact_pair, const IslandBody
                                const IslandBody& body_b, const State& at_b, double near) {
   const contact::Part A = part_of(body_a, contact_pair.part_a, at_a), B = part_of(body_b, contact_pair.part_b, at_b);
   return contact::clearances(A, B, normal(contact_pair, A, at_a, B, at_b, near));
+}
+
+std::vector<double> clearance_rates(const ContactPair& contact_pair, const IslandBody& body_a,
+                                    const IslandBody& body_b) {
+  const Vec3& n = contact_pair.nhat_BA_W;
+  const auto rates = [&n](const IslandBody& island_body, const contact::Part& part) {
+    const Velocity& V = island_body.state().velocity;
+    std::vector<double> all;
+    for (int v = 0; v < part.core.hull->vertex_count(); ++v)
+      all.push_back(n.dot(V.v_WBcm) + n.dot(V.w_WB.cross(part.core.vertex(v) - part.body.centre)));
+    return all;
+  };
+  const auto lowest_vertex = [](const contact::Part& part, const Vec3& along) {
+    int lowest = 0;
+    for (int v = 1; v < part.core.hull->vertex_count(); ++v) {
+      if (along.dot(part.core.vertex(v)) < along.dot(part.core.vertex(lowest))) lowest = v;
+    }
+    return static_cast<std::size_t>(lowest);
+  };
+  const contact::Part A = part_of(body_a, contact_pair.part_a, body_a.state()),
+                      B = part_of(body_b, contact_pair.part_b, body_b.state());
+  std::vector<double> all = rates(body_a, A);
+  const std::vector<double> of_B = rates(body_b, B);
+  const double low = all[lowest_vertex(A, n)], high = of_B[lowest_vertex(B, -n)];
+  for (double& rate : all) rate -= high;
+  for (const double rate : of_B) all.push_back(low - rate);
+  return all;
 }
 
 }  // namespace touchstone::fast::simulation

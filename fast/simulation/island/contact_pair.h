@@ -16,6 +16,9 @@ struct IslandBody {
   const State& state() const { return step_body.state; }
 };
 
+/// An upper bound of the speed of any of its points within h (m/s), without contact forces.
+double speed_bound(const IslandBody& island_body, double h);
+
 /// Two convex parts that touch or are near each other, with the contact points at which they touch.
 struct ContactPair {
   BodyId a = 0, b = 0;  ///< a < b
@@ -58,5 +61,8 @@ ImpactCandidate candidate_at(const ContactPair& contact_pair, const contact::Con
 /// The separations of all vertices of both parts along the pair's normal (m), with A and B in the given states.
 std::vector<double> clearances(const ContactPair& contact_pair, const IslandBody& A, const State& at_a,
                                const IslandBody& B, const State& at_b, double near);
+
+/// How fast these change at the current states of A and B (m/s), where no other vertex becomes the extreme one.
+std::vector<double> clearance_rates(const ContactPair& contact_pair, const IslandBody& A, const IslandBody& B);
 
 }  // namespace touchstone::fast::simulation

@@ -23,13 +23,13 @@ void Island::begin_step(double steps, double most) {
   graph_.link_parts(h);
   plan_ = plan_step(graph_, (since_ + h) - since_, step_length_);
   until_ = std::max(since_ + plan_->h, std::nextafter(since_, never));
-  margin_ = deviation(graph_, *plan_);
+  deviation_ = simulation::deviation(graph_, *plan_);
   waits_ = false;
 }
 
 void Island::sleep() {
   until_ = never;
-  margin_ = 0;
+  deviation_ = {};
   waits_ = false;
 }
 

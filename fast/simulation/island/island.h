@@ -19,10 +19,10 @@ class Island {
   double until() const { return until_; }  ///< s; the end of the current step; never: the island sleeps
   bool waits() const { return waits_; }    ///< the next step has not begun
   bool sleeps() const { return until_ == never; }
-  const StepPlan& plan() const { return *plan_; }  ///< of the current step
-  double margin() const { return margin_; }        ///< m; `deviation` of the current step
-  /// The speed at which bodies may leave their represented trajectories within the step (m/s), up to `margin`.
-  double drift() const { return margin_ > 0 ? 2 * margin_ / (until_ - since_) : 0; }
+  const StepPlan& plan() const { return *plan_; }                ///< of the current step
+  const StepDeviation& deviation() const { return deviation_; }  ///< of the current step
+  /// The speed at which bodies may leave their represented trajectories within the step (m/s), up to its margin.
+  double drift() const { return deviation_.margin > 0 ? 2 * deviation_.margin / (until_ - since_) : 0; }
 
   /// The states at `time` inside the current step, from a step of length `time - since`. Changes no state.
   std::vector<State> states_at(double time) const;
@@ -62,7 +62,7 @@ class Island {
   double since_, until_ = 0;
   StepBound bound_;
   double step_length_ = 0;  ///< s; the longest step
-  double margin_ = 0;
+  StepDeviation deviation_;
   bool waits_ = true;
   std::optional<StepPlan> plan_;
   Impacts impacts_;

@@ -12,6 +12,7 @@ namespace {
 
 constexpr int most_halvings = 60;                // of a step, in the search for its end at a corner that comes down
 constexpr int steps_per_halving = 4;             // of these one halves the interval; the others follow the clearance
+constexpr double share_of_moment = 0x1p-10;      // of a step: so long a corner keeps the rate at its start
 constexpr double least_share_of_step = 0x1p-20;  // of a step: a step that short is taken even if corners overlap
 constexpr double step_tolerance = 0x1p-10;       // accuracy of a step, relative to the distance that counts as touching
 // Of distances from the origin. A gap is n·(p − q) of two points R x + c: less than 16 roundings of each, twice for the
@@ -25,6 +26,17 @@ std::vector<double> clearances(const ContactGraph& graph, const std::vector<Stat
     const std::size_t a = graph.index(contact_pair.a), b = graph.index(contact_pair.b);
     const std::vector<double> some =
         clearances(contact_pair, graph.bodies()[a], states[a], graph.bodies()[b], states[b], graph.near());
+    all.insert(all.end(), some.begin(), some.end());
+  }
+  return all;
+}
+
+/// Their rates at the current states (m/s).
+std::vector<double> clearance_rates(const ContactGraph& graph) {
+  std::vector<double> all;
+  for (const ContactPair& contact_pair : graph.contact_pairs()) {
+    const std::size_t a = graph.index(contact_pair.a), b = graph.index(contact_pair.b);
+    const std::vector<double> some = clearance_rates(contact_pair, graph.bodies()[a], graph.bodies()[b]);
     all.insert(all.end(), some.begin(), some.end());
   }
   return all;
@@ -49,37 +61,74 @@ ClearanceLeft clearance_left(const std::vector<double>& before, const std::vecto
   return left;
 }
 
-/// Where the clearance of the corner that comes down first vanishes, as a function of the length of the step: the root
-/// of the parabola through the three latest lengths (Muller 1956), or of the line through the two latest.
+/// Whether a vertex that did not touch may come down within h, unless contact forces push it.
+bool may_come_down(const ContactGraph& graph, const std::vector<double>& before, double h) {
+  double speed = 0;
+  for (const IslandBody& island_body : graph.bodies()) speed = std::max(speed, speed_bound(island_body, h));
+  const double near = graph.near(), most = near + 2 * h * speed;
+  return std::ranges::any_of(before, [=](double clearance) { return clearance > near && clearance <= most; });
+}
+
+/// The clearances at the end of a step of h (s, m).
+struct Sample {
+  double h = 0;
+  std::vector<double> clearances;
+};
+
+/// A corner's clearance (m) between two lengths of the step (s): at_low + slope x + bend x², x = h − low.
+struct ClearanceCurve {
+  double low = 0, width = 0, at_low = 0, slope = 0, bend = 0;
+
+  /// Of all in between; infinity if it has no minimum there.
+  double least() const {
+    const double at = -slope / (2 * bend);
+    return bend > 0 && at > 0 && at < width ? at_low + slope * at / 2 : infinity;
+  }
+  /// Where it vanishes in between, for the first time.
+  double root() const {
+    const double q = -(slope + std::copysign(std::sqrt(slope * slope - 4 * bend * at_low), slope)) / 2;
+    const double root = at_low / q;
+    return low + (root > 0 && root < width ? root : q / bend);
+  }
+};
+
+/// Where the first corner comes down that did not touch, as a function of the length of the step: the root of a
+/// parabola (Muller 1956). Each corner has one of its own, since the least of their clearances has a kink wherever
+/// another corner becomes the lowest.
 class CornerSearch {
  public:
-  struct Point {
-    double h = 0, left = 0;  ///< s, m
-  };
-
-  CornerSearch(const Point& first, const Point& second) : before_(first), latest_(second) {}
-
-  void add(const Point& point) {
-    earlier_ = before_;
-    has_three_ = true;
-    before_ = std::exchange(latest_, point);
-  }
-  /// Not finite if there is none.
-  double root() const {
-    const double slope = (latest_.left - before_.left) / (latest_.h - before_.h);
-    if (has_three_) {
-      const double slope_before = (before_.left - earlier_.left) / (before_.h - earlier_.h);
-      const double bend = (slope - slope_before) / (latest_.h - earlier_.h);
-      const double at_latest = slope + bend * (latest_.h - before_.h);
-      const double square = at_latest * at_latest - 4 * bend * latest_.left;
-      if (square >= 0) return latest_.h - 2 * latest_.left / (at_latest + std::copysign(std::sqrt(square), at_latest));
+  CornerSearch(Sample start, const std::vector<double>& rates, Sample high, double near)
+      : low_(std::move(start)), third_(low_), high_(std::move(high)), near_(near) {
+    third_.h = share_of_moment * high_.h;
+    for (std::size_t i = 0; i < rates.size(); ++i) {
+      if (low_.clearances[i] > near) coming_.push_back(i);
+      third_.clearances[i] += third_.h * rates[i];
     }
-    return latest_.h - latest_.left / slope;
+  }
+
+  double low() const { return low_.h; }
+  double high() const { return high_.h; }
+  void replace_third(Sample sample) { third_ = std::move(sample); }
+  void raise_low(Sample sample) { third_ = std::exchange(low_, std::move(sample)); }
+  void lower_high(Sample sample) { third_ = std::exchange(high_, std::move(sample)); }
+  /// Infinity if no corner comes down in between, not even one that is lifted again before the end.
+  double root() const {
+    double first = never;
+    for (const std::size_t i : coming_) {
+      const auto at = [&](const Sample& sample) { return sample.clearances[i] - near_ / 4; };
+      if (!(at(low_) > 0)) continue;
+      const double width = high_.h - low_.h, slope = (at(high_) - at(low_)) / width;
+      const double bend = ((at(third_) - at(high_)) / (third_.h - high_.h) - slope) / (third_.h - low_.h);
+      const ClearanceCurve curve{low_.h, width, at(low_), slope - bend * width, bend};
+      if (std::min(at(high_), curve.least()) < -near_ / 4) first = std::min(first, curve.root());
+    }
+    return first;
   }
 
  private:
-  Point earlier_, before_, latest_;
-  bool has_three_ = false;
+  Sample low_, third_, high_;
+  double near_;
+  std::vector<std::size_t> coming_;
 };
 
 std::vector<State> states_of(const ContactGraph& graph) {
@@ -139,23 +188,30 @@ StepPlan solve_step(const ContactGraph& graph, double h, double longest) {
 StepPlan plan_step(const ContactGraph& graph, double h, double longest) {
   const double near = graph.near();
   const std::vector<double> before = clearances(graph, states_of(graph));
-  const auto clearance_left_of = [&](const StepPlan& plan) {
-    return clearance_left(before, clearances(graph, plan.stepped.after), near);
-  };
   StepPlan plan = solve_step(graph, h, longest);
-  ClearanceLeft left = clearance_left_of(plan);
-  if (left.least >= 0) return plan;
-  const double enough = -near / 4;
-  double low = 0;
-  CornerSearch search({0, clearance_left(before, before, near).coming}, {plan.h, left.coming});
-  for (int k = 0; k < most_halvings && left.least < enough && plan.h > least_share_of_step * h; ++k) {
-    const double root = k % steps_per_halving == steps_per_halving - 1 ? low : search.root();
-    StepPlan shorter = solve_step(graph, root > low && root < plan.h ? root : (low + plan.h) / 2, longest);
-    const ClearanceLeft found = clearance_left_of(shorter);
-    search.add({shorter.h, found.coming});
+  Sample end{plan.h, clearances(graph, plan.stepped.after)};
+  ClearanceLeft left = clearance_left(before, end.clearances, near);
+  if (left.least >= 0 && !may_come_down(graph, before, h)) return plan;
+  CornerSearch search({0, before}, clearance_rates(graph), std::move(end), near);
+  if (left.least >= -near / 4 && search.root() < plan.h) {
+    // Rates along the present normals may be too low, as another normal may separate the two parts farther at once.
+    std::vector<contact::ContactConstraint> none;
+    const double moment = share_of_moment * h;
+    const std::vector<State> moved = step(step_bodies(graph), none, moment, accuracy(graph), near / h).after;
+    search.replace_third({moment, clearances(graph, moved)});
+  }
+  for (int k = 1; k <= most_halvings && plan.h > least_share_of_step * h; ++k) {
+    const bool is_deep = left.least < -near / 4;
+    const double root = is_deep && k % steps_per_halving == 0 ? never : search.root();
+    const bool is_between = root > search.low() && root < search.high();
+    if (!is_deep && !is_between) break;
+    StepPlan shorter = solve_step(graph, is_between ? root : (search.low() + search.high()) / 2, longest);
+    Sample sample{shorter.h, clearances(graph, shorter.stepped.after)};
+    const ClearanceLeft found = clearance_left(before, sample.clearances, near);
     if (found.least >= 0 && !(found.coming <= near / 4)) {
-      low = shorter.h;
+      search.raise_low(std::move(sample));
     } else {
+      search.lower_high(std::move(sample));
       plan = std::move(shorter);
       left = found;
     }
@@ -167,9 +223,15 @@ double deepest(const ContactGraph& graph, const StepPlan& plan) {
   return std::max(0.0, -std::ranges::min(clearances(graph, plan.stepped.after)));
 }
 
-double deviation(const ContactGraph& graph, const StepPlan& plan) {
+StepDeviation deviation(const ContactGraph& graph, const StepPlan& plan) {
   const double h = plan.h;
-  double most = 0;
+  std::vector<double> change(graph.bodies().size(), 0.0);
+  for (const contact::ContactConstraint& constraint : plan.constraints) {
+    const double force = 2 * (1 + constraint.friction) * length(constraint.contact_point.F_A_W);
+    for (const std::size_t i : {constraint.a, constraint.b})
+      change[i] += force * graph.bodies()[i].body->inverse_mass();
+  }
+  StepDeviation most;
   for (std::size_t i = 0; i < graph.bodies().size(); ++i) {
     const IslandBody& island_body = graph.bodies()[i];
     if (island_body.fixed()) continue;
@@ -177,7 +239,9 @@ double deviation(const ContactGraph& graph, const StepPlan& plan) {
     const double turn = h * length(plan.stepped.mean[i].w);
     const double spun = h * length(after.w_WB - before.w_WB) / 4 + turn * turn * turn / 8;
     const double bent = h * length(after.v_WBcm - before.v_WBcm) / 4;
-    most = std::max(most, spun * (island_body.body->kind() == Kind::ball ? 0 : island_body.body->radius()) + bent);
+    const double radius = island_body.body->kind() == Kind::ball ? 0 : island_body.body->radius();
+    most.margin = std::max(most.margin, spun * radius + bent);
+    most.acceleration = std::max(most.acceleration, change[i]);
   }
   return most;
 }

@@ -35,8 +35,14 @@ double residual_bound(const ContactGraph& graph, double steps);
 /// m; the greatest depth of two parts at the end of the step.
 double deepest(const ContactGraph& graph, const StepPlan& plan);
 
-/// An estimate of how far bodies leave the trajectories with which the step is represented (m): parabolas and steady
-/// turns, although forces and angular velocities change within the step.
-double deviation(const ContactGraph& graph, const StepPlan& plan);
+/// How far bodies leave the trajectories with which a step is represented: parabolas and steady turns, although forces
+/// and angular velocities change within the step.
+struct StepDeviation {
+  double margin = 0;        ///< m
+  double acceleration = 0;  ///< m/s²; of balls: they begin to leave them no faster
+};
+
+/// Estimates. Within a step a normal force may vanish or double, and friction may change its direction.
+StepDeviation deviation(const ContactGraph& graph, const StepPlan& plan);
 
 }  // namespace touchstone::fast::simulation

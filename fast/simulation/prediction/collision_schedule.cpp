@@ -33,7 +33,7 @@ std::string name(BodyId id) { return "bodies[" + std::to_string(id) + "]"; }
 struct CollisionSchedule::Search {
   double from = 0, until = 0;  ///< s
   double envelope = 0;
-  Inflation inflation;
+  Deviation deviation;
 };
 
 CollisionSchedule::CollisionSchedule(const World& world, const Islands& islands, const RestingBodies& rests,
@@ -81,8 +81,9 @@ void CollisionSchedule::update_proxy(BodyId id) {
   const double from = std::max(world_->now(), body.path().since);
   const Island* island = islands_->of(id);
   const double until = island ? std::min(island->until(), frame_end_) : frame_end_;
-  grid_.update_proxy(id, body.box(from, std::max(from, until),
-                                  world_->envelope() + (island ? island->margin() + world_->reach() / 4 : 0)));
+  grid_.update_proxy(id,
+                     body.box(from, std::max(from, until),
+                              world_->envelope() + (island ? island->deviation().margin + world_->reach() / 4 : 0)));
 }
 
 std::span<const BodyId> CollisionSchedule::neighbours(BodyId id) {
@@ -109,7 +110,7 @@ void CollisionSchedule::predict(BodyId id_a, BodyId id_b, double from) {
   const RestingContact* rest = rest_of(id_a, id_b);
   const double time =
       rest ? rest->until
-           : first_contact(a, b, search->from, search->until, search->envelope, search->inflation, pair_memory);
+           : first_contact(a, b, search->from, search->until, search->envelope, search->deviation, pair_memory);
   guard_->count_queries(pair_memory.queries);
   if (time <= frame_end_) queue_.put({std::max(time, world_->now()), id_a, id_b});
 }
@@ -127,7 +128,7 @@ std::optional<CollisionSchedule::Search> CollisionSchedule::search_of(BodyId id_
   // a motion that ends earlier has the same events until then.
   const double whole_frame = std::max(frame_end_, static_cast<double>(statistics_->frames) * frame_);
   const bool takes_whole = !is_point && !a.needs_restart(whole_frame) && !b.needs_restart(whole_frame);
-  Search search{from, takes_whole ? whole_frame : frame_end_, world_->envelope(), {from}};
+  Search search{from, takes_whole ? whole_frame : frame_end_, world_->envelope(), {{from}, from}};
   const Island* const island_of[] = {islands_->of(id_a), islands_->of(id_b)};
   if (island_of[0] || island_of[1]) {
     const PairMemory& remembered = memory(id_a, id_b);
@@ -139,16 +140,19 @@ std::optional<CollisionSchedule::Search> CollisionSchedule::search_of(BodyId id_
         return {};
       search.until = std::min(search.until, island->until());
       if (is_point) {
-        search.inflation.at_first += island->margin();
+        search.deviation.inflation.at_first += island->deviation().margin;
+        search.deviation.since = std::min(search.deviation.since, island->since());
+        search.deviation.acceleration += island->deviation().acceleration;
       } else {
-        search.inflation.at_first += island->drift() * (from - island->since());
-        search.inflation.rate += island->drift();
+        search.deviation.inflation.at_first += island->drift() * (from - island->since());
+        search.deviation.inflation.rate += island->drift();
       }
     }
     if (seen_separating && remembered.separating_at == now) search.envelope = 0;
     // Balls of islands well within reach of each other take their steps together.
-    if (is_point && search.inflation.at_first > 0 && islands_->follows_steps(id_a) && islands_->follows_steps(id_b))
-      search.inflation.at_first += world_->reach() / 4;
+    if (is_point && search.deviation.inflation.at_first > 0 && islands_->follows_steps(id_a) &&
+        islands_->follows_steps(id_b))
+      search.deviation.inflation.at_first += world_->reach() / 4;
   }
   if (from > search.until) return {};
   return search;

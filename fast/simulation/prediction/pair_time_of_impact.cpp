@@ -78,13 +78,12 @@ Relative relative(const BodyMotion& a, const BodyMotion& b, double t) {
 
 /// Balls that separate do so for ever. The quadratic is solved twice, since the clearance depends on the time of
 /// impact. Balls that pass each other count as a miss only if their distance exceeds the rounding of their positions.
-double equally_accelerated_balls(const BodyMotion& a, const BodyMotion& b, double from, double until, double envelope,
-                                 double margin) {
+double equally_accelerated_balls(const BodyMotion& a, const BodyMotion& b, double from, double until, double envelope) {
   const Vec3 s = a.path().place(from) - b.path().place(from);
   const Vec3 v = relative(a, b, from).v;
   const double b_half = s.dot(v);
   if (b_half >= 0) return never;
-  const double reach = a.radius() + b.radius() + margin;
+  const double reach = a.radius() + b.radius();
   const double about = sphere_closing_time(s, v, reach + clearance(a, b, from, envelope));
   const double then = about < never ? from + about : std::min(until, from - b_half / v.dot(v));
   const double unresolved = clearance(a, b, then, never);
@@ -93,21 +92,44 @@ double equally_accelerated_balls(const BodyMotion& a, const BodyMotion& b, doubl
                                     : from + about;
 }
 
-double by_planes(const BodyMotion& a, const BodyMotion& b, double from, double until, double envelope, double margin) {
+/// How far two bodies may have left their trajectories, and how fast that grows (m, m/s, m/s²).
+struct Spread {
+  double size = 0, rate = 0, acceleration = 0;
+};
+
+template <typename SpreadAt>
+double by_planes(const BodyMotion& a, const BodyMotion& b, double from, double until, double envelope,
+                 const SpreadAt& spread_at) {
   double t = from;
   for (int step = 0; step < most_steps; ++step) {
     mark(Mark::plane_step);
-    const double unresolved = clearance(a, b, t, never), clear = std::min(envelope / 2, unresolved) + margin;
+    const Spread spread = spread_at(t);
+    const double unresolved = clearance(a, b, t, never), clear = std::min(envelope / 2, unresolved) + spread.size;
     const Nearest at = nearest(a, b, a.path().place(t), b.path().place(t));
     const Relative rate = relative(a, b, t);
-    const double dt = closing_time(at.gap - clear, at.n.dot(rate.v), at.n.dot(rate.a));
-    if (!(dt > 0) || (at.gap <= 2 * clear && at.n.dot(rate.v) < 0)) return t;
+    const double u_n = at.n.dot(rate.v) - spread.rate;
+    const double dt = closing_time(at.gap - clear, u_n, at.n.dot(rate.a) - spread.acceleration);
+    if (!(dt > 0) || (at.gap <= 2 * clear && u_n < 0)) return t;
     if (at.gap <= 2 * unresolved && !positions_resolved(a, b, unresolved)) return t;
     if (!(t + dt <= until)) return never;
     if (t + dt == t) return t;
     t += dt;
   }
   return t;
+}
+
+/// Two bodies with a closed form that may leave their trajectories.
+double with_deviation(const BodyMotion& a, const BodyMotion& b, double from, double until, double envelope,
+                      const Deviation& deviation) {
+  const double most = deviation.inflation.at(until);
+  const Nearest at = nearest(a, b, a.path().place(from), b.path().place(from));
+  if (at.gap > most + std::min(envelope / 2, clearance(a, b, from, never)))
+    return by_planes(a, b, from, until, envelope, [most](double) { return Spread{most, 0, 0}; });
+  if (at.n.dot(relative(a, b, from).v) <= 0) return from;
+  return by_planes(a, b, from, until, envelope, [&](double t) {
+    const double since = t - deviation.since, rate = deviation.acceleration * since;
+    return Spread{rate * since / 2, rate, deviation.acceleration};
+  });
 }
 
 /// If doubles cannot decide whether two grazing bodies touch, they count as separated, and the search continues after
@@ -161,16 +183,16 @@ Touch touch(const BodyMotion& a, const BodyMotion& b, double t, PairMemory& memo
 }
 
 double first_contact(const BodyMotion& a, const BodyMotion& b, double from, double until, double envelope,
-                     const Inflation& inflation, PairMemory& memory) {
+                     const Deviation& deviation, PairMemory& memory) {
   if (has_closed_form(a, b)) {
-    const double margin = inflation.at(until);
     const bool alike = a.kind() == b.kind() && a.path().a == b.path().a;
-    const double t = alike ? equally_accelerated_balls(a, b, from, until, envelope, margin)
-                           : by_planes(a, b, from, until, envelope, margin);
+    const double t = !deviation.inflation.is_none() ? with_deviation(a, b, from, until, envelope, deviation)
+                     : alike                        ? equally_accelerated_balls(a, b, from, until, envelope)
+                             : by_planes(a, b, from, until, envelope, [](double) { return Spread{}; });
     return t <= until ? t : never;
   }
   memory.features.resize(lin_canny::pairs_of_parts(a.model().solid, b.model().solid));
-  return by_advancement(a, b, from, until, envelope, inflation, memory);
+  return by_advancement(a, b, from, until, envelope, deviation.inflation, memory);
 }
 
 }  // namespace touchstone::fast::simulation

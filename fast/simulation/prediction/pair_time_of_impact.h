@@ -31,6 +31,12 @@ struct PairMemory {
   int impacts_in_place = 0;    ///< successive impacts up to that one between which the two hardly moved
 };
 
+/// How far two bodies may be from the trajectories that represent their steps.
+struct Deviation {
+  Inflation inflation = {};
+  double since = 0, acceleration = 0;  ///< s, m/s²; they differ by at most acceleration (t − since)²/2, too
+};
+
 /// Two balls, or a ball and a block.
 inline bool has_closed_form(const BodyMotion& a, const BodyMotion& b) {
   return (a.kind() == Kind::ball && b.kind() != Kind::other) || (a.kind() == Kind::block && b.kind() == Kind::ball);
@@ -56,10 +62,12 @@ Touch touch(const BodyMotion& a, const BodyMotion& b, double t, PairMemory& memo
 /// Balls with equal accelerations: their relative motion is straight, so that one quadratic gives the time. Other
 /// bodies with closed forms: each bound is the time at which the separating plane at the nearest points is reached,
 /// since n̂·s is a parabola and no convex body crosses its own supporting plane. Steps from one bound to the next
-/// converge like Newton's method, from below. With `inflation` they count as being in contact at a distance greater by
-/// that margin. With `envelope` 0 the result is not the lower bound but the time at which the two provably overlap, by
-/// little more than rounding.
+/// converge like Newton's method, from below. With a `deviation` they count as being in contact at a distance greater
+/// by its inflation. If bodies with closed forms are that near at `from` already, but separate, the result is the first
+/// time at which they may be in contact in spite of that, by the bound of the deviation from its acceleration. With
+/// `envelope` 0 the result is not the lower bound but the time at which the two provably overlap, by little more than
+/// rounding.
 double first_contact(const BodyMotion& a, const BodyMotion& b, double from, double until, double envelope,
-                     const Inflation& inflation, PairMemory& memory);
+                     const Deviation& deviation, PairMemory& memory);
 
 }  // namespace touchstone::fast::simulation

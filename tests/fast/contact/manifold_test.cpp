@@ -36,7 +36,7 @@ TEST_CASE("manifold: a cube on a plate stands on its four corners, points over t
     CHECK(point.a.at.z() == Approx(-1));
     CHECK(point.b.kind == Kind::plane);
     CHECK((point.b.along - z).norm() < 1e-15);
-    CHECK(point.P_A_W == Vec3(0, 0, 0));
+    CHECK(point.F_A_W == Vec3(0, 0, 0));
   }
 }
 

@@ -150,5 +150,16 @@ TEST_CASE("contact graph: only the pairs of a body are emitted again") {
   CHECK_FALSE(graph.contact_pairs()[1].emitted);
 }
 
+// A ball on a table, a second one that comes down on it, and a third that comes down on the table.
+TEST_CASE("contact graph: keeps a body that comes down on one in contact, but not one that is near a fixed one alone") {
+  const Vec3 down(0, 0, -1);
+  const IslandBodies bodies({table(), ball_at(0, 0), ball_at(0, 2.0625, down), ball_at(9, 0.0625, down)}, still);
+  ContactGraph graph = bodies.graph(near, reach);
+  REQUIRE(graph.contact_pairs().size() == 3);
+  CHECK(graph.take_out_separating([](BodyId, BodyId) { return 0x1p-4; }).empty());
+  CHECK(graph.connects(1, 2));
+  CHECK_FALSE(graph.connects(0, 3));
+}
+
 }  // namespace
 }  // namespace touchstone::fast::simulation

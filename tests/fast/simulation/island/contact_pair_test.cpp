@@ -46,13 +46,13 @@ TEST_CASE("contact pair: between near and reach it has no contact points, beyond
   CHECK(pair.touched);  // it has, once
 }
 
-TEST_CASE("contact pair: impulses are kept as the next guess if the number of points is the same") {
+TEST_CASE("contact pair: forces are kept as the next guess if the number of points is the same") {
   const IslandBodies bodies = box_above_table(0);
   ContactPair pair{0, 1};
   REQUIRE(update(pair, bodies[0], bodies[1], near, reach));
-  pair.contact_points[2].P_A_W = {0, 0, 7};
+  pair.contact_points[2].F_A_W = {0, 0, 7};
   REQUIRE(update(pair, bodies[0], bodies[1], near, reach));
-  CHECK(pair.contact_points[2].P_A_W == Vec3(0, 0, 7));
+  CHECK(pair.contact_points[2].F_A_W == Vec3(0, 0, 7));
 }
 
 TEST_CASE("contact pair: approach speed and distance of a point midway between the two") {

@@ -17,7 +17,7 @@ TEST_CASE("island: it waits until its step begins, and the step lasts a part of 
   island.begin_step(4, 100);  // sqrt(8/2) = 2 per second: an eighth of a second
   CHECK_FALSE(island.waits());
   CHECK(island.until() == Approx(3.125));
-  CHECK(island.margin() == Approx(0.125 * 1 / 4));  // the velocity changes by 1 m/s
+  CHECK(island.deviation().margin == Approx(0.125 * 1 / 4));  // the velocity changes by 1 m/s
   CHECK(island.drift() == Approx(2 * 0.03125 / 0.125));
 }
 

@@ -16,7 +16,7 @@ struct Two {
       : body_a(std::move(first)), body_b(std::move(second)), a(body_a, 0, gravity), b(body_b, 0, gravity) {}
 
   double first_contact(double until = 10) {
-    return simulation::first_contact(a, b, 0, until, envelope, Inflation{}, memory);
+    return simulation::first_contact(a, b, 0, until, envelope, Deviation{}, memory);
   }
   Touch touch(double t) { return simulation::touch(a, b, t, memory); }
 
@@ -82,8 +82,18 @@ TEST_CASE("pair time of impact: a search that takes more queries than allowed te
 
 TEST_CASE("pair time of impact: inflation makes contacts earlier by its margin") {
   Two two(ball(1, {-3, 0, 0}, {1, 0, 0}, {}), ball(1, {3, 0, 0}, {-1, 0, 0}, {}));
-  const Inflation half{0, 0.5, 0};
+  const Deviation half{{0, 0.5, 0}};
   CHECK(first_contact(two.a, two.b, 0, 10, envelope, half, two.memory) == Approx(1.75));
+}
+
+// They are 0.25 m apart and separate at 2 m/s. Where trajectories are off by up to 4 t²/2, they may touch when
+// 0.25 + 2 t = 2 t², at t = (1 + √1.5)/2.
+TEST_CASE("pair time of impact: balls that separate within the inflation may touch when the deviation has grown") {
+  Two two(ball(1, {-1.125, 0, 0}, {-1, 0, 0}, {}), ball(1, {1.125, 0, 0}, {1, 0, 0}, {}), still);
+  const Deviation deviation{{0, 0.5, 0}, 0, 4};
+  CHECK(first_contact(two.a, two.b, 0, 10, envelope, deviation, two.memory) == Approx((1 + std::sqrt(1.5)) / 2));
+  two.a.restart(0, {two.body_a.X_WB, {{1, 0, 0}, still}}, still);
+  CHECK(first_contact(two.a, two.b, 0, 10, envelope, deviation, two.memory) == 0);  // they do not separate
 }
 
 TEST_CASE("pair time of impact: the clearance is a power of two above rounding, and at most half the envelope") {
