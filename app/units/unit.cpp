@@ -108,7 +108,7 @@ std::vector<const Property*> in_order_of_asking(const Question& question, const 
   std::vector<const Property*> asked;
   std::ranges::copy_if(query.properties, std::back_inserter(asked),
                        [&](const Property* property) { return question.asked_under(*property); });
-  std::ranges::stable_partition(asked, [](const Property* property) { return asks_for_sense(*property); });
+  std::stable_partition(asked.begin(), asked.end(), [](const Property* property) { return asks_for_sense(*property); });
   return asked;
 }
 

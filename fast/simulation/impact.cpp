@@ -19,20 +19,26 @@ Vec3 velocity_at(const BodyMotion& m, const State& state, const Vec3& p_WC) {
   return state.velocity.v_WBcm + state.velocity.w_WB.cross(p_WC - at_centre(m, state));
 }
 
-double tangent_mobility(const BodyMotion& m) {
-  return m.fixed() ? 0 : m.inverse_mass() + m.radius() * m.radius() * m.inverse_moment();
+/// m: from the centre of a ball to C, the middle of the gap. A member of an island may be hit across a gap as wide as
+/// the envelope.
+double arm(const BodyMotion& m, const Touch& touch) { return m.radius() + touch.gap / 2; }
+
+double tangent_mobility(const BodyMotion& m, const Touch& touch) {
+  const double r = arm(m, touch);
+  return m.fixed() ? 0 : m.inverse_mass() + r * r * m.inverse_moment();
 }
 
 /// K = 1/m n̂n̂ᵀ + (1/m + r²/I)(1 − n̂n̂ᵀ), summed over both bodies; a fixed body adds nothing. With `reverses_slip`
 /// the slip is reversed if friction suffices.
-Vec3 impulse_of_balls(const BodyMotion& a, const BodyMotion& b, const Vec3& n, const Vec3& u, const Coefficients& c,
-                      bool reverses_slip) {
+Vec3 impulse_of_balls(const BodyMotion& a, const BodyMotion& b, const Touch& touch, const Vec3& u,
+                      const Coefficients& c, bool reverses_slip) {
+  const Vec3& n = touch.nhat_BA_W;
   const double u_n = n.dot(u);
   const double p = (1 + c.restitution) * -u_n / (a.inverse_mass() + b.inverse_mass());
   const Vec3 slip = u - u_n * n;
   const double s = std::sqrt(slip.dot(slip));
   if (s == 0 || c.friction == 0) return p * n;
-  const double stops = s / (tangent_mobility(a) + tangent_mobility(b));
+  const double stops = s / (tangent_mobility(a, touch) + tangent_mobility(b, touch));
   const bool turns = reverses_slip && 2 * stops <= c.friction * p;
   return p * n - (turns ? 2 * stops : std::min(c.friction * p, stops)) / s * slip;
 }
@@ -79,9 +85,10 @@ double normal_velocity(const BodyMotion& a, const State& at_a, const BodyMotion&
 
 namespace {
 
-ImpactResult balls_after(const BodyMotion& a, const State& at_a, const BodyMotion& b, const State& at_b, const Vec3& n,
-                         const Vec3& P) {
-  return {0, P, velocity_after(a, at_a, -a.radius() * n, P), velocity_after(b, at_b, b.radius() * n, -P), 0};
+ImpactResult balls_after(const BodyMotion& a, const State& at_a, const BodyMotion& b, const State& at_b,
+                         const Touch& touch, const Vec3& P) {
+  const Vec3& n = touch.nhat_BA_W;
+  return {0, P, velocity_after(a, at_a, -arm(a, touch) * n, P), velocity_after(b, at_b, arm(b, touch) * n, -P), 0};
 }
 
 ImpactResult others_impact(const BodyMotion& a, const State& at_a, const BodyMotion& b, const State& at_b,
@@ -119,9 +126,9 @@ ImpactResult with_loss(ImpactResult result, const BodyMotion& a, const State& at
 
 ImpactResult impact(const BodyMotion& a, const State& at_a, const BodyMotion& b, const State& at_b, const Touch& touch,
                     const Coefficients& c) {
-  const Vec3 n = touch.nhat_BA_W, u = velocity_at(a, at_a, touch.p_WC) - velocity_at(b, at_b, touch.p_WC);
+  const Vec3 u = velocity_at(a, at_a, touch.p_WC) - velocity_at(b, at_b, touch.p_WC);
   const bool balls = is_ball_or_fixed(a) && is_ball_or_fixed(b);
-  const ImpactResult result = balls ? balls_after(a, at_a, b, at_b, n, impulse_of_balls(a, b, n, u, c, false))
+  const ImpactResult result = balls ? balls_after(a, at_a, b, at_b, touch, impulse_of_balls(a, b, touch, u, c, false))
                                     : others_impact(a, at_a, b, at_b, touch, c);
   return with_loss(result, a, at_a, b, at_b, touch, u);
 }
@@ -139,8 +146,8 @@ ImpactResult micro_collision(const BodyMotion& a, const State& at_a, const BodyM
   c.restitution = 1;
   c.law = Law::poisson;
   if (is_ball_or_fixed(a) && is_ball_or_fixed(b)) {
-    const Vec3 P = impulse_of_balls(a, b, n, u + shift, c, true);
-    return with_loss(balls_after(a, at_a, b, at_b, n, P), a, at_a, b, at_b, touch, u);
+    const Vec3 P = impulse_of_balls(a, b, touch, u + shift, c, true);
+    return with_loss(balls_after(a, at_a, b, at_b, touch, P), a, at_a, b, at_b, touch, u);
   }
   const Mat3 K = mobility(a, at_a, touch.p_WC) + mobility(b, at_b, touch.p_WC);
   Vec3 P = -2 * (K.inverse() * (u + shift));

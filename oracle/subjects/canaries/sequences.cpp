@@ -171,7 +171,7 @@ void add_near(const FrameBoxes& boxes, double near, PairSet& pairs) {
     }
   }
   std::ranges::sort(pairs);
-  pairs.erase(std::ranges::unique(pairs).begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
 }
 
 Lies slightly_generous(int truthful_answers) {

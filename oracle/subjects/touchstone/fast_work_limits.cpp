@@ -22,7 +22,7 @@ std::vector<WorkLimit> fast_work_limits() {
       {"pair_history", "climb_exact", 16, {{"climb", 9}}},
       {"pair_history", "grid_rebuild", 2, {{"frames", 1}}},
       {"pair_history", "grid_chain", 32, {{"grid_update", 8}}},
-      {"pair_history", "grid_unchain", 16, {{"grid_update", 2}}},
+      {"pair_history", "grid_unchain", 32, {{"grid_update", 4}}},
       {"pair_history", "grid_long_body", 8, {{"placements", 4}}},
 
       {"impulse", "impulse_curve", 5},
@@ -33,7 +33,7 @@ std::vector<WorkLimit> fast_work_limits() {
       {"impulse", "impulse_slide_off", 4},
 
       {"time_of_impact", "toi_balls", 32, {{"toi_search", 8}}},
-      {"time_of_impact", "toi_query", 32, {{"toi_search", 64}}},
+      {"time_of_impact", "toi_query", 32, {{"toi_search", 192}}},
       {"time_of_impact", "toi_wait", 32, {{"toi_search", 64}}},
       {"time_of_impact", "toi_all_normals", 32, {{"toi_query", 2}}},
       {"time_of_impact", "tumble_step", 512, {{"toi_query", 3}}},

@@ -4,7 +4,6 @@
 // fast keeps a grid from 17 bodies on, and climbs to extremal vertices from 24 on; the families of sequences.cpp have
 // at most 10 bodies and no polytope.
 #include <algorithm>
-#include <cmath>
 #include <functional>
 
 #include "properties/scenes/families.h"
@@ -16,8 +15,15 @@ namespace {
 /// 18 to 60; with probability 1/32, up to 300.
 int many(Random& random) { return random.one_in(32) ? random.between(61, 300) : random.between(18, 60); }
 
+/// The greatest integer whose cube is not above n. The cube root of a C library may differ in its last bit.
+int cube_root(int n) {
+  int root = 0;
+  while ((root + 1) * (root + 1) * (root + 1) <= n) ++root;
+  return root;
+}
+
 /// Lattice coordinates at which about one in four cells is taken.
-int lattice_limit(int bodies) { return static_cast<int>(std::cbrt(bodies / 2.0)); }
+int lattice_limit(int bodies) { return cube_root(bodies / 2); }
 
 using Step = std::function<Pose(Random&, const Pose&)>;
 
@@ -180,7 +186,7 @@ Scene streaming(Random& random) {
   const int n = many(random);
   const auto number = [&random] { return 2 * random.unit() - 1; };
   const double fastest = random.pick({0x1p-6, 0x1p-4, 0.5});
-  const double room = std::cbrt(n);
+  const double room = cube_root(n);
   Scene scene;
   std::vector<Vec3> p, v;
   for (int i = 0; i < n; ++i) {

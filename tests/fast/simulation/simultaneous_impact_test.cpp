@@ -76,7 +76,7 @@ TEST_CASE("simultaneous impact: neither the order of vertices nor a mirror chang
   const Vec3 v(0.5, 0.25, -1);
   const Velocity first = after(corners, v, none);
   for (int k = 0; k < 12; ++k) {
-    std::ranges::rotate(corners, corners.begin() + 1 + k % 3);
+    std::rotate(corners.begin(), corners.begin() + 1 + k % 3, corners.end());
     std::swap(corners[0], corners[static_cast<std::size_t>(1 + k % 7)]);
     CHECK(is_near(after(corners, v, none), first.v_WBcm, first.w_WB));
   }
