@@ -47,7 +47,8 @@ std::vector<std::string> lines_not_in(const std::string& page, const std::string
 
 // A seed in somebody's report must draw the same scene again, with another compiler (the order of two draws in one
 // expression would depend on it) and in the next version. The digests are a regression pin. A change of a family needs
-// a reason, and makes seeds of older reports draw other scenes. To make them anew: TOUCHSTONE_UPDATE=1 ./touchstone test -R "digests are pinned".
+// a reason, and makes seeds of older reports draw other scenes. To make them anew: TOUCHSTONE_UPDATE=1 ./touchstone
+// test -R "digests are pinned".
 TEST_CASE("families: the scenes of a seed and their digests are pinned") {
   const std::string path = TOUCHSTONE_SOURCE_DIR "/tests/properties/scenes/drawn_scenes.txt";
   const std::string now = digests(families()) + digests(extremes());
