@@ -12,10 +12,10 @@ namespace {
 
 constexpr double panel_width = 470;
 constexpr double panel_height = 400;
-constexpr double left = 56;
-constexpr double right = 160;  // for the labels of the lines
-constexpr double top = 34;
-constexpr double bottom = 42;
+constexpr double left_margin = 56;
+constexpr double right_margin = 160;  // for the labels of the lines
+constexpr double top_margin = 34;
+constexpr double bottom_margin = 42;
 
 using Points = std::vector<std::pair<double, double>>;
 
@@ -27,7 +27,7 @@ struct Line {
 };
 
 LogAxes axes_of(const std::vector<BenchRow>& rows) {
-  LogAxes axes{left, panel_width - right, top, panel_height - bottom};
+  LogAxes axes{left_margin, panel_width - right_margin, top_margin, panel_height - bottom_margin};
   for (const BenchRow& row : rows) {
     if (!row.ns) continue;
     axes.include_x_as_edge(static_cast<double>(row.bodies));
@@ -81,7 +81,7 @@ std::string drawn(const Line& line, const LogAxes& axes) {
     dots += fmt::format("<circle class='{}' cx='{:.1f}' cy='{:.1f}' r='2.2'/>", style, axes.x(n), axes.y(ns));
   }
   const auto& [last_n, last_ns] = line.points.back();
-  const double label_x = panel_width - right + 12;
+  const double label_x = panel_width - right_margin + 12;
   return fmt::format(
       "<polyline class='{0}' points='{1}'/>{2}<line class='lead {0}' x1='{3:.1f}' y1='{4:.1f}' "
       "x2='{5:.1f}' y2='{6:.1f}'/><text class='{0}' x='{7:.1f}' y='{8:.1f}'>{9}</text>\n",
@@ -92,12 +92,12 @@ std::string drawn(const Line& line, const LogAxes& axes) {
 std::string panel(const std::vector<BenchRow>& rows, const std::string& workload, const LogAxes& axes) {
   std::vector<Line> lines = curves_of(rows, workload);
   place_names(lines, axes);
-  std::string svg = fmt::format("<text class='title' x='{}' y='20'>{}</text>\n", left, escaped(workload));
+  std::string svg = fmt::format("<text class='title' x='{}' y='20'>{}</text>\n", left_margin, escaped(workload));
   svg += grid(axes, rows);
   for (const Line& line : lines) svg += drawn(line, axes);
-  svg += fmt::format("<text x='{}' y='{}' text-anchor='middle'>bodies</text>\n", (left + panel_width - right) / 2,
-                     panel_height - 6);
-  const double middle = (top + panel_height - bottom) / 2;
+  svg += fmt::format("<text x='{}' y='{}' text-anchor='middle'>bodies</text>\n",
+                     (left_margin + panel_width - right_margin) / 2, panel_height - 6);
+  const double middle = (top_margin + panel_height - bottom_margin) / 2;
   svg += fmt::format(
       "<text x='14' y='{0}' text-anchor='middle' transform='rotate(-90 14 {0})'>ns a body and "
       "frame</text>\n",

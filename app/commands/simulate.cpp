@@ -37,7 +37,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t rows_printed = 24;
 constexpr int samples_beyond = 20;  // samples added after the scene's own end
-constexpr const char* constraint = "constraint";
+constexpr const char* constraint_engine = "constraint";
 constexpr std::size_t most_beside = 5;     // a choice: the bodies of more engines are too small on a screen
 constexpr double constraint_steps = 4096;  // the least number of steps per motion (fast/constraint.h)
 
@@ -96,14 +96,14 @@ void require_places(const SimulateCommand& command) {
 
 /// The subject that a name of --engine stands for.
 std::string subject_of(const std::string& engine) {
-  if (engine == constraint) return "fast";
+  if (engine == constraint_engine) return "fast";
   const auto known = std::ranges::find(short_names, engine, &ShortName::name);
   return known == short_names.end() ? engine : std::string(known->subject);
 }
 
 /// The names of all engines that answer; the short name if there is one.
 std::vector<std::string> engines() {
-  std::vector<std::string> names = {constraint};
+  std::vector<std::string> names = {constraint_engine};
   for (const std::string& subject : answering("simulation")) {
     const auto known = std::ranges::find(short_names, subject, &ShortName::subject);
     names.emplace_back(known == short_names.end() ? subject : known->name);
@@ -131,7 +131,7 @@ struct Shown {
   std::unique_ptr<oracle::Subject> subject;
   MotionRun run = {};
 
-  bool by_constraint() const { return name == constraint; }
+  bool by_constraint() const { return name == constraint_engine; }
   std::string title() const { return subject->card().name + (by_constraint() ? ", constraint" : ""); }
 };
 
@@ -297,7 +297,7 @@ int report_end(const Scene& scene, const MotionRun& run, const std::string& engi
 }  // namespace
 
 std::vector<std::string> engine_names() {
-  std::vector<std::string> names = {"fast", constraint, "reference"};
+  std::vector<std::string> names = {"fast", constraint_engine, "reference"};
   for (const ShortName& known : short_names) names.emplace_back(known.name);
   return names;
 }
@@ -318,7 +318,7 @@ int simulate(const SimulateCommand& command) {
   print("scene      {}: {} bodies, {} s\n", scene.name.empty() ? command.scene : scene.name, scene.bodies.size(),
         scene.motion->sample_times.back());
   print("engine     {} {}{}\n", subject->card().name, subject->card().version,
-        name == constraint ? ", constraint" : "");
+        name == constraint_engine ? ", constraint" : "");
   const MotionRun samples = without_frames(scene, run);
   print_energies(scene, samples);
   print_events(run.trajectory);

@@ -17,9 +17,9 @@ ALSO = {"broad_phase": ("pair_history", "broad_phase_sequences")}  # files that 
 STRATEGIES = ("all_pairs", "sweep_and_prune", "sweep_2d", "bsp", "octree", "uniform_grid", "hierarchical_hash",
               "wrapped_grid")
 TEST_FOLDERS = {"fast": ("fast",), "reference": ("reference",), "judge": ("oracle", "properties")}
-# About all of a group. Of fast: what exact arithmetic repairs changes no answer, but costs more. Of the judge: an
-# allowance that is too wide accuses nobody.
-ABOUT_ALL = {"fast": "marks_test", "judge": "allowances_test"}
+# About all of a group: what its answers, its work, its findings and its scenes were.
+ABOUT_ALL = {"fast": ("marks_test", "pinned_answers_test"), "reference": ("pinned_answers_test",),
+             "judge": ("allowances_test", "pinned_findings_test", "pinned_scenes_test")}
 
 
 def listing(option, path):
@@ -147,6 +147,7 @@ def tests_of(root, path):
                 names.append(test.stem)
         if names:
             yield folder, names
-    about_all = ABOUT_ALL.get(draws.group_of(path))
-    if any((pathlib.Path(root) / "tests/properties").rglob(f"{about_all}.cpp")):
-        yield "properties", [about_all]
+    about_all = [name for name in ABOUT_ALL.get(draws.group_of(path), ())
+                 if any((pathlib.Path(root) / "tests/properties").rglob(f"{name}.cpp"))]
+    if about_all:
+        yield "properties", about_all

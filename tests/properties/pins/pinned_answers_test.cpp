@@ -1,0 +1,104 @@
+// What our own subjects answer about the first scenes of each family, bit for bit, and what work it takes.
+#include <stdexcept>
+#include <variant>
+
+#include "fast/broad_phase/strategies.h"
+#include "oracle/query.h"
+#include "oracle/subjects/touchstone/fast.h"
+#include "oracle/subjects/touchstone/fast_strategies.h"
+#include "oracle/subjects/touchstone/reference.h"
+#include "properties/scenes/extreme.h"
+#include "tests/catch.h"
+#include "tests/properties/pins/pinned_page.h"
+
+using namespace touchstone;
+
+namespace {
+
+template <class T>
+std::string text(const Answer<T>& answer) {
+  if (const auto* abstains = std::get_if<Abstains>(&answer)) return "abstains: " + abstains->why;
+  if (const auto* breaks = std::get_if<Breaks>(&answer)) return "breaks: " + breaks->how;
+  return json_of(std::get<T>(answer)).dump();
+}
+
+std::string answered(oracle::Subject& subject, const oracle::Query& query, const Scene& scene) {
+  try {
+    return std::visit([&](auto ask) { return text((subject.*ask)(scene)); }, query.ask);
+  } catch (const std::exception& error) {
+    return std::string("throws: ") + error.what();
+  }
+}
+
+std::string worked(oracle::Subject& subject, const oracle::Query& query, const Scene& scene) {
+  const Answer<oracle::Work> work = subject.work(query.name, scene);
+  std::string counts;
+  if (const auto* counted = std::get_if<oracle::Work>(&work)) {
+    for (const auto& [name, count] : *counted) counts += name + ' ' + std::to_string(count) + ' ';
+  }
+  return counts;
+}
+
+/// How many scenes of a family are asked about: those of motions cost milliseconds.
+struct Draws {
+  std::uint64_t of_pairs, of_motions;
+
+  std::uint64_t of(const std::string& query) const {
+    return query == "simulation" || query == "constraint" ? of_motions : of_pairs;
+  }
+};
+
+/// For each query and family one line: the digest of the answers, and that of the work, unless the subject counts none.
+std::string answers(const std::string& name, oracle::Subject& subject, const std::vector<std::string>& queries,
+                    Draws draws) {
+  std::string page;
+  for (const std::string& asked : queries) {
+    const oracle::Query& query = *oracle::find_query(asked);
+    const std::string drawn_for = asked == "pair_history" ? "broad_phase" : asked;
+    for (const std::vector<properties::Family>* families : {&properties::families(), &properties::extremes()}) {
+      for (const properties::Family* family : properties::for_query(*families, drawn_for)) {
+        tests::Digest said, work;
+        bool counts = false;
+        for (std::uint64_t i = 0; i < draws.of(asked); ++i) {
+          const Scene scene = properties::draw(*family, 1, i);
+          said.add(answered(subject, query, scene));
+          const std::string counted = worked(subject, query, scene);
+          work.add(counted);
+          counts = counts || !counted.empty();
+        }
+        page += name + ' ' + asked + ' ' + family->id + ' ' + said.text() + (counts ? ' ' + work.text() : "") + '\n';
+      }
+    }
+  }
+  return page;
+}
+
+void check(const std::string& file, const std::string& now) {
+  const std::string pinned = tests::pinned_page(file, now);
+  CHECK(tests::lines_not_in(pinned, now) == std::vector<std::string>{});
+  CHECK(tests::lines_not_in(now, pinned) == std::vector<std::string>{});
+}
+
+}  // namespace
+
+// These are regression pins, not truths: what is right is for the properties to say. They show that all builds give the
+// same bits, and see a fault that stays within what a property allows, or that costs time alone. A change that means to
+// change answers makes them anew: TOUCHSTONE_UPDATE=1 ./touchstone test -R "pins:".
+TEST_CASE("pins: the answers of fast") {
+  const auto fast = oracle::subjects::make_fast();
+  check("fast_answers.txt", answers("fast", *fast, oracle::query_names(), {64, 4}));
+}
+
+TEST_CASE("pins: the answers of the strategies of fast") {
+  std::string now;
+  for (const fast::Strategy& strategy : fast::strategies()) {
+    const auto subject = oracle::subjects::make_fast_strategy(strategy.name);
+    now += answers(subject->card().name, *subject, {"broad_phase", "pair_history"}, {32, 0});
+  }
+  check("strategy_answers.txt", now);
+}
+
+TEST_CASE("pins: the answers of the reference") {
+  const auto reference = oracle::subjects::make_reference();
+  check("reference_answers.txt", answers("reference", *reference, oracle::query_names(), {6, 1}));
+}
