@@ -21,7 +21,8 @@ Scene odd_sums(Random& random) {
   const double length = d.norm();  // a square root of a square: exact
   const int bits = length == 1 ? 53 : 50;
   const double s = odd(random, bits);
-  const double t = std::ldexp(odd(random, bits), -random.between(1, 60));
+  const int down = random.between(1, 60);
+  const double t = std::ldexp(odd(random, bits), -down);
   const int more = random.pick({-1, 0, 0, 1});
   double radius = t * length;
   if (more != 0) radius = std::nextafter(radius, more * infinity);

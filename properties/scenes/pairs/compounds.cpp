@@ -52,7 +52,8 @@ Scene unlike(Random& random, bool balls) {
 Scene far(Random& random) {
   const double gap = dyadic_gap(random, 1, 16);
   const int where = random.below(3);
-  Vec3 p = std::ldexp(1.0, random.between(40, 44)) * small_vector(random, 3);
+  Vec3 p = small_vector(random, 3);
+  p *= std::ldexp(1.0, random.between(40, 44));
   if (p.isZero(0)) p.x() = 0x1p40;
   const bool balls = random.one_in(3);
   Scene scene = on_a_plane(random, {where == 0 ? p : Vec3::Zero(), small_quaternion(random)}, gap, balls);
