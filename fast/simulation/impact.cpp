@@ -9,6 +9,8 @@
 namespace touchstone::fast::simulation {
 namespace {
 
+constexpr double rounding_of_gap = 0x1p-44;  // of a ball's radius; so is that of positions 256 radii away
+
 Vec3 at_centre(const BodyMotion& m, const State& state) {
   return m.kind() == Kind::other && !m.fixed()
              ? Vec3(state.X_WB.p_WB + lin_canny::rotation(state.X_WB.q_WB) * m.model().p_BBcm)
@@ -20,8 +22,11 @@ Vec3 velocity_at(const BodyMotion& m, const State& state, const Vec3& p_WC) {
 }
 
 /// m: from the centre of a ball to C, the middle of the gap. A member of an island may be hit across a gap as wide as
-/// the envelope.
-double arm(const BodyMotion& m, const Touch& touch) { return m.radius() + touch.gap / 2; }
+/// the envelope. Elsewhere a gap is rounding, which would only disturb the arm.
+double arm(const BodyMotion& m, const Touch& touch) {
+  const double r = m.radius();
+  return std::abs(touch.gap) > rounding_of_gap * r ? r + touch.gap / 2 : r;
+}
 
 double tangent_mobility(const BodyMotion& m, const Touch& touch) {
   const double r = arm(m, touch);

@@ -13,6 +13,8 @@ namespace {
 constexpr int most_halvings = 60;                // of a step, in the search for its end at a corner that comes down
 constexpr int steps_per_halving = 4;             // of these one halves the interval; the others follow the clearance
 constexpr double share_of_moment = 0x1p-10;      // of a step: so long a corner keeps the rate at its start
+constexpr double early_share = 0x1p-3;           // of a step: where corners hardly above others are looked at too
+constexpr double hardly_above = 64;              // times the distance that counts as touching
 constexpr double least_share_of_step = 0x1p-20;  // of a step: a step that short is taken even if corners overlap
 constexpr double step_tolerance = 0x1p-10;       // accuracy of a step, relative to the distance that counts as touching
 // Of distances from the origin. A gap is n·(p − q) of two points R x + c: less than 16 roundings of each, twice for the
@@ -200,12 +202,17 @@ StepPlan plan_step(const ContactGraph& graph, double h, double longest) {
     const std::vector<State> moved = step(step_bodies(graph), none, moment, accuracy(graph), near / h).after;
     search.replace_third({moment, clearances(graph, moved)});
   }
+  // Forces depend on the length of the step, so a corner may come down in shorter ones although neither its rate at the
+  // start nor the whole step says so. One that is hardly above another is looked at once more.
+  bool is_open = std::ranges::any_of(
+      before, [near](double clearance) { return clearance > near && clearance < hardly_above * near; });
   for (int k = 1; k <= most_halvings && plan.h > least_share_of_step * h; ++k) {
     const bool is_deep = left.least < -near / 4;
     const double root = is_deep && k % steps_per_halving == 0 ? never : search.root();
     const bool is_between = root > search.low() && root < search.high();
-    if (!is_deep && !is_between) break;
-    StepPlan shorter = solve_step(graph, is_between ? root : (search.low() + search.high()) / 2, longest);
+    if (!is_deep && !is_between && !std::exchange(is_open, false)) break;
+    const double between = search.low() + (is_deep ? 0.5 : early_share) * (search.high() - search.low());
+    StepPlan shorter = solve_step(graph, is_between ? root : between, longest);
     Sample sample{shorter.h, clearances(graph, shorter.stepped.after)};
     const ClearanceLeft found = clearance_left(before, sample.clearances, near);
     if (found.least >= 0 && !(found.coming <= near / 4)) {

@@ -21,7 +21,7 @@ std::vector<WorkLimit> fast_work_limits() {
       {"pair_history", "climb_step", 0, {{"climb", 64}}},
       {"pair_history", "climb_exact", 16, {{"climb", 9}}},
       {"pair_history", "grid_rebuild", 2, {{"frames", 1}}},
-      {"pair_history", "grid_chain", 32, {{"grid_update", 8}}},
+      {"pair_history", "grid_chain", 64, {{"grid_update", 8}}},
       {"pair_history", "grid_unchain", 32, {{"grid_update", 4}}},
       {"pair_history", "grid_long_body", 8, {{"placements", 4}}},
 
