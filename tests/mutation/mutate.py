@@ -46,6 +46,7 @@ EXAMPLES = """Examples:
   ./touchstone mutate --sample 20 --group judge      faults of oracle/ and properties/ alone
   ./touchstone mutate --only fast/mass.cpp --list    all mutants of a file; nothing is tried
   ./touchstone mutate --id 0123abcd --only fast/mass.cpp --show
+  ./touchstone mutate --sample 60 --tests-only       what the unit tests see by themselves, within minutes
   ./touchstone mutate --sample 200 --shard 1/8 --out shards     on one machine, 2/8 on another, and so on; then
   ./touchstone mutate --sample 200 --merge shards               the table that one run would have written
 
@@ -87,6 +88,8 @@ def arguments(words):
     parser.add_argument("--id", metavar="ID", help="only this mutant; --only names its file")
     parser.add_argument("--list", action="store_true", help="print all mutants that could be drawn, and try none")
     parser.add_argument("--show", action="store_true", help="print how the mutants change the source, and try none")
+    parser.add_argument("--tests-only", action="store_true", help="ask only the unit tests, which takes seconds a mutant; "
+                                                                  "kept apart from what other runs find")
     parser.add_argument("--jobs", metavar="NUMBER", type=whole_number(1, 1024), default=os.cpu_count(),
                         help="how many mutants are tried at a time (default: one for each processor)")
     parser.add_argument("--shard", metavar="I/N", type=shard_word,
@@ -274,7 +277,8 @@ def main(words):
     build = pathlib.Path(options.build or ROOT / "build-mutate").resolve()
     results.read_equivalent(EQUIVALENT)
     source = digest_of_source()
-    run = {"source": source, "sample": options.sample, "seed": options.seed, "group": options.group, "only": options.only}
+    run = {"source": source, "sample": options.sample, "seed": options.seed, "group": options.group, "only": options.only,
+           "tests_only": options.tests_only}
     merged = shards.read(options.merge, run) if options.merge else {}
     own_libclang()
     lock = prepare(build, options.jobs, groups_of(options))
@@ -291,11 +295,12 @@ def main(words):
         return 0
     for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
         signal.signal(number, interrupt)
-    file = shop.place / "results.jsonl"
+    file = shop.place / ("results_of_tests.jsonl" if options.tests_only else "results.jsonl")
     known = results.read_results(file) | merged
     if options.shard:
         wanted = iter(options.shard.of(list(itertools.islice(wanted, options.sample))))
-    trier = trial.Trial(shop, reach.Reach(tree, shop.object_of, shop.original).queries, trial.Limits())
+    trier = trial.Trial(shop, reach.Reach(tree, shop.object_of, shop.original).queries, trial.Limits(),
+                        options.tests_only)
     found = try_all(wanted, options.sample, options.jobs, known,
                     functools.partial(judge_one, shop, trier), functools.partial(results.add_result, file))
     if options.shard:

@@ -106,15 +106,19 @@ class Project(unittest.TestCase):
     def tearDownClass(cls):
         cls.folder.cleanup()
 
-    def verdict(self, planted):
+    def verdict(self, planted, by=None):
         folder = self.shop.place / "work"
         shutil.rmtree(folder, ignore_errors=True)
-        return self.trial.verdict(planted, "fast", folder)
+        return (by or self.trial).verdict(planted, "fast", folder)
 
     def test_a_red_property_kills(self):
         found = self.verdict(mutant("a < limit()", "a > limit()"))
         self.assertEqual((found["outcome"], found["stage"], found["by"], found["scenes"], found["scene"]),
                          ("killed", "quick", "mass.value", 7, "solids 4"))
+
+    def test_without_check_no_property_kills(self):
+        tests_only = trial.Trial(self.shop, self.reach.queries, trial.Limits(), tests_only=True)
+        self.assertEqual(self.verdict(mutant("a < limit()", "a > limit()"), tests_only)["outcome"], "survived")
 
     def test_a_broken_answer_kills(self):
         found = self.verdict(mutant("return 0;", "__builtin_trap();"))

@@ -40,8 +40,8 @@ class BaseFails(Exception):
 
 
 class Trial:
-    def __init__(self, shop, queries, limits):
-        self.workshop, self.queries, self.limits = shop, queries, limits
+    def __init__(self, shop, queries, limits, tests_only=False):
+        self.workshop, self.queries, self.limits, self.tests_only = shop, queries, limits, tests_only
         self.base, self.lock = {}, threading.Lock()
         self.base_file = shop.place / "base.json"
 
@@ -121,6 +121,14 @@ class Trial:
     def stages(self, mutant, group, objects, folder):
         """Kills and CPU seconds, one for each thing that is tried, in order."""
         link = self.linker(objects, folder)
+        if not self.tests_only:
+            yield from self.checks(mutant, group, link, folder)
+        for layer, names in reach.tests_of(self.workshop.root, mutant.path):
+            target = f"touchstone_tests_{layer}"
+            words = ["--filenames-as-tags", ",".join(f"[#{name}]" for name in names)]
+            yield self.killed_by_tests("tests", link(target), target, words)
+
+    def checks(self, mutant, group, link, folder):
         queries = self.queries(mutant.path)
         if group == "judge":
             judge, program = link("touchstone"), self.workshop.program
@@ -140,10 +148,6 @@ class Trial:
         for name, query in asked:
             yield from self.if_green(name, query,
                                      lambda: self.standard(name, query, judge, program(name), group, folder, limit))
-        for layer, names in reach.tests_of(self.workshop.root, mutant.path):
-            target = f"touchstone_tests_{layer}"
-            words = ["--filenames-as-tags", ",".join(f"[#{name}]" for name in names)]
-            yield self.killed_by_tests("tests", link(target), target, words)
 
     def if_green(self, name, query, stage):
         """The original is asked only when its turn comes: most mutants are killed by their first query."""

@@ -35,7 +35,7 @@ std::vector<WorkLimit> fast_work_limits() {
       {"time_of_impact", "toi_balls", 32, {{"toi_search", 8}}},
       {"time_of_impact", "toi_query", 32, {{"toi_search", 192}}},
       {"time_of_impact", "toi_wait", 32, {{"toi_search", 64}}},
-      {"time_of_impact", "toi_all_normals", 32, {{"toi_query", 2}}},
+      {"time_of_impact", "toi_all_normals", 64, {{"toi_query", 2}}},
       {"time_of_impact", "tumble_step", 512, {{"toi_query", 3}}},
       {"time_of_impact", "walk", 128, {{"toi_query", 3}}},
       {"time_of_impact", "walk_step", 32, {{"walk", 6}}},
