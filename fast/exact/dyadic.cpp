@@ -1,53 +1,68 @@
 #include "fast/exact/dyadic.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace touchstone::fast::exact {
 namespace {
 
-using Limbs = std::vector<std::uint32_t>;
-constexpr int limb_bits = 32;
+constexpr int limb_bits = 64;
 
-/// Two magnitudes on one scale: limb i of either has the weight 2^(32 (lowest + i)); limbs that are not stored are 0.
+__extension__ using Product = unsigned __int128;  // of two limbs
+
+/// A magnitude on a common scale: its lowest limb has the weight of limb `shift` there, its highest that of `end` − 1.
 struct Aligned {
-  const Limbs& limbs;
-  long shift;
-  std::uint32_t operator[](long i) const {
-    const long k = i - shift;
-    return k < 0 || k >= static_cast<long>(limbs.size()) ? 0 : limbs[static_cast<std::size_t>(k)];
-  }
+  Aligned(const Limbs& of, long from)
+      : limbs(of.data()), size(of.size()), shift(static_cast<std::size_t>(from)), end(shift + size) {}
+
+  const std::uint64_t* limbs;
+  std::size_t size, shift, end;
 };
 
-int compare(const Aligned& x, const Aligned& y, long size) {
-  for (long i = size - 1; i >= 0; --i) {
-    if (x[i] != y[i]) return x[i] < y[i] ? -1 : 1;
+/// Neither is 0, so their highest limbs are not, and neither are their lowest.
+int compare(const Aligned& x, const Aligned& y) {
+  if (x.end != y.end) return x.end < y.end ? -1 : 1;
+  std::size_t i = x.size, j = y.size;
+  while (i > 0 && j > 0) {
+    const std::uint64_t a = x.limbs[--i], b = y.limbs[--j];
+    if (a != b) return a < b ? -1 : 1;
   }
-  return 0;
+  return i > 0 ? 1 : j > 0 ? -1 : 0;
 }
 
-Limbs added(const Aligned& x, const Aligned& y, long size) {
-  Limbs z(static_cast<std::size_t>(size) + 1);
-  std::uint64_t carry = 0;
-  for (long i = 0; i < size; ++i) {
-    carry += std::uint64_t{x[i]} + y[i];
-    z[static_cast<std::size_t>(i)] = static_cast<std::uint32_t>(carry);
+/// The limbs of z, which become those of x.
+std::uint64_t* copy(const Aligned& x, std::size_t size, Limbs& z) {
+  z.reset(size);
+  std::uint64_t* limbs = z.data();
+  for (std::size_t i = 0; i < x.shift; ++i) limbs[i] = 0;
+  for (std::size_t i = 0; i < x.size; ++i) limbs[x.shift + i] = x.limbs[i];
+  for (std::size_t i = x.end; i < size; ++i) limbs[i] = 0;
+  return limbs;
+}
+
+/// z: x + y.
+void add(const Aligned& x, const Aligned& y, Limbs& z) {
+  std::uint64_t* limbs = copy(x, std::max(x.end, y.end) + 1, z) + y.shift;
+  Product carry = 0;
+  for (std::size_t i = 0; i < y.size; ++i) {
+    carry += Product{limbs[i]} + y.limbs[i];
+    limbs[i] = static_cast<std::uint64_t>(carry);
     carry >>= limb_bits;
   }
-  z.back() = static_cast<std::uint32_t>(carry);
-  return z;
+  for (limbs += y.size; carry != 0; ++limbs) carry = ++*limbs == 0 ? 1 : 0;
 }
 
-/// Requires x ≥ y.
-Limbs subtracted(const Aligned& x, const Aligned& y, long size) {
-  Limbs z(static_cast<std::size_t>(size));
+/// z: x − y. Requires x > y.
+void subtract(const Aligned& x, const Aligned& y, Limbs& z) {
+  std::uint64_t* limbs = copy(x, x.end, z) + y.shift;
   std::uint64_t borrow = 0;
-  for (long i = 0; i < size; ++i) {
-    const std::uint64_t difference = std::uint64_t{x[i]} - y[i] - borrow;
-    z[static_cast<std::size_t>(i)] = static_cast<std::uint32_t>(difference);
-    borrow = difference >> 63;
+  for (std::size_t i = 0; i < y.size; ++i) {
+    const Product difference = Product{limbs[i]} - y.limbs[i] - borrow;
+    limbs[i] = static_cast<std::uint64_t>(difference);
+    borrow = difference >> limb_bits != 0 ? 1 : 0;
   }
-  return z;
+  for (limbs += y.size; borrow != 0; ++limbs) borrow = (*limbs)-- == 0 ? 1 : 0;
 }
 
 }  // namespace
@@ -60,18 +75,19 @@ Dyadic::Dyadic(double x) {
   exponent -= 53;
   lowest_ = exponent >= 0 ? exponent / limb_bits : -((limb_bits - 1 - exponent) / limb_bits);
   const int shift = exponent - static_cast<int>(lowest_) * limb_bits;
-  const std::uint64_t high = shift == 0 ? 0 : mantissa >> (64 - shift);
-  const std::uint64_t low = mantissa << shift;
-  limbs_ = {static_cast<std::uint32_t>(low), static_cast<std::uint32_t>(low >> limb_bits),
-            static_cast<std::uint32_t>(high)};
+  limbs_.reset(2);
+  limbs_.data()[0] = mantissa << shift;
+  limbs_.data()[1] = shift == 0 ? 0 : mantissa >> (limb_bits - shift);
   trim();
 }
 
 void Dyadic::trim() {
-  while (!limbs_.empty() && limbs_.back() == 0) limbs_.pop_back();
-  const auto first = std::ranges::find_if(limbs_, [](std::uint32_t limb) { return limb != 0; });
-  lowest_ += first - limbs_.begin();
-  limbs_.erase(limbs_.begin(), first);
+  const std::uint64_t* limbs = limbs_.data();
+  std::size_t first = 0, end = limbs_.size();
+  while (end > 0 && limbs[end - 1] == 0) --end;
+  while (first < end && limbs[first] == 0) ++first;
+  lowest_ += static_cast<long>(first);
+  limbs_.cut(first, end - first);
   if (limbs_.empty()) sign_ = 0;
 }
 
@@ -83,25 +99,25 @@ Dyadic Dyadic::operator-() const {
 
 Dyadic Dyadic::sum(const Dyadic& x, const Dyadic& y, int sign_of_y) {
   if (sign_of_y == 0) return x;
+  if (x.sign_ == 0) return sign_of_y == y.sign_ ? y : -y;
+  return sum_of_others(x, y, sign_of_y);
+}
+
+/// Of numbers that are not 0. It returns one variable alone, which is made where the caller wants it: to copy what was
+/// written just before is slow.
+Dyadic Dyadic::sum_of_others(const Dyadic& x, const Dyadic& y, int sign_of_y) {
   Dyadic z;
-  if (x.sign_ == 0) {
-    z = y;
-    z.sign_ = sign_of_y;
-    return z;
-  }
   z.lowest_ = std::min(x.lowest_, y.lowest_);
-  const Aligned a{x.limbs_, x.lowest_ - z.lowest_};
-  const Aligned b{y.limbs_, y.lowest_ - z.lowest_};
-  const long size =
-      std::max(a.shift + static_cast<long>(x.limbs_.size()), b.shift + static_cast<long>(y.limbs_.size()));
+  const Aligned a(x.limbs_, x.lowest_ - z.lowest_);
+  const Aligned b(y.limbs_, y.lowest_ - z.lowest_);
   if (x.sign_ == sign_of_y) {
     z.sign_ = x.sign_;
-    z.limbs_ = added(a, b, size);
+    add(a, b, z.limbs_);
   } else {
-    const int order = compare(a, b, size);
-    if (order == 0) return {};
+    const int order = compare(a, b);
     z.sign_ = order > 0 ? x.sign_ : sign_of_y;
-    z.limbs_ = order > 0 ? subtracted(a, b, size) : subtracted(b, a, size);
+    if (order > 0) subtract(a, b, z.limbs_);
+    if (order < 0) subtract(b, a, z.limbs_);
   }
   z.trim();
   return z;
@@ -112,15 +128,19 @@ Dyadic operator*(const Dyadic& x, const Dyadic& y) {
   z.sign_ = x.sign_ * y.sign_;
   if (z.sign_ == 0) return z;
   z.lowest_ = x.lowest_ + y.lowest_;
-  z.limbs_.assign(x.limbs_.size() + y.limbs_.size(), 0);
-  for (std::size_t i = 0; i < x.limbs_.size(); ++i) {
-    std::uint64_t carry = 0;
-    for (std::size_t j = 0; j < y.limbs_.size(); ++j) {
-      carry += std::uint64_t{x.limbs_[i]} * y.limbs_[j] + z.limbs_[i + j];
-      z.limbs_[i + j] = static_cast<std::uint32_t>(carry);
+  z.limbs_.reset(x.limbs_.size() + y.limbs_.size());
+  const std::uint64_t *a = x.limbs_.data(), *b = y.limbs_.data();
+  std::uint64_t* limbs = z.limbs_.data();
+  const std::size_t size = y.limbs_.size();
+  for (std::size_t j = 0; j < size; ++j) limbs[j] = 0;
+  for (const std::uint64_t* end = a + x.limbs_.size(); a != end; ++a, ++limbs) {
+    Product carry = 0;
+    for (std::size_t j = 0; j < size; ++j) {
+      carry += Product{*a} * b[j] + limbs[j];
+      limbs[j] = static_cast<std::uint64_t>(carry);
       carry >>= limb_bits;
     }
-    z.limbs_[i + y.limbs_.size()] = static_cast<std::uint32_t>(carry);
+    limbs[size] = static_cast<std::uint64_t>(carry);
   }
   z.trim();
   return z;
@@ -128,15 +148,11 @@ Dyadic operator*(const Dyadic& x, const Dyadic& y) {
 
 Dyadic::Scientific Dyadic::scientific() const {
   if (sign_ == 0) return {};
-  // The three highest limbs have at least 65 bits; those beyond the first 53 are truncated.
-  const auto limb = [&](std::size_t from_top) {
-    return from_top <= limbs_.size() ? std::uint64_t{limbs_[limbs_.size() - from_top]} : 0;
-  };
-  const std::uint64_t top = limb(1) << limb_bits | limb(2);
-  int zeros = 0;
-  while ((top << zeros >> 63) == 0) ++zeros;
-  const std::uint64_t next = zeros == 0 ? 0 : limb(3) >> (limb_bits - zeros);
-  const std::uint64_t mantissa = (top << zeros | next) >> 11;
+  // The two highest limbs have at least 65 bits; those beyond the first 53 are truncated.
+  const std::uint64_t* top = limbs_.data() + limbs_.size() - 1;
+  const int zeros = std::countl_zero(*top);
+  const std::uint64_t next = zeros == 0 || limbs_.size() == 1 ? 0 : top[-1] >> (limb_bits - zeros);
+  const std::uint64_t mantissa = (*top << zeros | next) >> 11;
   return {sign_ * std::ldexp(static_cast<double>(mantissa), -53),
           limb_bits * (lowest_ + static_cast<long>(limbs_.size())) - zeros};
 }

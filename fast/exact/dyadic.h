@@ -5,8 +5,7 @@
 // limit.
 #pragma once
 
-#include <cstdint>
-#include <vector>
+#include "fast/exact/limbs.h"
 
 namespace touchstone::fast::exact {
 
@@ -37,11 +36,12 @@ class Dyadic {
 
  private:
   static Dyadic sum(const Dyadic& x, const Dyadic& y, int sign_of_y);
+  static Dyadic sum_of_others(const Dyadic& x, const Dyadic& y, int sign_of_y);
   void trim();
 
   int sign_ = 0;
-  long lowest_ = 0;                   ///< |x| = Σ limbs_[i] 2^(32 (lowest_ + i))
-  std::vector<std::uint32_t> limbs_;  ///< first and last are not 0; empty for 0
+  long lowest_ = 0;  ///< |x| = Σ limbs_[i] 2^(64 (lowest_ + i))
+  Limbs limbs_;      ///< first and last are not 0; empty for 0
 };
 
 /// The same as a double; ±infinity or 0 beyond the range.
