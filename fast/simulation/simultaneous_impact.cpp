@@ -64,7 +64,8 @@ struct Bodies {
   }
 };
 
-/// The mean of the points, weighted with p ≥ 0: a point itself if it alone has a weight, and none if none has.
+/// A touch at the mean of the points, weighted with p ≥ 0: a point itself if it alone has a weight, and none if none has.
+/// Several points have one normal; its gap is that of the first.
 template <class Weight>
 std::optional<Touch> weighted_mean(const PairPoints& points, const Weight& weight) {
   std::optional<Touch> mean;
@@ -77,7 +78,6 @@ std::optional<Touch> weighted_mean(const PairPoints& points, const Weight& weigh
       mean = points[k].touch;
       continue;
     }
-    mean->gap += p / sum * (points[k].touch.gap - mean->gap);
     mean->p_WC += p / sum * (points[k].touch.p_WC - mean->p_WC);
   }
   return mean;
@@ -121,7 +121,6 @@ class PressureCentre {
         relaxation = std::clamp(-relaxation * step_before.dot(change) / change.squaredNorm(), least_relaxation, 1.0);
       }
       at.p_WC += relaxation * step;
-      at.gap += relaxation * (next->gap - at.gap);
       step_before = step;
     }
     return best;

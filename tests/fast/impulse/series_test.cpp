@@ -1,6 +1,7 @@
 #include "fast/impulse/series.h"
 
 #include <cmath>
+#include <limits>
 
 #include "tests/catch.h"
 
@@ -19,6 +20,13 @@ TEST_CASE("series: a root that is 2^-29 of the length of the series is as precis
     const double exact = 0x1p-32 * (1 - 100 * 0x1p-32);  // but for 2·10⁴ · 2^-64 of it
     CHECK(std::abs(*root - exact) < 0x1p-48 * exact);
   }
+}
+
+TEST_CASE("series: a coefficient that is 0 limits no length") {
+  CHECK(length_for(0, 12) == std::numeric_limits<double>::max());
+  const double term = std::pow(length_for(1, 8), 8);
+  CHECK(term <= 0x1p-56);
+  CHECK(term > 0x1p-58);
 }
 
 }  // namespace
