@@ -64,8 +64,8 @@ struct Bodies {
   }
 };
 
-/// A touch at the mean of the points, weighted with p ≥ 0: a point itself if it alone has a weight, and none if none has.
-/// Several points have one normal; its gap is that of the first.
+/// A touch at the mean of the points, weighted with p ≥ 0: a point itself if it alone has a weight, and none if none
+/// has. Several points have one normal; its gap is that of the first.
 template <class Weight>
 std::optional<Touch> weighted_mean(const PairPoints& points, const Weight& weight) {
   std::optional<Touch> mean;
