@@ -231,6 +231,15 @@ TEST_CASE("a question survives the way") {
   CHECK(request.scene == scene());
 }
 
+TEST_CASE("a request has no further keys") {
+  CHECK_NOTHROW(protocol::read_request(R"({"op":"stop","seq":1})"));
+  CHECK_THROWS_AS(protocol::read_request(R"({"op":"stop","seq":1,"query":"mass"})"), InputError);
+  CHECK_NOTHROW(protocol::read_request(R"({"op":"start","seq":1,"protocol":1})"));
+  CHECK_THROWS_AS(protocol::read_request(R"({"op":"start","seq":1,"protocol":1,"query":"mass"})"), InputError);
+  CHECK_THROWS_AS(protocol::read_request(R"({"op":"ask","seq":1,"query":"mass","scene":{"bodies":[]},"x":0})"),
+                  InputError);
+}
+
 TEST_CASE("a request for a snippet and its answer survive the way") {
   const std::string line = protocol::reproduce(7, "distance", json_of(scene()).dump(), "\"1\"");
   const protocol::Request request = protocol::read_request(line);

@@ -635,6 +635,25 @@ TEST_CASE("simulation: steps explain friction that begins one of them late, on a
   CHECK(judged_at(0.07, 0.032, oracle::Stepping{1.0 / 64, 1}) == Outcome::fails);
 }
 
+// After 0.25 s it is at 1.84 m: on a table of 50 m, beyond the edge of one of 1 m.
+TEST_CASE("simulation: on a face a body stays within both of its edges") {
+  for (const Eigen::Index along : {0, 1}) {
+    for (const double half : {50.0, 1.0}) {
+      Vec3 p = Vec3::Zero(), v = Vec3::Zero(), extents{50, 50, 1};
+      v[along] = 8;
+      extents[along] = half;
+      Scene scene = over_table(ball({0, 0, 0.5}, v), 0.25);
+      std::get<Box>(scene.bodies[1].shape).half_extents = extents;
+      p[along] = 1.84375;
+      v[along] = 6.75;
+      p.z() = 0.5;
+      INFO("along axis " << along << ", " << half << " m");
+      CHECK(by_steps("slides", scene, {at(p, v), of_table()}, std::nullopt) ==
+            (half == 1 ? Outcome::outside : Outcome::holds));
+    }
+  }
+}
+
 // It falls 5 m in a second, leaves with 5 m/s, and is 1.25 m high after 0.5 s more. Steps of 1/256 s explain 0.34 m.
 TEST_CASE("simulation: steps explain impacts that come one of them late, and a fall that is too long") {
   const Scene scene = over_table(ball({0, 0, 5.5}, {0, 0, 0}), 1.5);

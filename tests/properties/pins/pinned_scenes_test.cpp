@@ -1,4 +1,6 @@
 // The scenes that a seed draws: the same bits from every build and every version, unless a change means otherwise.
+#include "properties/fuzzing/recipe.h"
+#include "properties/property.h"
 #include "properties/scenes/extreme.h"
 #include "tests/catch.h"
 #include "tests/properties/pins/pinned_page.h"
@@ -21,6 +23,24 @@ std::string digests(const std::vector<Family>& of) {
   return page;
 }
 
+/// One line a query, with the digest of the scenes of random recipes, and of the recipes that they mutate into.
+std::string digests_of_recipes() {
+  std::string page;
+  for (const std::string& query : tested_queries()) {
+    Random random(seed, query, 0);
+    tests::Digest scenes;
+    for (std::uint64_t i = 0; i < draws; ++i) {
+      std::vector<std::uint8_t> recipe(fuzzing::most_bytes / 2);
+      for (std::uint8_t& byte : recipe) byte = static_cast<std::uint8_t>(random.below(256));
+      scenes.add(json_of(fuzzing::scene_of(query, recipe)).dump());
+      fuzzing::mutate_recipe(recipe, fuzzing::most_bytes, i);
+      scenes.add(std::string(recipe.begin(), recipe.end()));
+    }
+    page += "recipes of " + query + ' ' + scenes.text() + '\n';
+  }
+  return page;
+}
+
 }  // namespace
 
 // A seed in somebody's report must draw the same scene again, with another compiler (the order of two draws in one
@@ -28,7 +48,8 @@ std::string digests(const std::vector<Family>& of) {
 // a reason, and makes seeds of older reports draw other scenes. To make them anew: TOUCHSTONE_UPDATE=1 ./touchstone
 // test -R "pins:".
 TEST_CASE("pins: the scenes of a seed") {
-  const std::string now = digests(families()) + digests(extremes()), pinned = tests::pinned_page("scenes.txt", now);
+  const std::string now = digests(families()) + digests(extremes()) + digests_of_recipes();
+  const std::string pinned = tests::pinned_page("scenes.txt", now);
   CHECK(tests::lines_not_in(pinned, now) == std::vector<std::string>{});
   CHECK(tests::lines_not_in(now, pinned) == std::vector<std::string>{});
 }
