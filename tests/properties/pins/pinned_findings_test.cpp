@@ -5,6 +5,7 @@
 
 #include "oracle/subjects/canaries/canaries.h"
 #include "oracle/subjects/touchstone/fast.h"
+#include "oracle/subjects/touchstone/reference.h"
 #include "properties/property.h"
 #include "properties/scenes/domain.h"
 #include "tests/catch.h"
@@ -27,15 +28,19 @@ std::string text(const oracle::Finding& finding) {
          (finding.of_body ? digits(*finding.of_body) : "") + ' ' + finding.why + '\n';
 }
 
-/// Simulations cost milliseconds, and some properties ask for several.
-bool moves(const std::string& query) { return query == "simulation" || query == "constraint"; }
+/// A subject, and about how many scenes of each family it is asked: simulations cost milliseconds, and some properties
+/// ask for several.
+struct Asked {
+  std::unique_ptr<oracle::Subject> subject;
+  std::uint64_t scenes = 0;
+};
 
-std::string found(const properties::Property& property, oracle::Subject& subject) {
+std::string found(const properties::Property& property, const Asked& asked) {
   tests::Digest findings;
   int holds = 0, fails = 0;
   for (const properties::Family* family : properties::for_query(properties::families(), property.query)) {
-    for (std::uint64_t i = 0; i < (moves(property.query) ? 1 : 4); ++i) {
-      const oracle::Finding finding = property.check(properties::draw(*family, 1, i), subject);
+    for (std::uint64_t i = 0; i < asked.scenes; ++i) {
+      const oracle::Finding finding = property.check(properties::draw(*family, 1, i), *asked.subject);
       findings.add(text(finding));
       holds += finding.outcome == oracle::Outcome::holds ? 1 : 0;
       fails += oracle::failed(finding) ? 1 : 0;
@@ -44,16 +49,18 @@ std::string found(const properties::Property& property, oracle::Subject& subject
   return std::to_string(holds) + " hold " + std::to_string(fails) + " fail " + findings.text();
 }
 
-/// fast, and canaries that lie about the query.
-std::vector<std::unique_ptr<oracle::Subject>> asked_about(const std::string& query) {
-  std::vector<std::unique_ptr<oracle::Subject>> subjects;
-  subjects.push_back(oracle::subjects::make_fast());
-  const std::size_t most = query == "constraint" ? 1 : query == "simulation" ? 2 : 4;
+/// fast, and canaries that lie about the query; or the reference, where it is the cheaper one.
+std::vector<Asked> asked_about(const std::string& query) {
+  const std::uint64_t scenes = query == "simulation" || query == "constraint" ? 1 : 4;
+  std::vector<Asked> all;
+  all.push_back({oracle::subjects::make_fast(), scenes});
+  if (query == "constraint") all.push_back({oracle::subjects::make_reference(), 12});
+  const std::size_t most = query == "simulation" || query == "constraint" ? 2 : 4;
   for (const oracle::subjects::Canary& canary : oracle::subjects::canaries()) {
-    if (subjects.size() < most && std::ranges::count(canary.lies_about, query) > 0)
-      subjects.push_back(canary.make(oracle::subjects::make_fast()));
+    if (all.size() < most && std::ranges::count(canary.lies_about, query) > 0)
+      all.push_back({canary.make(oracle::subjects::make_fast()), scenes});
   }
-  return subjects;
+  return all;
 }
 
 }  // namespace
@@ -63,10 +70,10 @@ std::vector<std::unique_ptr<oracle::Subject>> asked_about(const std::string& que
 TEST_CASE("pins: the findings about fast and about canaries") {
   std::string now;
   for (const std::string& query : properties::tested_queries()) {
-    for (const auto& subject : asked_about(query)) {
+    for (const Asked& asked : asked_about(query)) {
       for (const properties::Property& property : properties::all()) {
         if (property.query == query)
-          now += property.id + ' ' + subject->card().name + ' ' + found(property, *subject) + '\n';
+          now += property.id + ' ' + asked.subject->card().name + ' ' + found(property, asked) + '\n';
       }
     }
   }
