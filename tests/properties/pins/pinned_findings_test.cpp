@@ -15,17 +15,17 @@ using namespace touchstone;
 
 namespace {
 
-/// Two digits: the judge's own rounding must not show.
-std::string digits(double x) {
+/// So few digits that the rounding of a C library does not show.
+std::string digits(double x, int precision) {
   char written[32];
-  std::snprintf(written, sizeof written, "%.2g", x);
+  std::snprintf(written, sizeof written, "%.*g", precision, x);
   return written;
 }
 
 std::string text(const oracle::Finding& finding) {
-  return name_of(finding.outcome) + ' ' + name_of(finding.defect) + ' ' + digits(finding.allowed) + ' ' + finding.unit +
-         ' ' + (finding.relative ? digits(*finding.relative) : "") + ' ' +
-         (finding.of_body ? digits(*finding.of_body) : "") + ' ' + finding.why + '\n';
+  return name_of(finding.outcome) + ' ' + name_of(finding.defect) + ' ' + digits(finding.allowed, 9) + ' ' +
+         finding.unit + ' ' + (finding.relative ? digits(*finding.relative, 2) : "") + ' ' +
+         (finding.of_body ? digits(*finding.of_body, 2) : "") + ' ' + finding.why + '\n';
 }
 
 /// A subject, and about how many scenes of each family it is asked: simulations cost milliseconds, and some properties
