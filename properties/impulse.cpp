@@ -164,7 +164,7 @@ Finding cone(const Scene& scene, Subject& subject) {
   return of_answered_impact(scene, subject, [](const ImpactCase& asked, const SaidImpact& said) {
     if (!std::isfinite(asked.contact.friction)) return judge::outside("infinite friction has no cone");
     // |dP_t| ≤ √λ √(dPᵀ K dP), where λ is the greatest eigenvalue of K⁻¹.
-    const double across = said.allowed * static_cast<double>(std::sqrt(asked.impact.K_inverse.trace()));
+    const double across = said.allowed * static_cast<double>(std::sqrt(asked.impact.K_inverse().trace()));
     return impulses(asked, said, across + asked.contact.friction * said.per_normal, asked.mu(), Defect::beyond_cone,
                     "|P_t| ≤ mu P·n", [&](const Point& P) {
                       const Real P_n = asked.impact.nhat_BA_W.dot(P);
@@ -180,7 +180,7 @@ std::optional<Real> greatest_gain(const ImpactCase& asked, const SaidImpact& sai
   if (asked.contact.law == Law::newton && !free) return std::nullopt;
   if (!asked.approaching() || !asked.regular()) return 0;
   if (asked.contact.law == Law::poisson) {
-    const Real K_inverse_nn = asked.impact.nhat_BA_W.dot(asked.impact.K_inverse * asked.impact.nhat_BA_W);
+    const Real K_inverse_nn = asked.impact.nhat_BA_W.dot(asked.impact.impulse_for(asked.impact.nhat_BA_W));
     return -(1 - e) / (1 + e) * P_n * P_n / (2 * K_inverse_nn);
   }
   const Real steepest = asked.impact.K_nn() + (free ? 0 : asked.mu() * asked.impact.k().norm());
@@ -229,7 +229,7 @@ Finding frictionless(const Scene& scene, Subject& subject) {
 Finding stuck(const Scene& scene, Subject& subject) {
   return of_answered_impact(scene, subject, [](const ImpactCase& asked, const SaidImpact& said) {
     if (asked.slips() || !asked.approaching()) return judge::outside("slip, or no approach");
-    const Point held = asked.impact.K_inverse * asked.impact.nhat_BA_W;  // ∝ (−M⁻¹ k, 1)
+    const Point held = asked.impact.impulse_for(asked.impact.nhat_BA_W);  // ∝ (−M⁻¹ k, 1)
     const Real along = asked.impact.nhat_BA_W.dot(held), across = (held - along * asked.impact.nhat_BA_W).norm();
     if (!(across <= asked.mu() * along * (1 - 0x1p-40L)))
       return judge::outside("friction is too weak for sticking from the start");

@@ -46,7 +46,17 @@ ImpactBody impact_body(const Scene& scene, std::size_t index, const Vec3& p_WC) 
   return it;
 }
 
-Real Impact::energy_norm(const Point& du) const { return std::sqrt(std::max<Real>(0, du.dot(K_inverse * du))); }
+Point Impact::impulse_for(const Point& du) const {
+  const auto lower = L.triangularView<Eigen::Lower>();
+  return lower.transpose().solve(lower.solve(du));
+}
+
+Matrix Impact::K_inverse() const {
+  const Matrix root = L.triangularView<Eigen::Lower>().solve(Matrix::Identity());
+  return root.transpose() * root;
+}
+
+Real Impact::energy_norm(const Point& du) const { return L.triangularView<Eigen::Lower>().solve(du).norm(); }
 
 Real Impact::condition() const {
   const Point values = Eigen::SelfAdjointEigenSolver<Matrix>(K, Eigen::EigenvaluesOnly).eigenvalues();
@@ -78,7 +88,7 @@ Impact impact(const Scene& scene) {
     it.u += (i == 0 ? 1 : -1) * at_contact(body.v_WBcm, body.w_WB, body);
   }
   it.K = ((it.K + it.K.transpose()) / 2).eval();
-  it.K_inverse = it.K.inverse();
+  it.L = it.K.llt().matrixL();
   return it;
 }
 

@@ -42,17 +42,21 @@ struct ImpactBody {
 ImpactBody impact_body(const Scene& scene, std::size_t body, const Vec3& p_WC);
 
 struct Impact {
-  std::array<ImpactBody, 2> bodies;   ///< A, B
-  Point nhat_BA_W = Point::UnitZ();   ///< n/|n|
-  Matrix K = Matrix::Zero();          ///< 1/kg: an impulse P on A at C, −P on B, changes u by K P
-  Matrix K_inverse = Matrix::Zero();  ///< kg
-  Point u = Point::Zero();            ///< velocity of A's point at C relative to B's (m/s)
+  std::array<ImpactBody, 2> bodies;  ///< A, B
+  Point nhat_BA_W = Point::UnitZ();  ///< n/|n|
+  Matrix K = Matrix::Zero();         ///< 1/kg: an impulse P on A at C, −P on B, changes u by K P
+  Matrix L = Matrix::Zero();         ///< kg^-1/2: K = L Lᵀ, lower triangular
+  Point u = Point::Zero();           ///< velocity of A's point at C relative to B's (m/s)
 
   Real u_n() const { return nhat_BA_W.dot(u); }
   Point u_t() const { return u - u_n() * nhat_BA_W; }
   Real K_nn() const { return nhat_BA_W.dot(K * nhat_BA_W); }
   /// The tangential velocity caused by a unit of normal impulse.
   Point k() const { return K * nhat_BA_W - K_nn() * nhat_BA_W; }
+  /// K⁻¹ du, the impulse that changes u by du (N s); and K⁻¹ itself (kg). By L: an inverse of K loses what a needle has
+  /// in its stiff direction, which may be 2^-40 of the rest, to rounding.
+  Point impulse_for(const Point& du) const;
+  Matrix K_inverse() const;
   /// √(uᵀ K⁻¹ u), √J, for a velocity or a change of velocity at C.
   Real energy_norm(const Point& du) const;
   Real condition() const;   ///< condition number of K, in the 2-norm

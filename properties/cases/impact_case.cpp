@@ -72,7 +72,7 @@ SaidImpact::SaidImpact(const ImpactCase& asked, const Impulse& said)
     : answer(said),
       after(moving(said.after)),
       u(asked.impact.u_after(said.after)),
-      P(asked.impact.K_inverse * (u - asked.impact.u)),
+      P(asked.impact.impulse_for(u - asked.impact.u)),
       allowed(oracle::tolerance::impulse(asked.scene, asked.impact, said.after, asked.precision)),
       per_normal(allowed * static_cast<double>(asked.impact.energy_norm(asked.impact.nhat_BA_W))) {}
 

@@ -59,6 +59,28 @@ TEST_CASE("Impact: norms and parts") {
   CHECK(it.condition() <= 60);
 }
 
+// Moments of 6e11 : 1, so K has one eigenvalue that is 3e11 times the others. N(K x)² = xᵀ K x, whatever x is.
+TEST_CASE("Impact: norms and impulses keep their digits in the stiff direction of a needle") {
+  Scene scene = skewed();
+  scene.bodies[0].mass = Fixed{};
+  MassProperties needle;
+  needle.mass = 0x1p-30;
+  needle.I_BBcm_B = Vec3(0x1p-47, 0x1p-47, 0x1p-86).asDiagonal();
+  scene.bodies[1].mass = needle;
+  scene.bodies[1].X_WB = {{0, 0, 0}, {8, -1, 1, 0}};
+  scene.contact->p_WC = {0x1p-9, 0x1p-9, 0};
+  const Impact it = impact(scene);
+  REQUIRE(it.condition() > 0x1p36L);
+  REQUIRE(it.condition() < 0x1p43L);
+  for (const Vec3& direction : {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1), Vec3(1, -2, 3)}) {
+    const Point x = direction.cast<Real>(), du = it.K * x;
+    const Real N = it.energy_norm(du), exact = x.dot(du);
+    CHECK(std::abs(N * N - exact) <= 0x1p-20L * exact);
+    CHECK(it.energy_norm(it.K * (it.impulse_for(du) - x)) <= 0x1p-20L * N);
+  }
+  CHECK((it.K_inverse() * it.K - Matrix::Identity()).norm() < 1);
+}
+
 TEST_CASE("tolerance::impulse: 0 only for nothing, more for fewer bits, and in the solver's measure") {
   const Scene scene = skewed();
   const Impact it = impact(scene);

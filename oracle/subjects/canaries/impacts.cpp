@@ -83,7 +83,7 @@ Point frozen_slip(const Point& P, const Impact& impact, const Contact& contact) 
 // Slides where friction could hold, and sticks where it cannot.
 void stick_test_reversed(Contact& contact, const Scene& scene) {
   const Impact it = impact(scene);
-  const Point held = it.K_inverse * (it.u_n() * it.nhat_BA_W + it.u_t() / (1 + contact.restitution));
+  const Point held = it.impulse_for(it.u_n() * it.nhat_BA_W + it.u_t() / (1 + contact.restitution));
   const Real along = std::abs(it.nhat_BA_W.dot(held)), across = (held - normal_part(held, it)).norm();
   contact.friction = across <= contact.friction * along ? 0 : infinity;
 }
