@@ -56,6 +56,12 @@ TEST_CASE("impact conditions: the outcome of the law, and each of the ways to br
   for (Body& each : reported.before.bodies) each.material.friction = 0x1p-20;
   CHECK(violated(reported, allowed) == std::nullopt);
 
+  reported = flat_cube(0.5);  // it leaves with twice its speed: 4 times its energy
+  reported.impulses[0].P_A_W.z() = 3;
+  reported.after[0].v_WBcm.z() = 2;
+  CHECK(violated(reported, allowed) == ImpactCondition::energy);
+  CHECK(condition_errors(reported)[static_cast<std::size_t>(ImpactCondition::energy)] == 3);
+
   reported = flat_cube(1);  // beside the cube, by 1
   reported.impulses[0].point_W.x() = 2;
   reported.impulses[0].P_A_W.z() = 0.5;

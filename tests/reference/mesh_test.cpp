@@ -190,6 +190,8 @@ TEST_CASE("mesh: files that are none") {
 
 TEST_CASE("mesh: bad coordinates and flat meshes") {
   const Folder folder;
+  CHECK(complaint(folder.file("four.off", "4OFF\n4 0 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n")).find("starts with \"4OFF\"") !=
+        std::string::npos);
   CHECK(complaint(folder.file("nan.off", "OFF\n4 0 0\n0 0 0\n1 0 0\n0 nan 0\n0 0 1\n")) ==
         "5:3: expected a number that a double can hold, found \"nan\"");
   CHECK(complaint(folder.file("inf.stl", stl_binary(corner_facets(1e300), 4))).find(": NaN or infinite") !=
