@@ -2,7 +2,6 @@
 
 #include <limits>
 
-#include "reference/exact/exact_pose.h"
 #include "tests/catch.h"
 
 namespace touchstone::reference {
@@ -48,18 +47,6 @@ TEST_CASE("pose: rotations keep lengths exactly") {
   const RationalVec3 p = in_world({Vec3::Zero(), {0.1, 0.7, -0.3, 1e-5}}, v);
   const auto squared = [](const Rational& x, const Rational& y, const Rational& z) { return x * x + y * y + z * z; };
   CHECK(squared(p.x, p.y, p.z) == squared(v.x(), v.y(), v.z()));
-}
-
-// 2^60 + 1 has 61 bits, so a double is below it; the greatest coordinate becomes 1/2 and a little.
-TEST_CASE("pose: the enclosure of an integer that is no double is one ulp wide, of either sign") {
-  const Integer v = (Integer(1) << 60) + 1;
-  const EnclosureVec both = enclosure(IntegerVec{v, Integer(-v), Integer(0)});
-  CHECK(both.x.inf() == 0.5);
-  CHECK(both.x.sup() == 0.5 + 0x1p-53);
-  CHECK(both.y.inf() == -0.5 - 0x1p-53);
-  CHECK(both.y.sup() == -0.5);
-  CHECK(both.z.inf() == 0);
-  CHECK(both.z.sup() == 0);
 }
 
 }  // namespace
