@@ -559,6 +559,40 @@ TEST_CASE("simulation: what has not the form of a trajectory is not judged furth
   CHECK(judged("ordered", said).defect == Defect::inconsistent);
 }
 
+// Balls 0 to 5 in a row, of which none needs to be there: only the order of events is judged.
+TEST_CASE("simulation: events at one time are in order, but for those that begin anew with what others caused") {
+  const auto judged_order = [](const std::vector<std::pair<int, int>>& pairs) {
+    Scene scene;
+    for (int i = 0; i < 6; ++i) scene.bodies.push_back(ball({4.0 * i, 0, 0}, {0, 0, 0}));
+    scene.motion.emplace();
+    scene.motion->sample_times = {1};
+    Trajectory said;
+    said.states.emplace_back();
+    for (const Body& body : scene.bodies) said.states[0].push_back({body.X_WB, {}});
+    said.events.emplace();
+    for (const auto& [a, b] : pairs) {
+      Event event;
+      event.kind = Event::Kind::impact;
+      event.time = 0.5;
+      event.a = a;
+      event.b = b;
+      event.nhat_BA_W = {-1, 0, 0};
+      said.events->push_back(event);
+    }
+    tests::FixedSubject subject;
+    subject.said_simulation = said;
+    return properties::find("simulation.ordered").check(scene, subject).outcome;
+  };
+  CHECK(judged_order({{0, 1}, {2, 3}}) == Outcome::holds);
+  CHECK(judged_order({{2, 3}, {0, 1}}) == Outcome::fails);
+  CHECK(judged_order({{2, 3}, {1, 2}}) == Outcome::holds);
+  CHECK(judged_order({{2, 3}, {0, 1}, {1, 2}}) ==
+        Outcome::holds);  // 1 and 2 meet since 2 was hit, and 0 and 1 with them
+  CHECK(judged_order({{2, 3}, {0, 1}, {4, 5}}) == Outcome::fails);
+  CHECK(judged_order({{2, 3}, {0, 1}, {0, 1}, {4, 5}}) == Outcome::fails);
+  CHECK(judged_order({{2, 3}, {0, 1}, {4, 5}, {1, 2}}) == Outcome::fails);  // another round has to begin with the last
+}
+
 TEST_CASE("simulation: in contact, and through what one event completes, bodies do not fly") {
   Trajectory said = turned_back();
   said.states[1][0] = ball_at({2, 0, 1}, {1, 0, 0});
