@@ -13,8 +13,10 @@ constexpr double entry_per_test = 3;
 // A choice that bounds memory where a few bodies are much larger than the others.
 constexpr double entries_per_body = 16;
 
+double cube(double x) { return x * x * x; }
+
 double modelled_cost(double x, double density) {
-  return entry_per_test * std::pow(1 + 1 / x, 3) + 0.5 * density * std::pow(1 + x, 6) / (x * x * x);
+  return entry_per_test * cube(1 + 1 / x) + 0.5 * density * cube((1 + x) * (1 + x) / x);
 }
 
 }  // namespace

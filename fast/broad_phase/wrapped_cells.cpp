@@ -1,6 +1,7 @@
 #include "fast/broad_phase/wrapped_cells.h"
 
 #include <bit>
+#include <cmath>
 
 namespace touchstone::fast {
 namespace {
@@ -19,6 +20,18 @@ constexpr double crowd_allowed = 32;
 
 // Cells across the world. Coordinates within it are floats with 24 bits: the last four are left for places in a cell.
 constexpr double greatest_units = 0x1p20;
+
+/// Of x > 0, to a few u, by Newton's method from 1, with the same bits everywhere: cells, and so the work that they
+/// save, must not depend on the C library.
+double cube_root(double x) {
+  int exponent = 0;
+  const double m = std::frexp(x, &exponent);
+  const int thirds = exponent >= 0 ? (exponent + 2) / 3 : -(-exponent / 3);
+  const double scaled = std::ldexp(m, exponent - 3 * thirds);  // from 1/8 to 1
+  double root = 1;
+  for (int k = 0; k < 8; ++k) root = (2 * root + scaled / (root * root)) / 3;
+  return std::ldexp(root, thirds);
+}
 
 }  // namespace
 
@@ -51,7 +64,7 @@ void WrappedCells::lay_out(const std::vector<Aabb>& boxes, const std::vector<Bod
 void WrappedCells::expect(std::size_t pairs, std::size_t bodies) {
   const double known = std::max(1.0, static_cast<double>(pairs));
   const double borne = 0.4 * static_cast<double>(bodies) + 1.6 * known;
-  greatest_margin_ = (std::cbrt(borne / known) - 1) / 2;
+  greatest_margin_ = (cube_root(borne / known) - 1) / 2;
 }
 
 /// A constant times the average distance of bodies; not much less than the mean extent of a body.
@@ -72,7 +85,7 @@ double WrappedCells::first_cell(const std::vector<Aabb>& boxes, const std::vecto
   // Room for bodies that move about, so that g need not change every frame.
   domain_.lo -= Vec3::Constant(widest / 16);
   domain_.hi += Vec3::Constant(widest / 16);
-  return std::max(cells_per_distance * widest * std::cbrt(share.prod() / n), least_cell_ / 2);
+  return std::max(cells_per_distance * widest * cube_root(share.prod() / n), least_cell_ / 2);
 }
 
 /// The mean number of bodies in a body's cell, with cells hashed onto about n places.
