@@ -53,7 +53,7 @@ std::string fault_in_event(const Scene& scene, const Event& event, double end) {
 
 bool share_a_body(const Event& a, const Event& b) { return a.a == b.a || a.a == b.b || a.b == b.a || a.b == b.b; }
 
-bool is_before(const Event& a, const Event& b) { return std::tuple(a.a, a.b) <= std::tuple(b.a, b.b); }
+bool in_pair_order(const Event& a, const Event& b) { return std::tuple(a.a, a.b) <= std::tuple(b.a, b.b); }
 
 // Impacts at one time are in the order of their pairs. The order begins anew with those that earlier ones at that time
 // caused: bodies that touch act together, so one of them has a body of an earlier impact, not each.
@@ -63,7 +63,7 @@ bool in_order(const std::vector<Event>& events, std::size_t k) {
   const Event& before = events[k - 1];
   if (before.time != event.time) return before.time < event.time;
   if (before.kind != Event::Kind::impact || event.kind != Event::Kind::impact) return true;
-  if (is_before(before, event)) return true;
+  if (in_pair_order(before, event)) return true;
   const auto caused = [&](const Event& impact) {
     for (std::size_t i = k; i-- > 0 && events[i].time == event.time;) {
       if (share_a_body(events[i], impact)) return true;
@@ -71,7 +71,7 @@ bool in_order(const std::vector<Event>& events, std::size_t k) {
     return false;
   };
   for (std::size_t i = k; i < events.size() && events[i].time == event.time; ++i) {
-    if (i > k && !is_before(events[i - 1], events[i])) return false;
+    if (i > k && !in_pair_order(events[i - 1], events[i])) return false;
     if (caused(events[i])) return true;
   }
   return false;

@@ -559,7 +559,7 @@ TEST_CASE("simulation: what has not the form of a trajectory is not judged furth
   CHECK(judged("ordered", said).defect == Defect::inconsistent);
 }
 
-// Balls 0 to 5 in a row, of which none needs to be there: only the order of events is judged.
+// Balls 0 to 5 in a row, apart from each other: only the order of the events is judged, not whether they can be.
 TEST_CASE("simulation: events at one time are in order, but for those that begin anew with what others caused") {
   const auto judged_order = [](const std::vector<std::pair<int, int>>& pairs) {
     Scene scene;
@@ -586,11 +586,12 @@ TEST_CASE("simulation: events at one time are in order, but for those that begin
   CHECK(judged_order({{0, 1}, {2, 3}}) == Outcome::holds);
   CHECK(judged_order({{2, 3}, {0, 1}}) == Outcome::fails);
   CHECK(judged_order({{2, 3}, {1, 2}}) == Outcome::holds);
-  CHECK(judged_order({{2, 3}, {0, 1}, {1, 2}}) ==
-        Outcome::holds);  // 1 and 2 meet since 2 was hit, and 0 and 1 with them
+  // 1 and 2 meet since 2 was hit, and 0 and 1 with them.
+  CHECK(judged_order({{2, 3}, {0, 1}, {1, 2}}) == Outcome::holds);
   CHECK(judged_order({{2, 3}, {0, 1}, {4, 5}}) == Outcome::fails);
   CHECK(judged_order({{2, 3}, {0, 1}, {0, 1}, {4, 5}}) == Outcome::fails);
-  CHECK(judged_order({{2, 3}, {0, 1}, {4, 5}, {1, 2}}) == Outcome::fails);  // another round has to begin with the last
+  // (1, 2) begins the order a third time, so it does not explain why it began a second time.
+  CHECK(judged_order({{2, 3}, {0, 1}, {4, 5}, {1, 2}}) == Outcome::fails);
 }
 
 TEST_CASE("simulation: in contact, and through what one event completes, bodies do not fly") {

@@ -1,6 +1,7 @@
 #include "fast/motion/tumble_period.h"
 
 #include <cmath>
+#include <numbers>
 
 #include "tests/catch.h"
 
@@ -15,7 +16,7 @@ TEST_CASE("tumble period: a flat disc has one, whichever axis is its own") {
     const Period found = period(turned(c), 0, turned(w), 0);
     INFO("axis " << (3 - k) % 3 << ": " << found.length << " +- " << found.error);
     CHECK(found.error < 1e-13);
-    CHECK(std::abs(found.length - 2 * 3.14159265358979323846 / 4) <= found.error);
+    CHECK(std::abs(found.length - std::numbers::pi / 2) <= found.error);
   }
 }
 

@@ -3,13 +3,13 @@
 
 #include <cstdint>
 #include <cstdio>
-#include <cstdlib>
+#include <set>
 #include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "model/json.h"
+#include "tests/properties/generated_page.h"
 
 namespace touchstone::tests {
 
@@ -29,22 +29,26 @@ class Digest {
   std::uint64_t hash_ = 14695981039346656037u;
 };
 
-/// Reads tests/properties/pins/<name>. If TOUCHSTONE_UPDATE is set, writes `made` to it first.
-inline std::string pinned_page(const std::string& name, const std::string& made) {
-  const std::string path = TOUCHSTONE_SOURCE_DIR "/tests/properties/pins/" + name;
-  if (std::getenv("TOUCHSTONE_UPDATE") != nullptr) write_text(path, made);
-  return read_text(path);
-}
-
-/// The lines of one page that the other does not have.
-inline std::vector<std::string> lines_not_in(const std::string& other, const std::string& page) {
-  const std::string there = '\n' + other;
-  std::istringstream lines(page);
-  std::vector<std::string> missing;
-  for (std::string line; std::getline(lines, line);) {
-    if (there.find('\n' + line + '\n') == std::string::npos) missing.push_back(line);
+/// The lines in which `made` differs from the committed tests/properties/pins/<name>: "- " with a line of the file, "+
+/// " with one of `made`. No line is twice in a page.
+inline std::vector<std::string> changed_lines(const std::string& name, const std::string& made) {
+  const auto lines_of = [](const std::string& page) {
+    std::istringstream text(page);
+    std::set<std::string> lines;
+    for (std::string line; std::getline(text, line);) lines.insert(line);
+    return lines;
+  };
+  const std::set<std::string> pinned =
+      lines_of(committed_text(TOUCHSTONE_SOURCE_DIR "/tests/properties/pins/" + name, made));
+  const std::set<std::string> now = lines_of(made);
+  std::vector<std::string> changed;
+  for (const std::string& line : pinned) {
+    if (!now.contains(line)) changed.push_back("- " + line);
   }
-  return missing;
+  for (const std::string& line : now) {
+    if (!pinned.contains(line)) changed.push_back("+ " + line);
+  }
+  return changed;
 }
 
 }  // namespace touchstone::tests

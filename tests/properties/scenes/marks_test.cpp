@@ -1,15 +1,14 @@
 // The scenes that are drawn reach the code that they are for, on generic scenes what is slow runs seldom, and nothing
 // runs more or less often than it did.
 #include <algorithm>
-#include <cstdlib>
 #include <string>
 
 #include "fast/mark.h"
-#include "model/json.h"
 #include "oracle/subject.h"
 #include "oracle/subjects/touchstone/fast.h"
 #include "properties/scenes/domain.h"
 #include "tests/catch.h"
+#include "tests/properties/generated_page.h"
 
 using namespace touchstone;
 using fast::Mark;
@@ -278,6 +277,5 @@ std::string all_counts() {
 // pinned".
 TEST_CASE("marks: the counts are pinned") {
   const std::string path = TOUCHSTONE_SOURCE_DIR "/tests/properties/scenes/mark_counts.txt", now = all_counts();
-  if (std::getenv("TOUCHSTONE_UPDATE") != nullptr) write_text(path, now);
-  CHECK(read_text(path) == now);
+  CHECK(tests::committed_text(path, now) == now);
 }
