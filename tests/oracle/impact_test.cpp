@@ -65,10 +65,11 @@ TEST_CASE("Impact: norms and impulses keep their digits in the stiff direction o
   scene.bodies[0].mass = Fixed{};
   MassProperties needle;
   needle.mass = 0x1p-30;
-  needle.I_BBcm_B = Vec3(0x1p-47, 0x1p-47, 0x1p-86).asDiagonal();
+  needle.p_BBcm = {0x1p-9, 0, 0};
+  needle.I_BBcm_B = Vec3(0x9p-50, 0x9p-50, 0x9p-89).asDiagonal();
   scene.bodies[1].mass = needle;
-  scene.bodies[1].X_WB = {{0, 0, 0}, {8, -1, 1, 0}};
-  scene.contact->p_WC = {0x1p-9, 0x1p-9, 0};
+  scene.bodies[1].X_WB = {{0, 0, 0}, {16, -1, 0, 0}};
+  scene.contact->p_WC = {0, 0x1p-9, 0};
   const Impact it = impact(scene);
   REQUIRE(it.condition() > 0x1p36L);
   REQUIRE(it.condition() < 0x1p43L);
