@@ -32,10 +32,7 @@ Trajectory constrained(const Scene& scene, const ConstraintOptions& options) {
     const double span = sample_time - time;
     // An interval that is a whole number of steps up to rounding takes exactly that many.
     const int steps = std::max(1, static_cast<int>(std::ceil(span / longest * (1 - 0x1p-40))));
-    for (int i = 0; i < steps; ++i) {
-      const double from = time + span * i / steps;
-      stepper.step(from, span / steps, i + 1 == steps ? sample_time : time + span * (i + 1) / steps);
-    }
+    stepper.advance(time, sample_time, steps);
     time = sample_time;
     trajectory.states.push_back(stepper.states());
   }

@@ -109,6 +109,7 @@ std::optional<MassProperties> mass(const Body& body) {
 
 Masses mass(const Scene& scene) {
   Masses all;
+  all.reserve(scene.bodies.size());
   for (const Body& body : scene.bodies) all.push_back(mass(body));
   return all;
 }

@@ -1,6 +1,7 @@
 #include "fast/constraint/contact_search.h"
 
 #include <algorithm>
+#include <array>
 #include <string>
 
 #include "model/input_error.h"
@@ -29,6 +30,12 @@ void guess(const ContactPair& pair, StepContacts& found) {
     }
     found.rows[nearest].P += before.P;
   }
+}
+
+lin_canny::Proximity proximity_of(const StepperBody& A, const StepperBody& B,
+                                  std::vector<lin_canny::FeaturePair>& walk) {
+  return nearest_parts(A.solid(), lin_canny::CachedPose(A.pose()), B.solid(), lin_canny::CachedPose(B.pose()), walk)
+      .proximity;
 }
 
 }  // namespace
@@ -68,9 +75,7 @@ void ContactSearch::find(const std::vector<StepperBody>& bodies, int a, int b, d
   if (A.is_fixed() && B.is_fixed()) return;
   const double reach = skin_ + greatest_shift(A, h) + greatest_shift(B, h);
   TrackedPair& tracked = tracked_[{a, b}];
-  const lin_canny::Proximity proximity = nearest_parts(A.solid(), lin_canny::CachedPose(A.pose()), B.solid(),
-                                                       lin_canny::CachedPose(B.pose()), tracked.walk)
-                                             .proximity;
+  const lin_canny::Proximity proximity = proximity_of(A, B, tracked.walk);
   if (first_step_ && proximity.verdict == Verdict::overlapping) {
     throw InputError("bodies[" + std::to_string(b) + "]", "overlaps bodies[" + std::to_string(a) + "] at the start");
   }
@@ -108,6 +113,15 @@ StepContacts ContactSearch::find(const std::vector<StepperBody>& bodies, double 
   for (const BodyPair& pair : near_) find(bodies, static_cast<int>(pair.a), static_cast<int>(pair.b), h, found);
   first_step_ = false;
   return found;
+}
+
+Vec3 ContactSearch::normal(const ContactPair& pair, const std::vector<StepperBody>& bodies, std::size_t moved,
+                           const Vec3& way) {
+  std::array<StepperBody, 2> both{bodies[index(pair.a)], bodies[index(pair.b)]};
+  StepperBody& mover = both[index(pair.a) == moved ? 0 : 1];
+  mover = mover.moved(way);
+  const lin_canny::Proximity proximity = proximity_of(both[0], both[1], pair.tracked->walk);
+  return gap_manifold(both[0].part(), both[1].part(), proximity, pair.tracked->nhat_BA_W).nhat_BA_W;
 }
 
 void ContactSearch::move(std::size_t body, const StepperBody& moved) {

@@ -50,6 +50,10 @@ class ContactSearch {
   /// InputError if two bodies overlap in the first step.
   StepContacts find(const std::vector<StepperBody>& bodies, double h);
 
+  /// The normal of a pair once one of its bodies has moved by `way`.
+  static Vec3 normal(const ContactPair& pair, const std::vector<StepperBody>& bodies, std::size_t moved,
+                     const Vec3& way);
+
   void move(std::size_t body, const StepperBody& moved);
 
   std::map<std::pair<int, int>, TrackedPair>& tracked() { return tracked_; }

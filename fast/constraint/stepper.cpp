@@ -1,6 +1,7 @@
 #include "fast/constraint/stepper.h"
 
 #include <algorithm>
+#include <array>
 #include <string>
 
 #include "fast/contact/solver.h"
@@ -15,6 +16,10 @@ using contact::index;
 // Share of the velocity that weight adds in a step; smaller slip velocities are the solver's error.
 constexpr double slip_counts = 0x1p-10;
 
+constexpr int longest_long_step = 256;   // short steps
+constexpr double same_force = 0x1p-20;   // relative; the solver's error is far below
+constexpr double same_normal = 0x1p-40;  // rounding
+
 std::vector<StepperBody> bodies_of(const Scene& scene) {
   std::vector<StepperBody> bodies;
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
@@ -23,14 +28,34 @@ std::vector<StepperBody> bodies_of(const Scene& scene) {
   return bodies;
 }
 
+/// Whether StepperBody::advance_evenly over h errs no more than short steps, which neglect that ω changes in each: by
+/// h |Δω|/2 of the short h. The next terms of the series that it uses are at most h |Δω| (x²/120 + x³/720), x = |ω| h.
+bool rotates_as_accurately(const Vec3& w, const Vec3& w_after, double h, double short_h) {
+  const double x = h * std::max(w.norm(), w_after.norm());
+  return w.cross(w_after).isZero(0) || (x < 2 && h * x * x * (1.0 / 120 + x / 720) <= short_h / 2);
+}
+
+std::optional<std::size_t> lone_ball(const Scene& scene, const std::vector<StepperBody>& bodies) {
+  if (!scene.motion->forces.empty()) return std::nullopt;
+  std::optional<std::size_t> ball;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    if (bodies[i].is_fixed() && !bodies[i].moves()) continue;
+    if (ball || !bodies[i].is_ball()) return std::nullopt;
+    ball = i;
+  }
+  return ball;
+}
+
 }  // namespace
 
-Stepper::Stepper(const Scene& scene, double longest_step, int sweeps)
+Stepper::Stepper(const Scene& scene, double short_step, int sweeps)
     : scene_(scene),
       sweeps_(sweeps),
       skin_(envelope(scene) / 2),
       bodies_(bodies_of(scene)),
-      search_(scene, bodies_, skin_, longest_step) {}
+      lone_ball_(lone_ball(scene, bodies_)),
+      length_(lone_ball_ ? longest_long_step : 1),
+      search_(scene, bodies_, skin_, short_step * (lone_ball_ ? longest_long_step : 1)) {}
 
 void Stepper::find_contacts(double h) {
   mobilities_.clear();
@@ -128,6 +153,14 @@ PairStep Stepper::pair_step(const ContactPair& contact_pair, double slow) const 
   return step;
 }
 
+/// For the next step.
+void Stepper::keep_impulses(const ContactPair& contact_pair) const {
+  contact_pair.tracked->loaded.clear();
+  for (std::size_t i = contact_pair.first; i < contact_pair.first + contact_pair.count; ++i) {
+    contact_pair.tracked->loaded.push_back({contacts_.points[i].p_WC, contacts_.rows[i].P});
+  }
+}
+
 void Stepper::emit(double weight, double until) {
   const auto emit_event = [&](int a, int b, PairEvents& pair_events, const PairStep& step) {
     const auto kind = pair_events.update(step, weight);
@@ -136,10 +169,7 @@ void Stepper::emit(double weight, double until) {
                        bodies_[index(b)].state()});
   };
   for (const ContactPair& contact_pair : contacts_.pairs) {
-    contact_pair.tracked->loaded.clear();
-    for (std::size_t i = contact_pair.first; i < contact_pair.first + contact_pair.count; ++i) {
-      contact_pair.tracked->loaded.push_back({contacts_.points[i].p_WC, contacts_.rows[i].P});
-    }
+    keep_impulses(contact_pair);
     emit_event(contact_pair.a, contact_pair.b, contact_pair.tracked->pair_events,
                pair_step(contact_pair, slip_counts * weight));
   }
@@ -153,7 +183,71 @@ void Stepper::emit(double weight, double until) {
   search_.forget_distant();
 }
 
-void Stepper::step(double time, double h, double until) {
+/// Whether a long step with these twists at its end ends as short ones would. The ball's path is then a parabola, which
+/// stays in the convex hull of its start, its end, and the point that its first velocity reaches in h/2. A plane that
+/// separates it from a body at these three does so all the way; and if a face is nearest to all three, then all the
+/// way, since the points to which a face is nearest are a convex set. Forces are constant, so no slip begins, ends or
+/// turns.
+bool Stepper::changes_nothing(const std::vector<contact::Twist>& twists, double h) {
+  for (const auto& [ids, tracked] : search_.tracked()) {
+    if (!tracked.seen && !tracked.loaded.empty()) return false;
+  }
+  const StepperBody& ball = bodies_[*lone_ball_];
+  const contact::Twist &before = ball.twist(), &after = twists[*lone_ball_];
+  if (!rotates_as_accurately(before.w, after.w, h, short_step_)) return false;
+  const std::array<Vec3, 2> ways{h / 2 * before.v, h / 2 * (before.v + after.v)};
+  for (const ContactPair& pair : contacts_.pairs) {
+    const double side = index(pair.a) == *lone_ball_ ? 1 : -1;
+    Vec3 P = Vec3::Zero(), P_before = Vec3::Zero();
+    for (const TrackedPair::Loaded& loaded : pair.tracked->loaded) P_before += loaded.P;
+    for (std::size_t i = pair.first; i < pair.first + pair.count; ++i) P += contacts_.rows[i].P;
+    if ((last_h_ * P - h * P_before).norm() > same_force * last_h_ * P.norm()) return false;
+    for (const Vec3& way : ways) {
+      if (P.isZero(0)) {
+        for (std::size_t i = pair.first; i < pair.first + pair.count; ++i) {
+          if (!(contacts_.points[i].gap + side * contacts_.rows[i].n.dot(way) > skin_)) return false;
+        }
+      } else {
+        const Vec3 normal = search_.normal(pair, bodies_, *lone_ball_, way);
+        if ((normal - *pair.tracked->nhat_BA_W).norm() > same_normal) return false;
+      }
+    }
+  }
+  return true;
+}
+
+bool Stepper::long_step(double time, double h) {
+  find_contacts(h);
+  std::vector<contact::Twist> twists = free_twists(time, h);
+  solve(contacts_.rows, mobilities_, twists, {.sweeps = sweeps_});
+  if (!changes_nothing(twists, h)) return false;
+  mark(Mark::step_long);
+  bodies_[*lone_ball_].advance_evenly(h, twists[*lone_ball_]);
+  search_.move(*lone_ball_, bodies_[*lone_ball_]);
+  for (const ContactPair& pair : contacts_.pairs) keep_impulses(pair);
+  search_.forget_distant();
+  last_h_ = h;
+  return true;
+}
+
+void Stepper::advance(double from, double to, int steps) {
+  const auto time = [&](int i) { return i == steps ? to : from + (to - from) * i / steps; };
+  short_step_ = (to - from) / steps;
+  for (int i = 0; i < steps;) {
+    const int n = length_.next(steps - i);
+    if (n > 1 && !long_step(time(i), time(i + n) - time(i))) {
+      length_.refuse(n);
+      continue;
+    }
+    const std::size_t emitted = events_.size();
+    if (n == 1) short_step(time(i), short_step_, time(i + 1));
+    length_.take(n);
+    if (events_.size() > emitted) length_.restart();
+    i += n;
+  }
+}
+
+void Stepper::short_step(double time, double h, double until) {
   const double weight = h * scene_.gravity.norm();
   emit_forces(time);
   find_contacts(h);
@@ -177,6 +271,7 @@ void Stepper::step(double time, double h, double until) {
     if (!bodies_[i].is_fixed() || bodies_[i].moves()) search_.move(i, bodies_[i]);
   }
   emit(weight, until);
+  last_h_ = h;
 }
 
 std::vector<State> Stepper::states() const {

@@ -1,10 +1,12 @@
 // The time stepper: collision detection, contact solve, integration.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "fast/constraint.h"
 #include "fast/constraint/contact_search.h"
+#include "fast/constraint/step_length.h"
 #include "fast/constraint/stepper_body.h"
 #include "fast/contact/row.h"
 
@@ -14,20 +16,26 @@ class Stepper {
  public:
   Stepper(const Scene& scene, double longest_step, int sweeps);
 
-  /// Steps from `time` by h. Contact events get the end of the step, `until`, as their time, force events its
-  /// beginning.
-  void step(double time, double h, double until);
+  /// Goes from `from` to `to` (s) in so many short steps of one length, or in fewer if some of them may be long.
+  void advance(double from, double to, int steps);
 
   std::vector<State> states() const;
   std::vector<Event>& events() { return events_; }
 
  private:
+  /// Steps from `time` by h. Contact events get the end of the step, `until`, as their time, force events its
+  /// beginning.
+  void short_step(double time, double h, double until);
+  /// Returns false, and changes no state, if something changes within h.
+  bool long_step(double time, double h);
+  bool changes_nothing(const std::vector<contact::Twist>& twists, double h);
   void find_contacts(double h);
   void emit_forces(double time);
   std::vector<contact::Twist> free_twists(double time, double h) const;
   /// `weight`: the velocity that gravity adds in a step, m/s.
   void solve_contacts(std::vector<contact::Twist>& twists, double weight);
   std::vector<contact::Twist> apart(double h);
+  void keep_impulses(const ContactPair& contact_pair) const;
   void emit(double weight, double until);
   PairStep pair_step(const ContactPair& contact_pair, double slow) const;
 
@@ -36,6 +44,10 @@ class Stepper {
   double skin_;  ///< m; the distance at which bodies rest
   std::vector<StepperBody> bodies_;
   std::vector<contact::Mobility> mobilities_;  ///< of bodies_, at the beginning of the step
+  std::optional<std::size_t> lone_ball_;       ///< index of the only body that moves, if it is a ball without forces
+  StepLength length_;
+  double short_step_ = 0;  ///< s
+  double last_h_ = 0;      ///< s; the last step
   ContactSearch search_;
   StepContacts contacts_;
   std::vector<double> u_n_;   ///< of the contacts' rows, before the step

@@ -6,6 +6,7 @@
 
 #include "fast/motion/ballistic_motion.h"
 #include "fast/motion/quaternion.h"
+#include "fast/motion/steady_turn.h"
 #include "model/input_error.h"
 
 namespace touchstone::fast::constraint {
@@ -36,6 +37,11 @@ StepperBody::StepperBody(const Body& body, const std::string& place)
   refresh();
 }
 
+bool StepperBody::is_ball() const {
+  return std::holds_alternative<Sphere>(model_.shape) && model_.p_BBcm.isZero(0) &&
+         model_.turning == motion::Turning::steady;
+}
+
 Pose StepperBody::pose() const { return {centre_ - R_WB_ * model_.p_BBcm, q_WB_}; }
 
 contact::Part StepperBody::part() const {
@@ -60,6 +66,20 @@ void StepperBody::advance(double h, const contact::Twist& twist, bool touched, c
   twist_ = {twist.v, then.w_WB};
   if (!shift.w.isZero(0)) turn(h * shift.w);
   refresh();
+}
+
+void StepperBody::advance_evenly(double h, const contact::Twist& twist) {
+  centre_ += h / 2 * (twist_.v + twist.v);
+  const Vec3 mean = (twist_.w + twist.w) / 2 + h / 12 * twist.w.cross(twist_.w);
+  q_WB_ = motion::unit(motion::product(motion::steady_turn(mean, h).q, q_WB_));
+  twist_ = twist;
+  refresh();
+}
+
+StepperBody StepperBody::moved(const Vec3& way) const {
+  StepperBody moved = *this;
+  moved.centre_ += way;
+  return moved;
 }
 
 }  // namespace touchstone::fast::constraint

@@ -15,6 +15,8 @@ class StepperBody {
   StepperBody(const Body& body, const std::string& place);
 
   bool is_fixed() const { return inverse_mass_ == 0; }
+  /// A sphere with its centre of mass in the middle, which turns steadily.
+  bool is_ball() const;
   bool moves() const { return !twist_.v.isZero(0) || !twist_.w.isZero(0); }
   double inverse_mass() const { return inverse_mass_; }
   double mass() const { return 1 / inverse_mass_; }
@@ -31,6 +33,11 @@ class StepperBody {
   /// with the mean of its old and new velocity, exactly on its parabola. It rotates as a free body does from its new
   /// angular velocity (fast/motion/ballistic_motion.h), so that even a fast-spinning needle keeps its energy.
   void advance(double h, const contact::Twist& twist, bool touched, const contact::Twist& shift);
+  /// Likewise for a ball under constant forces, whether it touches something or not: with the mean of its old and new
+  /// velocity, and by the first two terms of Magnus's series for an angular velocity that changes at a constant rate.
+  void advance_evenly(double h, const contact::Twist& twist);
+  /// This body moved by `way`.
+  StepperBody moved(const Vec3& way) const;
 
  private:
   const lin_canny::Convex& convex() const { return model_.solid.parts().front(); }

@@ -1,0 +1,161 @@
+// Long steps of a lone ball beside short ones and beside closed forms.
+#include "fast/constraint/stepper.h"
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include "fast/mark.h"
+#include "tests/catch.h"
+
+namespace touchstone::fast::constraint {
+namespace {
+
+constexpr double g = 9.75;
+constexpr int steps = 4096;
+
+Body block(const Vec3& half_extents, const Vec3& place, double friction) {
+  return {"block", Box{half_extents}, {place, {}}, {}, {0, friction}, Fixed{}};
+}
+
+Scene one_ball(const Vec3& p, const Velocity& velocity) {
+  Scene scene;
+  scene.gravity = Vec3(0, 0, -g);
+  scene.bodies = {{"ball", Sphere{0.25}, {p, {}}, velocity, {0, 1}, Density{}}};
+  scene.motion = Motion{.sample_times = {1.0}};
+  return scene;
+}
+
+struct Followed {
+  State ball;
+  std::vector<Event> events;
+  std::uint64_t long_steps = 0, sweeps = 0;
+};
+
+Followed follow(const Scene& scene) {
+  const MarkCounts before = mark_counts;
+  Stepper stepper(scene, 1.0 / steps, 200);
+  stepper.advance(0, 1, steps);
+  const MarkCounts since = marks_since(before);
+  return {stepper.states()[0], stepper.events(), since[static_cast<std::size_t>(Mark::step_long)],
+          since[static_cast<std::size_t>(Mark::contact_sweep)]};
+}
+
+/// The same scene with a body far away that moves, so that no ball is alone and all steps are short.
+Followed follow_by_short_steps(Scene scene) {
+  scene.bodies.push_back({"other", Sphere{0.25}, {Vec3(0, 0, 1000), {}}, {}, {0, 1}, Density{}});
+  const Followed followed = follow(scene);
+  CHECK(followed.long_steps == 0);
+  return followed;
+}
+
+double angle_between(const State& a, const State& b) {
+  const auto rotation = [](const Quaternion& q) { return Eigen::Quaterniond(q.w, q.x, q.y, q.z).normalized(); };
+  return rotation(a.X_WB.q_WB).angularDistance(rotation(b.X_WB.q_WB));
+}
+
+TEST_CASE("time stepper: a lone ball in flight takes a few long steps along its parabola, and turns steadily") {
+  const Velocity start{Vec3(1, 2, 3), Vec3(0, 0, 5)};
+  const Followed flight = follow(one_ball(Vec3::Zero(), start));
+  CHECK(flight.long_steps > 0);
+  CHECK(flight.long_steps < 32);
+  CHECK((flight.ball.X_WB.p_WB - Vec3(1, 2, 3 - g / 2)).norm() < 1e-13);
+  CHECK((flight.ball.velocity.v_WBcm - Vec3(1, 2, 3 - g)).norm() < 1e-13);
+  CHECK(angle_between(flight.ball, {{Vec3::Zero(), {std::cos(2.5), 0, 0, std::sin(2.5)}}, {}}) < 1e-7);
+}
+
+// Slip stops after v/(μ g (1 + 1/κ)) = 2 v/(7 μ g), κ = 2/5, and 5/7 of the velocity is left.
+TEST_CASE("time stepper: a lone ball slides until it rolls; the change is found to a short step") {
+  const double mu = 0.125, v = 1, t = 2 * v / (7 * mu * g);
+  Scene scene = one_ball(Vec3(0, 0, 0.25), {Vec3(v, 0, 0), Vec3::Zero()});
+  scene.bodies.push_back(block(Vec3(4, 4, 1), Vec3(0, 0, -1), mu));
+  const Followed followed = follow(scene);
+  CHECK(followed.long_steps > 0);
+  CHECK(followed.sweeps < 200);
+  CHECK(std::abs(followed.ball.X_WB.p_WB.x() - (v * t - mu * g * t * t / 2 + 5 * v / 7 * (1 - t))) <
+        mu * g * 2 / steps);  // the wrong acceleration for two short steps
+  CHECK(std::abs(followed.ball.velocity.v_WBcm.x() - 5 * v / 7) < mu * g * 2 / steps);
+  REQUIRE(followed.events.size() == 2);  // contact, and the end of slip
+  CHECK(std::abs(followed.events[1].time - t) < 2.0 / steps);
+}
+
+// With sidespin ω changes its direction while the ball slides.
+TEST_CASE("time stepper: long steps turn a lone ball at least as accurately as short ones") {
+  const auto scene_of = [](double friction) {
+    Scene scene = one_ball(Vec3(0, 0, 0.25), {Vec3(8, 0, 0), Vec3(0, 0, 12)});
+    scene.bodies.push_back(block(Vec3(50, 50, 1), Vec3(0, 0, -1), friction));
+    return scene;
+  };
+  for (const double mu : {0.03125, 0.125}) {
+    const Scene scene = scene_of(mu);
+    const Followed followed = follow(scene);
+    CHECK(followed.long_steps > 0);
+    // ω = (0, α t, 12), α = μ g r/(κ r²), by the midpoint rule in 2²⁰ steps.
+    const double alpha = mu * g / (0.4 * 0.25), h = 0x1p-20;
+    Eigen::Quaterniond q = Eigen::Quaterniond::Identity();
+    for (int i = 0; i < 1 << 20; ++i) {
+      const Vec3 w(0, alpha * h * (i + 0.5), 12);
+      q = Eigen::Quaterniond(Eigen::AngleAxisd(h * w.norm(), w.normalized())) * q;
+    }
+    const State truth{{Vec3::Zero(), {q.w(), q.x(), q.y(), q.z()}}, {}};
+    const double error = angle_between(followed.ball, truth);
+    CHECK(error < alpha / (2 * steps));  // of short steps, which neglect the change of ω in each
+    CHECK(error < angle_between(follow_by_short_steps(scene).ball, truth) + 1e-7);
+  }
+}
+
+// The ball passes over the far edge of a block whose top is 1 below its start, or just misses that edge.
+TEST_CASE("time stepper: long steps overlook no corner on the way") {
+  for (const double beyond : {-0.2, -0.01, 0.0, 0.01, 0.2}) {
+    CAPTURE(beyond);
+    const double fall = std::sqrt(2 / g);  // for the height of 1
+    Scene scene = one_ball(Vec3(-4 * fall + beyond, 0, 1.25), {Vec3(4, 0, 0), Vec3::Zero()});
+    scene.bodies.push_back(block(Vec3(4, 4, 1), Vec3(-4, 0, -1), 0.5));
+    const Followed followed = follow(scene), shortly = follow_by_short_steps(scene);
+    CHECK(followed.long_steps > 0);
+    REQUIRE(followed.events.size() == shortly.events.size());
+    for (std::size_t i = 0; i < followed.events.size(); ++i) {
+      CHECK(followed.events[i].kind == shortly.events[i].kind);
+      CHECK(std::abs(followed.events[i].time - shortly.events[i].time) < 3.0 / steps);
+    }
+    CHECK((followed.ball.X_WB.p_WB - shortly.ball.X_WB.p_WB).norm() < 0.01);
+  }
+}
+
+// Thrown up under a ceiling, the ball meets it, or turns back below it, within what could be one long step.
+TEST_CASE("time stepper: long steps overlook no ceiling that a ball meets and leaves again") {
+  for (const double clear : {-0x1p-10, 0x1p-10}) {
+    Scene scene = one_ball(Vec3::Zero(), {Vec3(0, 0, g / 2), Vec3::Zero()});  // at the apex after half a second
+    scene.bodies.push_back(block(Vec3(1, 1, 1), Vec3(0, 0, g / 8 + 0.25 + 1 + clear), 0.5));
+    const Followed followed = follow(scene);
+    CHECK(followed.long_steps > 0);
+    CHECK(followed.events.empty() == (clear > 0));
+  }
+}
+
+// At the edge the normal turns, so a long step would go on along the face.
+TEST_CASE("time stepper: a lone ball that rolls off a face is followed by short steps at its edge") {
+  Scene scene = one_ball(Vec3(0, 0, 0.25), {Vec3(2, 0, 0), Vec3(0, 8, 0)});
+  scene.bodies.push_back(block(Vec3(1, 1, 1), Vec3(0, 0, -1), 0.5));
+  const Followed followed = follow(scene), shortly = follow_by_short_steps(scene);
+  CHECK(followed.long_steps > 0);
+  REQUIRE(followed.events.size() == 2);  // contact and release
+  CHECK(std::abs(followed.events[1].time - 0.5) < 3.0 / steps);
+  CHECK((followed.ball.X_WB.p_WB - shortly.ball.X_WB.p_WB).norm() < 0.01);
+}
+
+TEST_CASE("time stepper: no ball is alone beside a body that moves, under applied forces, or with its weight aside") {
+  const Scene ball = one_ball(Vec3::Zero(), {});
+  CHECK(follow(ball).long_steps > 0);
+  follow_by_short_steps(ball);
+  Scene pushed = ball, aside = ball, box = ball, carried = ball;
+  pushed.motion->force_bound = 1;
+  pushed.motion->forces = {{0.5, 0, {1, 0, 0}}};
+  aside.bodies[0].mass = MassProperties{1, Vec3(0.125, 0, 0), Mat3::Identity()};
+  box.bodies[0].shape = Box{Vec3(1, 1, 1)};
+  carried.bodies.push_back(block(Vec3(1, 1, 1), Vec3(0, 0, -8), 0.5));
+  carried.bodies[1].velocity.v_WBcm = Vec3(1, 0, 0);
+  for (const Scene& scene : {pushed, aside, box, carried}) CHECK(follow(scene).long_steps == 0);
+}
+
+}  // namespace
+}  // namespace touchstone::fast::constraint
