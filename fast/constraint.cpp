@@ -11,7 +11,7 @@ namespace {
 // A choice: the error is of first order in the step, and so is the cost in the number of steps.
 constexpr double steps_per_motion = 4096;
 
-// A choice that ends a run with a step that is much too short: half a minute for a ball on a table.
+// A choice that ends a run with a step that is much too short: half a minute for two balls on a table.
 constexpr double most_steps = 0x1p24;
 
 }  // namespace

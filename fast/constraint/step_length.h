@@ -26,11 +26,6 @@ class StepLength {
   }
   /// Something changes within a step of that length.
   void refuse(int steps) { until_change_ = steps; }
-  /// Something changed in the step that was taken last.
-  void restart() {
-    until_change_ = 0;
-    length_ = 1;
-  }
 
  private:
   static constexpr int growth = 4;

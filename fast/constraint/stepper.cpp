@@ -239,10 +239,8 @@ void Stepper::advance(double from, double to, int steps) {
       length_.refuse(n);
       continue;
     }
-    const std::size_t emitted = events_.size();
     if (n == 1) short_step(time(i), short_step_, time(i + 1));
     length_.take(n);
-    if (events_.size() > emitted) length_.restart();
     i += n;
   }
 }

@@ -44,17 +44,14 @@ TEST_CASE("step length: a change is bisected down to a short step") {
   }
 }
 
-TEST_CASE("step length: after a change steps are short again, then grow") {
+TEST_CASE("step length: once a change is passed, steps grow from a short one again") {
   StepLength length(64);
-  for (const int steps : {1, 4, 16}) length.take(steps);
-  length.restart();
-  CHECK(length.next(many) == 1);
-  length.take(1);
-  CHECK(length.next(many) == 4);
-  length.refuse(4);
-  CHECK(length.next(many) == 2);
-  length.restart();
-  CHECK(length.next(many) == 1);
+  for (const int steps : {1, 4}) length.take(steps);
+  length.refuse(16);
+  for (const int expected : {8, 4, 2, 1, 1, 1, 4, 16}) {
+    CHECK(length.next(many) == expected);
+    length.take(expected);
+  }
 }
 
 }  // namespace

@@ -80,20 +80,20 @@ TEST_CASE("time stepper: a lone ball slides until it rolls; the change is found 
 
 // With sidespin ω changes its direction while the ball slides.
 TEST_CASE("time stepper: long steps turn a lone ball at least as accurately as short ones") {
-  const auto scene_of = [](double friction) {
-    Scene scene = one_ball(Vec3(0, 0, 0.25), {Vec3(8, 0, 0), Vec3(0, 0, 12)});
+  const auto scene_of = [](double friction, double spin) {
+    Scene scene = one_ball(Vec3(0, 0, 0.25), {Vec3(8, 0, 0), Vec3(0, 0, spin)});
     scene.bodies.push_back(block(Vec3(50, 50, 1), Vec3(0, 0, -1), friction));
     return scene;
   };
-  for (const double mu : {0.03125, 0.125}) {
-    const Scene scene = scene_of(mu);
+  for (const auto& [mu, spin] : {std::pair(0.03125, 12.0), std::pair(0.125, 12.0), std::pair(0.03125, 100.0)}) {
+    const Scene scene = scene_of(mu, spin);
     const Followed followed = follow(scene);
     CHECK(followed.long_steps > 0);
-    // ω = (0, α t, 12), α = μ g r/(κ r²), by the midpoint rule in 2²⁰ steps.
+    // ω = (0, α t, spin), α = μ g r/(κ r²), by the midpoint rule in 2²⁰ steps.
     const double alpha = mu * g / (0.4 * 0.25), h = 0x1p-20;
     Eigen::Quaterniond q = Eigen::Quaterniond::Identity();
     for (int i = 0; i < 1 << 20; ++i) {
-      const Vec3 w(0, alpha * h * (i + 0.5), 12);
+      const Vec3 w(0, alpha * h * (i + 0.5), spin);
       q = Eigen::Quaterniond(Eigen::AngleAxisd(h * w.norm(), w.normalized())) * q;
     }
     const State truth{{Vec3::Zero(), {q.w(), q.x(), q.y(), q.z()}}, {}};
@@ -130,6 +130,18 @@ TEST_CASE("time stepper: long steps overlook no ceiling that a ball meets and le
     CHECK(followed.long_steps > 0);
     CHECK(followed.events.empty() == (clear > 0));
   }
+}
+
+// Nothing else is near, so at the start no boxes overlap.
+TEST_CASE("time stepper: long steps overlook no thin plate that is still far away") {
+  const double x = 7.25 - 0x1p-8 - 0.25, t = x / 16;  // where and when the ball meets it
+  Scene scene = one_ball(Vec3::Zero(), {Vec3(16, 0, 0), Vec3::Zero()});
+  scene.bodies.push_back(block(Vec3(0x1p-8, 0.25, 0.25), Vec3(7.25, 0, -g * t * t / 2), 0.5));
+  const Followed followed = follow(scene);
+  CHECK(followed.long_steps > 0);
+  REQUIRE_FALSE(followed.events.empty());
+  CHECK(followed.events[0].kind == Event::Kind::impact);
+  CHECK(std::abs(followed.events[0].time - t) < 2.0 / steps);
 }
 
 // At the edge the normal turns, so a long step would go on along the face.

@@ -87,6 +87,7 @@ const std::vector<Reach> reaches = {
     {Mark::rest_phase, "simulation", "tables.slides"},
     {Mark::step_bounce, "constraint", "tables.drops"},
     {Mark::step_force, "constraint", "tables.pushed"},
+    {Mark::step_long, "constraint", "tables.slides"},
     {Mark::step_shift, "constraint", "tables.falls"},
     {Mark::toi_all_normals, "time_of_impact", "flights.touching"},
     {Mark::toi_balls, "time_of_impact", "flights.from_afar"},
