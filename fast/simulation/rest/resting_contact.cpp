@@ -28,6 +28,11 @@ double leaves_face(const BodyMotion& block, const Vec3& s, const Vec3& v, const 
   return first;
 }
 
+/// λ = m r²/I of a ball.
+double rolling_inertia(const BodyMotion& ball) {
+  return ball.radius() * ball.radius() * ball.inverse_moment() / ball.inverse_mass();
+}
+
 /// The axis of the block along n̂; none if the contact is at an edge or corner.
 std::optional<Eigen::Index> face_along(const BodyMotion& block, const Vec3& n, const Vec3& s) {
   const Vec3 n_B = block.R_WB().transpose() * n, s_B = block.R_WB().transpose() * s;
@@ -73,8 +78,12 @@ State without_slip(const BodyMotion& body, const BodyMotion& block, State state,
     state.velocity = {block.path().v, Vec3::Zero()};
     return state;
   }
+  const double r = body.radius(), lambda = rolling_inertia(body);
   const Vec3 v = state.velocity.v_WBcm - block.path().v;
-  state.velocity.w_WB = n.dot(state.velocity.w_WB) * n + n.cross(v) / body.radius();
+  const Vec3 slip = v - n.dot(v) * n - r * state.velocity.w_WB.cross(n);
+  const Vec3 rolls = v - slip / (1 + lambda);
+  state.velocity.v_WBcm = block.path().v + rolls;
+  state.velocity.w_WB = n.dot(state.velocity.w_WB) * n + n.cross(rolls) / r;
   return state;
 }
 
@@ -83,7 +92,7 @@ std::optional<RestingContact> ball_on_face(const BodyMotion& ball, const BodyMot
   const Vec3 s = state.X_WB.p_WB - block.path().place(t);
   const std::optional<Eigen::Index> face = face_along(block, n, s);
   if (!face) return {};
-  const double r = ball.radius(), lambda = r * r * ball.inverse_moment() / ball.inverse_mass();
+  const double r = ball.radius(), lambda = rolling_inertia(ball);
   const Vec3 v = state.velocity.v_WBcm - block.path().v, g_t = gravity - n.dot(gravity) * n;
   const double N = -load * n.dot(gravity), slope = length(g_t) > negligible * N ? length(g_t) : 0;
   const Vec3 turning = r * state.velocity.w_WB.cross(n), slip = v - n.dot(v) * n - turning;

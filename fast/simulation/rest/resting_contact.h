@@ -64,7 +64,10 @@ std::optional<RestingContact> body_on_face(const BodyMotion& body, const BodyMot
                                            const Vec3& nhat_W, const std::vector<Vec3>& corners, const Vec3& gravity,
                                            double friction, double rest_speed);
 
-/// The state at the end of slip: a ball rolls, without slip up to rounding; another body is at rest on the block.
+/// The state at the end of slip: a ball rolls, without slip up to rounding; another body is at rest on the block. The
+/// end of slip is known to the rounding of time. What is left of a ball's slip by then is ended by an impulse P at the
+/// contact point, so what the contact gave is the change of both momenta:
+///   m Δv = P, I Δω = −r n̂ × P, P = −m slip/(1 + λ), λ = m r²/I
 State without_slip(const BodyMotion& body, const BodyMotion& block, State state, const Vec3& nhat_W);
 
 /// The normal of a face of the block if it differs from n̂ by less than 2⁻²⁰ (a body that lies within the envelope is
