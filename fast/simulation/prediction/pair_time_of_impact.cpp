@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
 
 #include "fast/lin_canny/nearest_parts.h"
 #include "fast/mark.h"
@@ -132,6 +133,37 @@ double with_deviation(const BodyMotion& a, const BodyMotion& b, double from, dou
   });
 }
 
+lin_canny::NearestParts nearest_parts(const BodyMotion& a, const BodyMotion& b, double t, PairMemory& memory) {
+  const lin_canny::Solid &A = a.model().solid, &B = b.model().solid;
+  memory.features.resize(lin_canny::pairs_of_parts(A, B));
+  return lin_canny::nearest_parts(A, lin_canny::CachedPose(a.ballistic().pose(t)), B,
+                                  lin_canny::CachedPose(b.ballistic().pose(t)), memory.features);
+}
+
+struct Hit {
+  double time;
+  Vec3 p_WC;
+};
+
+/// Of a contact that is proved to come between `lo` and `hi`: a time at which the computed poses are within the
+/// envelope. That is `lo`, unless the claimed errors of the poses hide a gap that is wider. A run goes on from the
+/// computed poses, so they tell where the two are, and bisection of their distance finds a time.
+Hit within_envelope(const BodyMotion& a, const BodyMotion& b, const FirstContact& found, double envelope,
+                    PairMemory& memory) {
+  const Hit first{found.lo, found.p_WC};
+  double lo = found.lo, hi = found.hi;
+  for (double t = lo; lo < hi;) {
+    const lin_canny::Proximity at = nearest_parts(a, b, t, memory).proximity;
+    const bool overlaps = at.verdict == Verdict::overlapping;
+    if (!overlaps && at.distance <= envelope) return t == found.lo ? first : Hit{t, (at.p_WCa + at.p_WCb) / 2};
+    if (overlaps && t == found.lo) break;
+    (overlaps ? hi : lo) = t;
+    t = std::midpoint(lo, hi);
+    if (!(lo < t && t < hi)) break;
+  }
+  return first;
+}
+
 /// If doubles cannot decide whether two grazing bodies touch, they count as separated, and the search continues after
 /// the undecided interval. If their positions are not even resolved, a contact is returned, and the loop stops the run
 /// there.
@@ -146,9 +178,11 @@ double by_advancement(const BodyMotion& a, const BodyMotion& b, double from, dou
     if (found.is_cut_off) return found.lo;
     if (found.status == TimeOfImpact::Status::hit) {
       if (envelope == 0) return found.hi;
-      memory.time = found.lo;
-      memory.touch = {0, found.p_WC, found.nhat_BA_W};
-      return found.lo;
+      const Hit hit =
+          inflation.is_none() ? within_envelope(a, b, found, envelope, memory) : Hit{found.lo, found.p_WC};
+      memory.time = hit.time;
+      memory.touch = {0, hit.p_WC, found.nhat_BA_W};
+      return hit.time;
     }
     if (found.status == TimeOfImpact::Status::undecided && !positions_resolved(a, b, clearance(a, b, found.hi, never)))
       return found.lo;
@@ -171,11 +205,7 @@ Touch touch(const BodyMotion& a, const BodyMotion& b, double t, PairMemory& memo
     return {at.gap, at.p_WCb + at.gap / 2 * at.n, at.n};
   }
   if (memory.time == t) return memory.touch;
-  const lin_canny::Solid &A = a.model().solid, &B = b.model().solid;
-  memory.features.resize(lin_canny::pairs_of_parts(A, B));
-  const auto found = lin_canny::nearest_parts(A, lin_canny::CachedPose(a.ballistic().pose(t)), B,
-                                              lin_canny::CachedPose(b.ballistic().pose(t)), memory.features);
-  const lin_canny::Proximity& at = found.proximity;
+  const lin_canny::Proximity at = nearest_parts(a, b, t, memory).proximity;
   const Vec3 apart = at.p_WCa - at.p_WCb;
   const double far = length(apart);
   return {at.verdict == Verdict::overlapping ? -1.0 : at.distance, (at.p_WCa + at.p_WCb) / 2,

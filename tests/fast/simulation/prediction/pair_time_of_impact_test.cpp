@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "fast/distance.h"
 #include "tests/catch.h"
 #include "tests/fast/simulation/scenes.h"
 
@@ -104,6 +105,28 @@ TEST_CASE("pair time of impact: the clearance is a power of two above rounding, 
   CHECK(clear >= 16 * 0x1p-53 * 8);  // 16u of the positions and radii, 3 + 1 m each
   CHECK(clear < 1e-13);
   CHECK(clearance(two.a, two.b, 1, 1e-20) == 0.5e-20);
+}
+
+// A needle that has turned by 400 rad: its pose is claimed to 8e-12 m at its ends, an envelope is 2e-12 m.
+TEST_CASE("pair time of impact: bodies are within the envelope where claimed errors hide a wider gap") {
+  constexpr double thin = 0x1p-9, near = 0x1p-30 * thin;
+  Body needle = brick({1, thin, thin}, {0, 0, 0.75}, {});
+  needle.velocity.w_WB = {1000, 0.5, 0.25};
+  for (int i = 0; i < 8; ++i) {
+    needle.velocity.v_WBcm = {0, 0, 0.03125 * i};
+    Two two(needle, table());
+    const double t = first_contact(two.a, two.b, 0, 2, near, Deviation{}, two.memory);
+    REQUIRE(t < 2);
+    Scene there;
+    there.bodies = {two.body_a, two.body_b};
+    there.bodies[0].X_WB = two.a.ballistic().pose(t);
+    const Distance apart = fast::distance(there);
+    CHECK(apart.verdict == Verdict::separated);
+    CHECK(*apart.distance <= near);
+    const Touch touch = two.touch(t);
+    CHECK(touch.p_WC.z() >= -near);
+    CHECK(touch.p_WC.z() <= near);
+  }
 }
 
 }  // namespace
