@@ -104,6 +104,18 @@ bool ends_before_crossing(const Outline& edge, const Outline& other, double with
   return along < -within || along > length + within;
 }
 
+/// Whether a corner is more than `within` beside a corner or an edge, seen along n. Where rounding tilts n, the lowest
+/// corner of a part may be far from where the two are near.
+bool is_beside(const Vec3& corner, const Outline& other, const Vec3& n, double within) {
+  Vec3 nearest = other.corners[0];
+  if (other.corners.size() == 2) {
+    const Vec3 side = other.corners[1] - nearest;
+    nearest += std::clamp(side.dot(corner - nearest) / side.squaredNorm(), 0.0, 1.0) * side;
+  }
+  const Vec3 off = corner - nearest;
+  return (off - n.dot(off) * n).norm() > within;
+}
+
 std::vector<ContactPoint> points_without_face(const Part& A, const Outline& of_A, const Part& B, const Outline& of_B,
                                               const Vec3& n, double within) {
   const std::size_t a = of_A.corners.size(), b = of_B.corners.size();
@@ -121,6 +133,7 @@ std::vector<ContactPoint> points_without_face(const Part& A, const Outline& of_A
     return made;
   }
   // A corner at a corner or an edge: the plane perpendicular to n separates them.
+  if (is_beside(a == 1 ? of_A.corners[0] : of_B.corners[0], a == 1 ? of_B : of_A, n, within)) return {};
   if (a == 1) return {{point(A, of_A.corners[0]), plane(B, of_B.corners[0], n)}};
   return {{plane(A, of_A.corners[0], -n), point(B, of_B.corners[0])}};
 }

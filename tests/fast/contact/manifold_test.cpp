@@ -99,6 +99,22 @@ TEST_CASE("manifold: a corner touches a corner or an edge where the corner is") 
   check_places(edge_above, below, {{0.25, 0, 1}});
 }
 
+// Where rounding tilts n, the lowest corner of A is beside the corner or the edge of B: the two do not touch there.
+TEST_CASE("manifold: a corner beside a corner or an edge does not touch it") {
+  const Polytope octahedron{{x, -x, y, -y, z, -z},
+                            {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}}};
+  const Posed corner(octahedron, Vec3(0.25, 0, 0)), edge(cube(), Vec3::Zero(), eighth_turn(x));
+  const double height = std::sqrt(2.0);
+  for (const double off : {within / 2, 0.125}) {
+    CAPTURE(off);
+    const auto places = [off](const Vec3& at) { return off < within ? std::vector<Vec3>{at} : std::vector<Vec3>{}; };
+    check_places(Posed(octahedron, Vec3(0.25 + off, 0, 2)), corner, places({0.25 + off, 0, 1}));
+    check_places(Posed(octahedron, Vec3(0.5, off, height + 1)), edge, places({0.5, off, height}));
+    check_places(Posed(octahedron, Vec3(1 + off, 0, height + 1)), edge, places({1 + off, 0, height}));
+    check_places(Posed(cube(), Vec3(0, off, height + 1), eighth_turn(x)), corner, places({0.25, 0, 1}));
+  }
+}
+
 TEST_CASE("manifold: a ball touches with its centre as a point with a radius") {
   const Posed ball(Sphere{0.5}, Vec3(1, 2, 1.5)), B(plate(), Vec3::Zero());
   check_places(ball, B, {{1, 2, 1}});
