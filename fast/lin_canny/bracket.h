@@ -35,6 +35,11 @@ struct Bracket {
   double rounding = 0;    ///< rounding(A, B)
 };
 
+/// Whether the width is what rounding explains, and so the features the closest ones. The width is twice the rounding
+/// error if they are; but a witness in a face is not quite below the vertex, and the direction not quite the best. So
+/// half as much again is allowed. A choice: more would give wider enclosures, less would compute exactly more often.
+inline bool is_explained_by_rounding(const Bracket& found) { return found.hi - found.lo <= 3 * found.rounding; }
+
 /// The n for lo, from A to B, of length 1 within 1.5u; 0 if the closest points coincide and no feature defines a
 /// direction.
 Vec3 separating_direction(const PosedHull& A, const PosedHull& B, const Closest& closest);

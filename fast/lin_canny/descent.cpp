@@ -115,12 +115,22 @@ Bracket bracket(const PosedHull& A, const PosedHull& B, const Simplex& nearest, 
   found.length = d.norm();
   found.rounding = rounding_error;
   found.hi = found.length * (1 + 4 * u) + error_of_hi(A, B, rounding_error);
-  Vec3 n = unit_or_zero(perpendicular(A, in_A, B, in_B, d));
-  if (n.isZero(0)) return found;
-  if (n.dot(d) < 0) n = -n;
-  found.n = n;
-  const double up_to_A = height_of_all(*A.hull, A.turned_in(n)), up_to_B = height_of_all(*B.hull, B.turned_in(-n));
-  found.lo = gap_between(A, B, n, up_to_A, up_to_B, rounding_error);
+  const auto try_direction = [&](const Vec3& along) {
+    Vec3 n = unit_or_zero(along);
+    if (n.isZero(0)) return;
+    if (n.dot(d) < 0) n = -n;
+    const double up_to_A = height_of_all(*A.hull, A.turned_in(n)), up_to_B = height_of_all(*B.hull, B.turned_in(-n));
+    const double lo = gap_between(A, B, n, up_to_A, up_to_B, rounding_error);
+    if (!found.n.isZero(0) && lo <= found.lo) return;
+    found.n = n;
+    found.lo = lo;
+  };
+  try_direction(perpendicular(A, in_A, B, in_B, d));
+  if (is_explained_by_rounding(found)) return found;
+  if (in_B.count == 3) try_direction(B.turned_out(normal_of(*B.hull, in_B)));
+  if (in_A.count == 2) try_direction(across_unit(d, edge_of(A, in_A)));
+  if (in_B.count == 2) try_direction(across_unit(d, edge_of(B, in_B)));
+  try_direction(d);
   return found;
 }
 

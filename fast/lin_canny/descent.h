@@ -18,7 +18,9 @@ Simplex descend(const PosedHull& A, const PosedHull& B, double rounding_error);
 /// As bracket() of two features (bracket.h), for a simplex of at most three differences. The witnesses are convex
 /// combinations of at most three vertices each, so hi has the error of points of faces. lo is the gap between two
 /// planes perpendicular to the features, each at its highest vertex of all. So a descent that ended early, or lengths
-/// that underflow, only give a wide enclosure.
+/// that underflow, only give a wide enclosure. Features that are shorter than the rounding error, those of a speck
+/// beside a giant, say nothing about the direction: where the enclosure is wider than rounding explains, the
+/// directions of fewer features are tried too.
 Bracket bracket(const PosedHull& A, const PosedHull& B, const Simplex& nearest, double rounding_error);
 
 /// The vertices of a hull that are highest along n (of length 1, in the pair's frame), as far as rounding can tell: a

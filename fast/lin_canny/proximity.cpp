@@ -10,15 +10,10 @@
 namespace touchstone::fast::lin_canny {
 namespace {
 
-/// The bracket's width is twice the rounding error if the walk ended at the closest features; but a witness in a face
-/// is not quite below the vertex, and the direction not quite the best. So half as much again is allowed. A choice:
-/// more would give wider enclosures, less would compute exactly more often.
-constexpr double explained_by_rounding = 3;
-
 /// Derives the answer for the parts (cores with radii) from the cores' bracket; returns false if it leaves the verdict
 /// open.
 bool decide(const Bracket& cores, double radius, Proximity& answer) {
-  if (!(cores.hi - cores.lo <= explained_by_rounding * cores.rounding)) return false;
+  if (!is_explained_by_rounding(cores)) return false;
   const double lo = cores.lo - radius - 2 * u * (cores.lo + radius);
   const double hi = cores.hi - radius + 2 * u * (cores.hi + radius);
   if (lo > 0) {

@@ -8,6 +8,7 @@
 #include "fast/distance.h"
 #include "fast/lin_canny/nearest_parts.h"
 #include "fast/lin_canny/surround.h"
+#include "fast/mark.h"
 #include "reference/distance.h"
 #include "tests/catch.h"
 #include "tests/fast/allocations.h"
@@ -126,6 +127,19 @@ TEST_CASE("the width of generic enclosures") {
   CHECK(widths.back() <= 53);
   INFO("median " << widths[widths.size() / 2] << ", greatest " << widths.back());
   CHECK(widths[widths.size() / 2] <= 40);
+}
+
+// Its features are shorter than the rounding error, so which of them is nearest is no matter of the direction.
+TEST_CASE("a speck beside a giant needs no exact arithmetic") {
+  Dice dice(29);
+  const MarkCounts before = mark_counts;
+  for (int i = 0; i < 200; ++i) {
+    const Polytope giant = tests::stretched(tests::round_hull(dice, 6), Vec3::Constant(0x1p62));
+    const Vec3 apart = (0x1.2p62 + 0x1p60 * dice.unit()) * dice.in_cube().normalized();
+    const Quaternion p{dice.unit(), dice.unit() - 0.5, dice.unit() - 0.5, dice.unit() - 0.5}, q{1, 2, dice.unit(), 0.5};
+    check_against_reference(tests::pair_of({{tests::round_hull(dice, 9), Vec3::Zero(), p}, {giant, apart, q}}));
+  }
+  CHECK(marks_since(before)[static_cast<std::size_t>(Mark::exact_proximity)] == 0);
 }
 
 TEST_CASE("clear overlap is proved in doubles, by a point of both, contact and gaps never are") {
