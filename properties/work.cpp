@@ -70,19 +70,24 @@ Quaternion any_rotation(Random& random) {
   return q;
 }
 
-/// The mean of the vertices, rotated; 0 for a ball.
-Vec3 middle(const Body& body) {
+/// A point inside, rotated; 0 for a ball. Not the mean of the vertices, which may lie in a plane of symmetry.
+Vec3 inside(const Body& body, Random& random) {
   Scene alone;
   alone.bodies = {body};
-  const std::vector<Vec3> corners = oracle::corners(oracle::shape_at(alone, {}));
   Vec3 sum = Vec3::Zero();
-  for (const Vec3& corner : corners) sum += corner / static_cast<double>(corners.size());
+  double weights = 0;
+  for (const Vec3& corner : oracle::corners(oracle::shape_at(alone, {}))) {
+    const double weight = from_to(1, 2, random);
+    sum += weight * corner;
+    weights += weight;
+  }
+  if (weights > 0) sum /= weights;
   const auto& [w, x, y, z] = body.X_WB.q_WB;
   return Eigen::Quaterniond(w, x, y, z).normalized() * sum;
 }
 
-/// The two bodies in generic rotations: apart, by less than a quarter of their sizes, or for `penetration` with their
-/// middles near each other.
+/// The two bodies in generic rotations: apart, by less than a quarter of their sizes, or for `penetration` with points
+/// inside them near each other. The points are generic too: one body may be a speck inside the other.
 Scene placed(const Scene& scene, const std::string& query, int number) {
   Random random(1, "work", static_cast<std::uint64_t>(number));
   Scene generic = scene;
@@ -94,8 +99,12 @@ Scene placed(const Scene& scene, const std::string& query, int number) {
   for (double& component : direction) component = from_to(-1, 1, random);
   direction.normalize();
   const double a = tolerance::radius(A), b = tolerance::radius(B), share = from_to(0x1p-6, 0x1p-2, random);
-  B.X_WB.p_WB = query == "penetration" ? Vec3(middle(A) - middle(B) + share * std::min(a, b) * direction)
-                                       : Vec3((1 + share) * (a + b) * direction);
+  if (query != "penetration") {
+    B.X_WB.p_WB = (1 + share) * (a + b) * direction;
+    return generic;
+  }
+  const Vec3 in_A = inside(A, random), in_B = inside(B, random);
+  B.X_WB.p_WB = in_A - in_B + share * std::min(a, b) * direction;
   return generic;
 }
 

@@ -1,4 +1,6 @@
 // The outcomes of the properties about work, for counts that are made by hand.
+#include <Eigen/Geometry>
+
 #include "properties/property.h"
 #include "tests/catch.h"
 #include "tests/properties/fixed_subject.h"
@@ -67,6 +69,33 @@ TEST_CASE("work: a promise about generic placements is about their sum, and abou
   CHECK(outcome({{"step", 2}}, {{"distance", "step", 5, {}, 3}, {"distance", "step", 1}}) == Outcome::fails);
   CHECK(judged({Work{{"step", 2}}}, {{"distance", "step", 5, {}, 3}}, "the second part is nearer").outcome ==
         Outcome::outside);
+}
+
+// The mean of a double pyramid's vertices is on its planes of symmetry, and a speck there would be at the border of a
+// tetrahedron of its vertices.
+TEST_CASE("work: a speck is placed inside a symmetric body, but not on its planes of symmetry") {
+  struct : tests::FixedSubject {
+    std::vector<Scene> asked;
+    Answer<Work> work(const std::string&, const Scene& scene) override {
+      asked.push_back(scene);
+      return Work{};
+    }
+  } subject;
+  subject.introduced.work_limits = {{"penetration", "step", 1, {}, 16}};
+  Scene scene;
+  scene.bodies.resize(2);
+  scene.bodies[0].shape = Sphere{0x1p-33};
+  scene.bodies[1].shape = Polytope{{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}},
+                                   {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}}};
+  REQUIRE(properties::find("penetration.work").check(scene, subject).outcome == Outcome::holds);
+  REQUIRE(subject.asked.size() == 16);
+  for (const Scene& placed : subject.asked) {
+    const Pose& at = placed.bodies[1].X_WB;
+    const Eigen::Quaterniond turn = Eigen::Quaterniond(at.q_WB.w, at.q_WB.x, at.q_WB.y, at.q_WB.z).normalized();
+    const Vec3 seen = turn.inverse() * Vec3(placed.bodies[0].X_WB.p_WB - at.p_WB);
+    CHECK(seen.lpNorm<1>() < 1);
+    CHECK(seen.cwiseAbs().minCoeff() > 0x1p-20);
+  }
 }
 
 TEST_CASE("work: a scene without a part that the query needs is outside") {
