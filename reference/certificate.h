@@ -30,6 +30,12 @@ struct Certificate {
   std::vector<Rational> weights;           ///< one for each pair
 };
 
+/// m: of a certificate of overlap, the radius of the ball around 0 in the hull of its differences a − b, rounded down.
+/// The hull is in A − B, so no translation shorter than that separates the two. It is the least distance of 0 from a
+/// plane through three differences with none beyond it, in rationals: long doubles far from the origin lose the side on
+/// which 0 is.
+double inner_radius(const Certificate& certificate, const Scene& scene);
+
 /// Returns "" if the certificate proves its verdict about bodies 0 and 1; else says what is wrong with it.
 std::string check(const Certificate& certificate, const Scene& scene);
 

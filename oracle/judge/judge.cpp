@@ -1,6 +1,5 @@
 #include "oracle/judge/judge.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,7 +8,7 @@
 #include "oracle/judge/words.h"
 #include "oracle/tolerance/tolerance.h"
 #include "oracle/truth/truth.h"
-#include "oracle/truth/world_points.h"
+#include "reference/certificate.h"
 
 namespace touchstone::oracle::judge {
 namespace {
@@ -47,36 +46,11 @@ Defect defect_of(Breaks::Kind kind) {
 
 bool is_compound(const Body& body) { return std::holds_alternative<Compound>(body.shape); }
 
-// The certificate of overlap is a few differences a − b whose hull contains 0 in its interior. The ball around 0 in
-// that hull lies in A − B, so no translation shorter than its radius separates the bodies. Its radius is the least
-// distance of 0 to a plane through three differences with no other one strictly beyond it. (An additional plane, by
-// rounding, only makes the bound lower.)
-double ball_in_certificate(const Scene& scene, const reference::Certificate& c) {
-  const Points A = world_points(scene.bodies[0], c.part_A), B = world_points(scene.bodies[1], c.part_B);
-  Points corners;
-  for (const auto& [a, b] : c.pairs) corners.push_back(A[static_cast<std::size_t>(a)] - B[static_cast<std::size_t>(b)]);
-  Real size = 0, radius = std::numeric_limits<Real>::infinity();
-  for (const Point& p : corners) size = std::max(size, p.norm());
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      for (std::size_t k = 0; k < j; ++k) {
-        const Point normal = (corners[j] - corners[i]).cross(corners[k] - corners[i]);
-        if (!(normal.norm() > 0)) continue;
-        const Point n = normal.dot(corners[i]) < 0 ? Point(-normal.normalized()) : normal.normalized();  // 0 is inside
-        const Real height = n.dot(corners[i]), rounding = 0x1p-50L * size;
-        const auto not_beyond = [&](const Point& p) { return n.dot(p) <= height + rounding; };
-        if (std::ranges::all_of(corners, not_beyond)) radius = std::min(radius, height);
-      }
-    }
-  }
-  return static_cast<double>(radius);
-}
-
 // The union of the parts' differences contains the ball of radius r − |d*|, or that of the certificate's radius plus r.
 double least_compound_depth(const Scene& scene, const reference::DistanceTruth& truth) {
   const double r = truth.radius_sum.nearest();
   if (truth.certificate.cores != Verdict::overlapping) return r - truth.core_squared.sqrt_enclosure().hi;
-  return ball_in_certificate(scene, truth.certificate) + r;
+  return reference::inner_radius(truth.certificate, scene) + r;
 }
 
 }  // namespace

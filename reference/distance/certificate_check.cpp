@@ -3,6 +3,7 @@
 #include <gmpxx.h>
 
 #include <array>
+#include <optional>
 
 #include "reference/certificate.h"
 #include "reference/exact/rational.h"
@@ -79,7 +80,44 @@ bool span_space(const std::vector<Vec>& w) {
   return false;
 }
 
+Vec cross(const Vec& a, const Vec& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+/// The square of the distance of 0 from the plane through three of the points, if no point is beyond the plane.
+std::optional<mpq_class> squared_height(const std::vector<Vec>& points, const Vec& a, const Vec& b, const Vec& c) {
+  const Vec n = cross(minus(b, a), minus(c, a));
+  const mpq_class square = dot(n, n);
+  if (square == 0) return std::nullopt;
+  bool is_above = false, is_below = false;
+  for (const Vec& p : points) {
+    const int side = sgn(dot(n, minus(p, a)));
+    is_above = is_above || side > 0;
+    is_below = is_below || side < 0;
+  }
+  if (is_above && is_below) return std::nullopt;
+  const mpq_class height = dot(n, a);
+  return mpq_class(height * height / square);
+}
+
 }  // namespace
+
+double inner_radius(const Certificate& c, const Scene& scene) {
+  const std::vector<Vec> A = in_world(scene.bodies[0], c.part_A), B = in_world(scene.bodies[1], c.part_B);
+  std::vector<Vec> corners;
+  for (const auto& [a, b] : c.pairs)
+    corners.push_back(minus(A.at(static_cast<std::size_t>(a)), B.at(static_cast<std::size_t>(b))));
+  std::optional<mpq_class> least;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      for (std::size_t k = 0; k < j; ++k) {
+        const std::optional<mpq_class> height = squared_height(corners, corners[i], corners[j], corners[k]);
+        if (height && (!least || *height < *least)) least = height;
+      }
+    }
+  }
+  return least ? rational_of(*least).sqrt_enclosure().lo : 0;
+}
 
 std::string check(const Certificate& c, const Scene& scene) {
   if (scene.bodies.size() < 2) return "the scene has no two bodies";

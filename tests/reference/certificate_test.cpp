@@ -1,6 +1,11 @@
 #include "reference/certificate.h"
 
+#include <algorithm>
+#include <cmath>
+
+#include "reference/convex_hull.h"
 #include "reference/distance.h"
+#include "reference/penetration.h"
 #include "tests/catch.h"
 #include "tests/reference/hard_pairs.h"
 
@@ -153,6 +158,32 @@ TEST_CASE("certificate: parts of a compound stand where their poses and the body
     elsewhere.part_A = part;
     CHECK(check(elsewhere, scene) == "it names a part that is not there");
   }
+}
+
+TEST_CASE("certificate: the ball within its differences is no larger than the depth") {
+  tests::Dice dice(6);
+  int overlapping = 0;
+  for (int i = 0; i < 10 * tests::hard_families; ++i) {
+    const Scene scene = tests::hard_pair(i % tests::hard_families, dice);
+    const DistanceTruth truth = distance(scene);
+    if (std::ranges::any_of(scene.bodies, [](const Body& b) { return std::holds_alternative<Compound>(b.shape); })) continue;
+    if (truth.certificate.cores != Verdict::overlapping) continue;
+    ++overlapping;
+    const double radius = inner_radius(truth.certificate, scene);
+    CHECK(radius > 0);
+    CHECK(radius <= penetration(scene).depth.hi);
+  }
+  CHECK(overlapping > 10);
+  // Two slivers 256 m from the origin that overlap by 1.2e-16 m: in long doubles 0 was on the other side of a face.
+  const Quaternion turn{std::cos(3.5e-7), 0, 0, -std::sin(3.5e-7)};
+  Polytope a = convex_hull({{0, -3 * 0x1p-13, -0x1p-10}, {0, -0x1p-12, 0}, {-0x1p-12, -3 * 0x1p-13, 0x1p-10}, {0, -3 * 0x1p-13, 0}});
+  Polytope b = convex_hull({{0, -0x1p-13, 0}, {-0x1p-12, 0x1p-13, 0}, {0x1p-12, 0x1p-13, 0}, {0, 0, 0x1p-11}});
+  const Scene far = pair(body(a, {0.009277343749715783, -256.003662109375, 0.25}, turn),
+                         body(b, {0.00927734375, -256.004150390625, 0.25}, turn));
+  const Certificate c = distance(far).certificate;
+  REQUIRE(c.cores == Verdict::overlapping);
+  CHECK(inner_radius(c, far) > 0);
+  CHECK(inner_radius(c, far) <= penetration(far).depth.hi);
 }
 
 TEST_CASE("certificate: one body has no pair") {
