@@ -118,14 +118,15 @@ Finding start(const Scene& scene, Subject& subject) {
     if (asked.truth.at_start) return judge::outside("neither separating nor approaching at the start");
     if (asked.truth.time.lo == asked.start) return judge::outside("the poses at the start are not known exactly");
     if (asked.granted > 0) return judge::outside("the subject declares that it takes bodies so near for touching");
-    for (double after = asked.moment; asked.start + after < asked.end; after *= 2) {
+    const double until = asked.truth.status == Status::miss ? asked.end : asked.truth.time.lo;  // they may come together
+    for (double after = asked.moment; asked.start + after < until; after *= 2) {
       const double apart = asked.gap(asked.start + after);
       if (apart <= asked.slack) continue;
       if (said.status != Status::hit) return judge::holds();
       if (!said.time) return judge::silent("the time of impact");
       return *said.time >= asked.start + after ? judge::holds() : wrong(Defect::phantom, said, asked);
     }
-    return judge::outside("the bodies do not separate at the start");
+    return judge::outside("the bodies do not separate at the start by more than rounding");
   });
 }
 
