@@ -122,8 +122,8 @@ Kinematics BallisticMotion::kinematics(double t, const Origin& O) const {
       now.turn_error = turn.error + 56 * u;
     } else if (turning_ == Turning::precessing) {
       // With moments I about axis a and J about the others, ω = L/J + s e_a and s = (1 − I/J) ω_a = c ω_a: the body
-      // rotates about L at L/J and about its own axis at s. ω_a, s, e_a and L/J have errors of 25u, 32u, 42u, 80u of
-      // |ω|.
+      // rotates about L at L/J and about its own axis at s. ω_a, s, e_a and L/J have errors of 25u, 32|c|u, 42u and
+      // (78|c| + 2)u of |ω|: of a body that is nearly round, L/J is nearly ω.
       const int a = model_->axis;
       const double c = model_->inertia.c[(a + 1) % 3];
       const Vec3 e_W = rotation(q_WB0).col(a);
@@ -133,7 +133,7 @@ Kinematics BallisticMotion::kinematics(double t, const Origin& O) const {
       now.q_WB = product(product(about_L.q, q_WB0), about_e.q);
       now.R_WB = rotation(now.q_WB);
       now.w_WB = (w - s * e_W) + s * now.R_WB.col(a);
-      now.turn_error = about_L.error + about_e.error + 112 * u * rate_ * tau + 72 * u;
+      now.turn_error = about_L.error + about_e.error + (110 * std::abs(c) + 2) * u * rate_ * tau + 72 * u;
       now.w_error = rate_ * (2 * now.turn_error + 128 * u);
     } else {
       const Tumble::Now tumbled = tumble_.at(tau);
