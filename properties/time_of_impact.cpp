@@ -118,7 +118,8 @@ Finding start(const Scene& scene, Subject& subject) {
     if (asked.truth.at_start) return judge::outside("neither separating nor approaching at the start");
     if (asked.truth.time.lo == asked.start) return judge::outside("the poses at the start are not known exactly");
     if (asked.granted > 0) return judge::outside("the subject declares that it takes bodies so near for touching");
-    const double until = asked.truth.status == Status::miss ? asked.end : asked.truth.time.lo;  // they may come together
+    const double until =
+        asked.truth.status == Status::miss ? asked.end : asked.truth.time.lo;  // they may come together
     for (double after = asked.moment; asked.start + after < until; after *= 2) {
       const double apart = asked.gap(asked.start + after);
       if (apart <= asked.slack) continue;

@@ -10,6 +10,7 @@
 #include "fast/lin_canny/parting_normals.h"
 #include "fast/lin_canny/surround.h"
 #include "fast/mark.h"
+#include "fast/time_of_impact/capsule.h"
 #include "fast/time_of_impact/common_point.h"
 #include "fast/time_of_impact/exact_plane.h"
 #include "model/infinity.h"
@@ -146,6 +147,22 @@ double SeparationQuery::clear_until(const SeparatingPlane& plane, double h_max) 
                  [&](const MovingCore& ball) { return SeparatingPlane(ball, B_, n, at_rest, ball.core.t); });
   however_turned(pair_.b, Inflation{},
                  [&](const MovingCore& ball) { return SeparatingPlane(A_, ball, n, at_rest, ball.core.t); });
+  const auto however_spun = [&](const motion::BallisticMotion& motion, std::size_t part, const MovingCore& side,
+                                auto&& plane_of) {
+    if (!(h < h_max)) return;
+    const std::optional<std::array<MovingCore, 2>> ends = capsule_about(motion, part, side);
+    if (!ends) return;
+    double both = h_max;
+    for (const MovingCore& ball : *ends) {
+      const SeparatingPlane beside = plane_of(ball);
+      both = beside.is_clear() ? std::min(both, beside.clear_until(h_max)) : 0;
+    }
+    h = std::max(h, both);
+  };
+  however_spun(pair_.a, pair_.part_A, A_,
+               [&](const MovingCore& ball) { return SeparatingPlane(ball, B_, n, at_rest, ball.core.t); });
+  however_spun(pair_.b, pair_.part_B, B_,
+               [&](const MovingCore& ball) { return SeparatingPlane(A_, ball, n, at_rest, ball.core.t); });
   return h;
 }
 

@@ -166,7 +166,8 @@ TEST_CASE("certificate: the ball within its differences is no larger than the de
   for (int i = 0; i < 10 * tests::hard_families; ++i) {
     const Scene scene = tests::hard_pair(i % tests::hard_families, dice);
     const DistanceTruth truth = distance(scene);
-    if (std::ranges::any_of(scene.bodies, [](const Body& b) { return std::holds_alternative<Compound>(b.shape); })) continue;
+    if (std::ranges::any_of(scene.bodies, [](const Body& b) { return std::holds_alternative<Compound>(b.shape); }))
+      continue;
     if (truth.certificate.cores != Verdict::overlapping) continue;
     ++overlapping;
     const double radius = inner_radius(truth.certificate, scene);
@@ -176,7 +177,8 @@ TEST_CASE("certificate: the ball within its differences is no larger than the de
   CHECK(overlapping > 10);
   // Two slivers 256 m from the origin that overlap by 1.2e-16 m: in long doubles 0 was on the other side of a face.
   const Quaternion turn{std::cos(3.5e-7), 0, 0, -std::sin(3.5e-7)};
-  Polytope a = convex_hull({{0, -3 * 0x1p-13, -0x1p-10}, {0, -0x1p-12, 0}, {-0x1p-12, -3 * 0x1p-13, 0x1p-10}, {0, -3 * 0x1p-13, 0}});
+  Polytope a = convex_hull(
+      {{0, -3 * 0x1p-13, -0x1p-10}, {0, -0x1p-12, 0}, {-0x1p-12, -3 * 0x1p-13, 0x1p-10}, {0, -3 * 0x1p-13, 0}});
   Polytope b = convex_hull({{0, -0x1p-13, 0}, {-0x1p-12, 0x1p-13, 0}, {0x1p-12, 0x1p-13, 0}, {0, 0, 0x1p-11}});
   const Scene far = pair(body(a, {0.009277343749715783, -256.003662109375, 0.25}, turn),
                          body(b, {0.00927734375, -256.004150390625, 0.25}, turn));

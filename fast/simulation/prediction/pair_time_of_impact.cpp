@@ -178,8 +178,7 @@ double by_advancement(const BodyMotion& a, const BodyMotion& b, double from, dou
     if (found.is_cut_off) return found.lo;
     if (found.status == TimeOfImpact::Status::hit) {
       if (envelope == 0) return found.hi;
-      const Hit hit =
-          inflation.is_none() ? within_envelope(a, b, found, envelope, memory) : Hit{found.lo, found.p_WC};
+      const Hit hit = inflation.is_none() ? within_envelope(a, b, found, envelope, memory) : Hit{found.lo, found.p_WC};
       memory.time = hit.time;
       memory.touch = {0, hit.p_WC, found.nhat_BA_W};
       return hit.time;

@@ -85,8 +85,9 @@ TEST_CASE("work: a speck is placed inside a symmetric body, but not on its plane
   Scene scene;
   scene.bodies.resize(2);
   scene.bodies[0].shape = Sphere{0x1p-33};
-  scene.bodies[1].shape = Polytope{{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}},
-                                   {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}}};
+  scene.bodies[1].shape =
+      Polytope{{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}},
+               {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}}};
   REQUIRE(properties::find("penetration.work").check(scene, subject).outcome == Outcome::holds);
   REQUIRE(subject.asked.size() == 16);
   for (const Scene& placed : subject.asked) {
