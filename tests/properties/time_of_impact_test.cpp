@@ -113,8 +113,8 @@ TEST_CASE("time_of_impact: touching and separating is no hit, touching and appro
   CHECK(judged("start", ball, hit(falls)).outcome == Outcome::outside);
 }
 
-// 2^20 m from the origin a ball hops by 9e-10 m, which is less than rounding, for 2^-15 s. That the two are apart when
-// the ball has gone through the table says nothing about the hop.
+// 2^20 m from the origin a ball rises by 9e-10 m, which is less than rounding, for 2^-15 s. That the two are apart when
+// the ball has gone through the table says nothing about that.
 TEST_CASE("time_of_impact: where bodies part by less than rounding and touch again, the start is not judged") {
   Scene scene;
   scene.gravity = {0, 0, -8};
