@@ -70,12 +70,24 @@ double ContactSearch::greatest_shift(const StepperBody& body, double h) const {
   return h * (speed + h * acceleration);
 }
 
+/// Bodies that have not moved since the last step are not queried again: where they touch, exact arithmetic decides.
+const lin_canny::Proximity& ContactSearch::proximity(TrackedPair& tracked, const StepperBody& A,
+                                                     const StepperBody& B) const {
+  const Pose X_WA = A.pose(), X_WB = B.pose();
+  if (!tracked.proximity || X_WA != tracked.X_WA || X_WB != tracked.X_WB) {
+    tracked.X_WA = X_WA;
+    tracked.X_WB = X_WB;
+    tracked.proximity = proximity_of(A, B, tracked.walk);
+  }
+  return *tracked.proximity;
+}
+
 void ContactSearch::find(const std::vector<StepperBody>& bodies, int a, int b, double h, StepContacts& found) {
   const StepperBody &A = bodies[index(a)], &B = bodies[index(b)];
   if (A.is_fixed() && B.is_fixed()) return;
   const double reach = skin_ + greatest_shift(A, h) + greatest_shift(B, h);
   TrackedPair& tracked = tracked_[{a, b}];
-  const lin_canny::Proximity proximity = proximity_of(A, B, tracked.walk);
+  const lin_canny::Proximity& proximity = this->proximity(tracked, A, B);
   if (first_step_ && proximity.verdict == Verdict::overlapping) {
     throw InputError("bodies[" + std::to_string(b) + "]", "overlaps bodies[" + std::to_string(a) + "] at the start");
   }

@@ -23,6 +23,8 @@ struct TrackedPair {
   };
   std::optional<Vec3> nhat_BA_W;
   std::vector<lin_canny::FeaturePair> walk = {{}};  ///< features at which the last closest-feature walk ended
+  Pose X_WA, X_WB;                                  ///< at the last query
+  std::optional<lin_canny::Proximity> proximity;    ///< its result
   std::vector<Loaded> loaded;                       ///< of the last step
   PairEvents pair_events;
   bool seen = false;  ///< in this step the pair was close enough to touch
@@ -65,6 +67,7 @@ class ContactSearch {
   double greatest_speed(const std::vector<StepperBody>& bodies) const;
   double greatest_shift(const StepperBody& body, double h) const;
   Aabb around(const StepperBody& body) const;
+  const lin_canny::Proximity& proximity(TrackedPair& tracked, const StepperBody& A, const StepperBody& B) const;
   void find(const std::vector<StepperBody>& bodies, int a, int b, double h, StepContacts& found);
 
   const Scene& scene_;

@@ -1,6 +1,7 @@
 // A unit cube above a fixed block.
 #include "fast/constraint/contact_search.h"
 
+#include "fast/mark.h"
 #include "model/input_error.h"
 #include "tests/catch.h"
 
@@ -48,6 +49,17 @@ TEST_CASE("contact search: what is farther than the skin may close its gap in th
   const std::vector<StepperBody> bodies = bodies_of(scene);
   ContactSearch search(scene, bodies, skin, h);
   for (const contact::ContactRow& row : search.find(bodies, h).rows) CHECK(row.least_u_n == -(gap - skin) / h);
+}
+
+TEST_CASE("contact search: bodies that touch and do not move are decided by exact arithmetic once") {
+  Scene scene = cube_over_block(skin);
+  scene.bodies[0].shape = Sphere{0.5};
+  scene.bodies[0].X_WB.p_WB = {0, 0, 0.5};
+  const std::vector<StepperBody> bodies = bodies_of(scene);
+  ContactSearch search(scene, bodies, skin, h);
+  const MarkCounts before = mark_counts;
+  for (int step = 0; step < 8; ++step) CHECK(search.find(bodies, h).rows.size() == 1);
+  CHECK(marks_since(before)[static_cast<std::size_t>(Mark::exact_proximity)] == 1);
 }
 
 TEST_CASE("contact search: out of reach there is no contact, and a pair whose boxes are apart is forgotten") {

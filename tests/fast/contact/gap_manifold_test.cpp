@@ -45,6 +45,23 @@ TEST_CASE("gap_manifold: parts that overlap keep the normal before, or else get 
   CHECK((manifold_of(A, B, x).nhat_BA_W - x).norm() < 1e-15);
 }
 
+// The box lies on the plate's upper face up to the rounding of its place: its nearest points say nothing about n.
+TEST_CASE("gap_manifold: parts that are nearer than rounding get the normal of the least overlap") {
+  const Quaternion tilt{5, 0, 1, 0};
+  const Vec3 up(10.0 / 26, 0, 24.0 / 26);  // the tilt's z
+  for (const double off : {0.0, 0x1p-53, 0x1p-51, 0x1p-47}) {
+    for (const Vec3& far : {Vec3(0, 0, 0), Vec3(0x1p22, 0, 0)}) {
+      const Vec3 centre = far + Vec3(0.9375 + off, 0, 2.25);
+      const Posed A(Box{{0.8125, 0.40625, 0.40625}}, centre, tilt), B(Box{{3.25, 2, 2.03125}}, far, tilt);
+      for (const std::optional<Vec3>& before : {std::optional<Vec3>(), std::optional<Vec3>(up)}) {
+        const GapManifold found = manifold_of(A, B, before);
+        CHECK((found.nhat_BA_W - up).norm() < 1e-15);
+        CHECK(found.points.size() == 4);
+      }
+    }
+  }
+}
+
 TEST_CASE("gap_manifold: a ball has one point, along the direction of its centre") {
   const Posed B(plate(), Vec3::Zero());
   const GapManifold above = manifold_of(Posed(Sphere{0.5}, Vec3(1, 2, 2)), B);
