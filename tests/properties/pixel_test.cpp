@@ -106,6 +106,31 @@ TEST_CASE("pixel laws: a constant cannot follow what moves") {
   CHECK(judged("pixel.translated", truth()).outcome == Outcome::holds);  // a constant answer is right here
 }
 
+/// Right about scenes of some size, and about all others as if nothing were above any pixel.
+struct RightAboutSizes : tests::FixedSubject {
+  double least = 0, greatest = 0;  // m, of a pixel
+
+  Answer<Pixels> pixel(const Scene& scene) override {
+    Pixels said = oracle::truth::pixel(scene);
+    if (scene.raster->pixel < least || scene.raster->pixel > greatest) {
+      for (std::string& row : said.meet_sampled) row.assign(row.size(), '0');
+    }
+    return said;
+  }
+};
+
+TEST_CASE("pixel.scaled: an absolute tolerance shows in small scenes or in great ones") {
+  const auto scaled = [](double least, double greatest) {
+    RightAboutSizes subject;
+    subject.least = least;
+    subject.greatest = greatest;
+    return properties::find("pixel.scaled").check(tests::scene(cubes), subject);
+  };
+  CHECK(scaled(0x1p-30, 0x1p30).outcome == Outcome::holds);
+  CHECK(scaled(0x1p-10, 0x1p30).defect == Defect::scaled);
+  CHECK(scaled(0x1p-30, 0x1p10).defect == Defect::scaled);
+}
+
 TEST_CASE("motions of rasters are exact or none") {
   Scene scene = tests::scene(cubes);
   const auto moved = properties::moved_by_pixels(scene, {1}, 3, -2);
