@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "oracle/tolerance/constraint.h"
 #include "oracle/tolerance/precision.h"
 #include "oracle/truth/world_points.h"
 #include "tests/catch.h"
@@ -142,4 +143,37 @@ TEST_CASE("exact_in: every number of shape, pose and mass must be a float") {
   Scene dense = of(Sphere{1});
   dense.bodies[0].mass = Density{0.7};
   CHECK_FALSE(oracle::exact_in(dense, single));
+}
+
+namespace {
+
+/// How many samples, at 1/4, 3/4 and 1 s, are certain of a ball that makes one change, at 1/2 s and at this rate. Steps
+/// are 2^-10 s and the acceleration 8 m/s², so the velocity is off by V = 2^-7 m/s, and V + A δ = 2^-6 m/s.
+std::size_t certain_samples(Event::Kind kind, double rate) {
+  Scene scene = of(Sphere{64});  // so great that the ball stays far from where nothing is certain
+  scene.gravity = Vec3::Zero();
+  scene.bodies.push_back(scene.bodies[0]);
+  scene.motion.emplace();
+  scene.motion->sample_times = {0.25, 0.75, 1};
+  reference::ConstraintTruth truth;
+  truth.first = {reference::ConstraintTruth::Mode::ballistic, 8, 64};
+  reference::ConstraintTruth::Change change;
+  change.kind = kind;
+  change.time = {0.5, 0.5};
+  change.other = 1;
+  change.rate = rate;
+  change.segment = truth.first;
+  truth.changes = {change};
+  return oracle::tolerance::rolling(scene, truth, Precision::binary64, 0x1p-10).size();
+}
+
+}  // namespace
+
+TEST_CASE("a ball that touches a box, or leaves its edge, slower than twice what its velocity is off may not do so") {
+  for (const Event::Kind kind : {Event::Kind::impact, Event::Kind::release}) {
+    CHECK(certain_samples(kind, 0x1.1p-5) == 3);
+    CHECK(certain_samples(kind, 0x1p-5) == 1);
+    CHECK(certain_samples(kind, 0x1p-6) == 1);
+  }
+  CHECK(certain_samples(Event::Kind::contact, 0x1p-6) == 3);  // slip stops in any case: its rate is a deceleration
 }
