@@ -65,6 +65,15 @@ TEST_CASE("bodies that separate are left alone") {
   }
 }
 
+// `miss` is relative to |u|, and 0/0 of bodies that may jam.
+TEST_CASE("bodies without a relative velocity are near no discontinuity of the law") {
+  for (const double k1 : {0.0, -1.2}) {
+    const Outcome out = solve({3.4, 1, k1, 0, 1.6, 0, 0, 0, Law::poisson, 0.5, 2});
+    CHECK_FALSE(out.regime.approached);
+    CHECK(out.miss == Outcome().miss);
+  }
+}
+
 TEST_CASE("friction without limit stops slip before anything else") {
   const Impact stuck{2, 4, 0.5, -1, 3, 1, -2, -5, Law::poisson, 0.25, std::numeric_limits<double>::infinity()};
   const After end = after(stuck, solve(stuck));

@@ -132,6 +132,36 @@ TEST_CASE("collision schedule: a contact pair of an island, and an island that w
   CHECK(parts.schedule.next()->time == Approx(0.25).margin(0.01));
 }
 
+/// A ball that slides and one at rest, each on the table in an island of its own. Do they count as in contact if they
+/// pass each other `gap` apart?
+bool take_steps_together(double gap) {
+  constexpr double friction = 0x1p-12;  // so that the step bends the trajectory, but by far less than `gap`
+  Parts parts({table(), ball(1, {0, 0, 1}, {2, 0, 0}, {0, friction}), ball(1, {0.125, 2 + gap, 1}, still, {})});
+  const IslandBodies bodies(parts.scene.bodies, g_W);
+  for (const BodyId id : {BodyId{1}, BodyId{2}}) {
+    ContactGraph graph(0x1p-10, 0x1p-8);
+    graph.add(bodies[0]);
+    graph.add(bodies[id]);
+    REQUIRE(graph.link(0, id));
+    parts.islands.insert(Island(graph, 0));
+    parts.islands.of(id)->begin_step(1, 0.125);
+    REQUIRE(parts.islands.of(id)->until() == 0.125);
+  }
+  const double margin = parts.islands.of(1)->deviation().margin;
+  REQUIRE(margin > 0);
+  REQUIRE(margin < parts.world.reach() / 64);
+  parts.begin_frame();
+  parts.schedule.predict(1, 2, 0);
+  return parts.schedule.next() != nullptr;
+}
+
+// A search ends within twice the distance that it looks for.
+TEST_CASE("collision schedule: balls of two islands that pass within a quarter of the reach are in contact") {
+  const double reach = World(moving_scene({coming(0, 0), table()}, still, {3.5})).reach();
+  CHECK(take_steps_together(reach * 3 / 16));
+  CHECK_FALSE(take_steps_together(reach * 9 / 16));
+}
+
 TEST_CASE("collision schedule: nearest points now, and a memory for each pair") {
   Parts parts({coming(-1.5, 1), coming(1.5, -1), coming(9, 0)});
   const Touch touch = parts.schedule.nearest_points(0, 1, 0.25);
