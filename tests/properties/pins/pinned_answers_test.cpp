@@ -1,4 +1,7 @@
 // What our own subjects answer about the first scenes of each family, bit for bit, and what work it takes.
+#include <filesystem>
+#include <map>
+#include <set>
 #include <stdexcept>
 #include <variant>
 
@@ -74,6 +77,29 @@ std::string answers(const std::string& name, oracle::Subject& subject, const std
   return page;
 }
 
+/// The same for the named motions in docs/scenes/motion, by name: heaps, arches and tops, which are more than families
+/// draw. Of `constraint` without those that take it seconds.
+std::string answers_about_motions(oracle::Subject& subject) {
+  std::map<std::string, std::string> paths;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(TOUCHSTONE_SOURCE_DIR "/docs/scenes/motion")) {
+    if (entry.is_regular_file()) paths[entry.path().stem().string()] = entry.path().string();
+  }
+  const std::set<std::string> slow = {"arch", "balls_49", "balls_666", "dominoes", "gas"};
+  std::string page;
+  for (const std::string asked : {"simulation", "constraint"}) {
+    const oracle::Query& query = *oracle::find_query(asked);
+    for (const auto& [name, path] : paths) {
+      if (asked == "constraint" && slow.contains(name)) continue;
+      const Scene scene = read_scene(path);
+      tests::Digest said, work;
+      said.add(answered(subject, query, scene));
+      work.add(worked(subject, query, scene));
+      page += asked + ' ' + name + ' ' + said.text() + ' ' + work.text() + '\n';
+    }
+  }
+  return page;
+}
+
 }  // namespace
 
 // These are regression pins, not truths: what is right is for the properties to say. They show that all builds give the
@@ -83,6 +109,11 @@ TEST_CASE("pins: the answers of fast") {
   const auto fast = oracle::subjects::make_fast();
   const std::string now = answers("fast", *fast, oracle::query_names(), {64, 4});
   CHECK(tests::changed_lines("fast_answers.txt", now) == std::vector<std::string>{});
+}
+
+TEST_CASE("pins: the named motions by fast") {
+  const std::string now = answers_about_motions(*oracle::subjects::make_fast());
+  CHECK(tests::changed_lines("fast_motions.txt", now) == std::vector<std::string>{});
 }
 
 TEST_CASE("pins: the answers of the strategies of fast") {
