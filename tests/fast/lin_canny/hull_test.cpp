@@ -86,6 +86,33 @@ TEST_CASE("neighbourhoods of boxes, lattice solids and round ones hang together"
   for (int i = 0; i < 10; ++i) check_neighbourhoods(Hull(tests::round_hull(dice, 30)));
 }
 
+// A disc that a rotation rounds: its faces are nearly coplanar and their normals off by rounding over their width. So a
+// vertex far from a narrow face may be higher along its normal than its corners are.
+TEST_CASE("the height of a face is that of the highest vertex along its normal, also if it is no corner of it") {
+  Dice dice(7);
+  int beside = 0;
+  for (int i = 0; i < 10; ++i) {
+    const Vec3 about = dice.in_cube();
+    const Mat3 R = rotation({1, about.x(), about.y(), about.z()});
+    std::vector<Vec3> points;
+    for (int k = 0; k < 24; ++k) {
+      const Vec3 p = dice.in_cube();
+      points.push_back(R * Vec3(p.x(), p.y(), 0));
+    }
+    const Hull hull(reference::convex_hull(points));
+    for (int f = 0; f < hull.face_count(); ++f) {
+      const Hull::Face& face = hull.face(f);
+      double highest = face.normal.dot(hull.vertex(hull.corners(face)[0].vertex)), corner = highest;
+      for (int v = 0; v < hull.vertex_count(); ++v) highest = std::max(highest, face.normal.dot(hull.vertex(v)));
+      for (const Hull::Corner& each : hull.corners(face))
+        corner = std::max(corner, face.normal.dot(hull.vertex(each.vertex)));
+      CHECK(face.height == highest);
+      beside += highest > corner + 16 * u * hull.radius();
+    }
+  }
+  CHECK(beside > 0);
+}
+
 TEST_CASE("coplanar neighbours are one face, and corners that are none go") {
   const Hull cube(cube_of_triangles());
   CHECK(cube.vertex_count() == 8);
