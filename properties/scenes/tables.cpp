@@ -191,6 +191,25 @@ Scene block_on_slope(Random& random) {
   return scene;
 }
 
+/// A ball or a block in the corner of a slope and a wall at its lower end, or that slides down to the wall. At rest the
+/// two normals differ, so forces that would hold a body which sticks at both may be outside of its friction cones.
+Scene corner(Random& random) {
+  const Slope& tilt = slopes[random.below(4)];
+  Scene scene = on_slope(random, tilt, 0);
+  const double r = std::get<Sphere>(scene.bodies[0].shape).radius, unit = tilt.over / 16;
+  if (random.one_in(2)) scene.bodies[0] = block(Vec3(r, 2 * r, r), {scene.bodies[0].X_WB.p_WB, tilt.q}, 1);
+  const double friction = random.pick({0.0, 0.125, 0.25, 0.5, 1.0});
+  for (Body& body : scene.bodies) body.material = {random.pick({0.0, 0.0, 0.5}), friction};
+  // The wall begins r from the middle of the body, or one or two units farther.
+  const int beside = random.pick({1, 1, 2, 3}), above = random.between(0, 1);
+  const Vec3 n = Vec3(tilt.s, 0, tilt.c) / 16, down = Vec3(tilt.c, 0, -tilt.s) / 16;
+  if (beside > 1) scene.bodies[0].velocity.v_WBcm = random.whole(0, 8) * down;
+  const Vec3 middle = scene.bodies[0].X_WB.p_WB + beside * down + above * n;
+  scene.bodies.push_back(plate(Vec3(unit - r, 2, 2 * unit), {middle, tilt.q}, {0, friction}));
+  scene.motion = sampled_at(random.pick({0.25, 0.5}));
+  return scene;
+}
+
 /// Boxes on boxes, each up to a hundred times as heavy as the one below.
 Scene stack(Random& random) {
   Scene scene;
@@ -258,6 +277,8 @@ std::vector<Family> table_families() {
       {"tables.barely_stays", "a ball that turns just before the upper edge", queries, false, barely_stays},
       {"tables.drops", "a ball that falls on a table with spin", queries, true, drops},
       {"tables.block", "a block on a slope, friction near the tangent", queries, false, block_on_slope},
+      {"tables.corner", "a ball or a block at the lower end of a slope, at a wall or on its way there", queries, false,
+       corner},
       {"tables.overhangs", "blocks at rest over two edges of a table", queries, true, overhangs},
       {"tables.pushed", "a ball or a block on a table, pushed by forces that begin and change", queries, false, pushed},
       {"tables.stack", "two or three boxes on each other, the upper up to 100 times as heavy", queries, false, stack},

@@ -195,3 +195,21 @@ TEST_CASE("drawn motions: runs.edge_on_edge has bars whose edges meet, and the o
     CHECK(count(scenes, holds) >= 30);
   }
 }
+
+TEST_CASE("drawn motions: tables.corner has bodies that rest in a corner, and bodies that come to its wall") {
+  const std::vector<Scene> scenes = drawn("tables.corner", draws);
+  const auto subject = oracle::subjects::make_fast();
+  const auto answered = [&](const Scene& scene) { return std::get<Trajectory>(subject->simulation(scene)); };
+  const auto way = [&](const Scene& scene) {
+    return (answered(scene).states.back()[0].X_WB.p_WB - scene.bodies[0].X_WB.p_WB).norm();
+  };
+  const auto at_wall = [&](const Scene& scene) {
+    return std::ranges::any_of(*answered(scene).events, [](const Event& event) { return event.b == 2; });
+  };
+  CHECK(count(scenes, [&](const Scene& scene) { return at_wall(scene) && way(scene) == 0; }) >= 20);
+  CHECK(count(scenes, [&](const Scene& scene) { return at_wall(scene) && way(scene) > 0.01; }) >= 6);
+  for (const char* id : {"simulation.energy", "simulation.solid", "simulation.work"}) {
+    const properties::Property& law = properties::find(id);
+    for (const Scene& scene : scenes) CHECK(law.check(scene, *subject).outcome == oracle::Outcome::holds);
+  }
+}
