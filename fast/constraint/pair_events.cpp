@@ -4,16 +4,13 @@ namespace touchstone::fast::constraint {
 
 std::optional<Event::Kind> PairEvents::update(const PairStep& step, double weight) {
   if (!step.pushes()) {
-    const bool held = phase_ == Phase::holds;
-    phase_ = Phase::apart;
+    const bool held = holds_;
+    holds_ = false;
     return held ? std::optional(Event::Kind::release) : std::nullopt;
   }
-  if (phase_ != Phase::holds && step.approach > explained_by_weight * weight) {
-    phase_ = Phase::struck;
-    return Event::Kind::impact;
-  }
-  if (phase_ == Phase::holds && step.slips == slips_) return std::nullopt;
-  phase_ = Phase::holds;
+  if (!holds_ && step.approach > explained_by_weight * weight) return Event::Kind::impact;
+  if (holds_ && step.slips == slips_) return std::nullopt;
+  holds_ = true;
   slips_ = step.slips;
   return Event::Kind::contact;
 }

@@ -30,8 +30,7 @@ class PairEvents {
   std::optional<Event::Kind> update(const PairStep& step, double weight);
 
  private:
-  enum class Phase { apart, struck, holds };
-  Phase phase_ = Phase::apart;
+  bool holds_ = false;  ///< a contact that lasts: one was emitted, and no release since
   bool slips_ = false;
 };
 
