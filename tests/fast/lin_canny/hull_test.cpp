@@ -139,6 +139,19 @@ TEST_CASE("coplanar neighbours are one face, and corners that are none go") {
   for (int v = 0; v < 8; ++v) CHECK(same.vertex(v) == cube.vertex(v));
 }
 
+TEST_CASE("corners keep their order where vertices before them are none") {
+  Polytope cube = cube_of_triangles();  // 0 becomes the middle of the face x = -1, which no face names
+  cube.vertices.insert(cube.vertices.begin(), Vec3(-1, 0, 0));
+  for (std::vector<int>& face : cube.faces) {
+    for (int& v : face) ++v;
+  }
+  const Hull hull(cube);
+  CHECK(hull.vertex_count() == 8);
+  CHECK(hull.face_count() == 6);
+  for (int v = 0; v < 8; ++v) CHECK(hull.vertex(v) == cube.vertices[static_cast<std::size_t>(v) + 1]);
+  check_neighbourhoods(hull);
+}
+
 TEST_CASE("coplanar neighbours are one face, whichever two vertices are exchanged") {
   for (int a = 0; a < 8; ++a) {
     for (int b = 0; b < a; ++b) {
