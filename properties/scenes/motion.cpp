@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "model/box_vertices.h"
 #include "properties/scenes/families.h"
 #include "properties/scenes/pair.h"
 #include "properties/scenes/thrown.h"
@@ -145,6 +146,17 @@ Scene starts(Random& random) {
   return scene;
 }
 
+/// Solids with vertices that are no corners, in any order.
+Scene redundant(Random& random) {
+  Scene scene = random.one_in(2) ? head_on(random) : oblique(random);
+  for (Body& body : scene.bodies) {
+    if (const auto* box = std::get_if<Box>(&body.shape)) body.shape = as_polytope(*box);
+    if (auto* polytope = std::get_if<Polytope>(&body.shape))
+      body.shape = with_redundant_vertices(random, std::move(*polytope));
+  }
+  return scene;
+}
+
 /// Fixed bodies that move and rotate about their origins.
 Scene turntables(Random& random) {
   const Vec3 half{16, random.whole(1, 4), random.whole(1, 2)};
@@ -225,6 +237,7 @@ std::vector<Family> motion_families() {
       {"flights.head_on", "at each other along an axis", queries, true, head_on},
       {"flights.oblique", "at a slant, turning", queries, true, oblique},
       {"flights.grazing", "balls or boxes that touch by 2^-4 to 2^-40, or do not", queries, false, grazing},
+      {"flights.redundant", "solids with vertices on edges and in faces, in any order", queries, true, redundant},
       {"flights.sliding_past", "polytopes that pass each other by 2^-4 to 2^-12", queries, true, sliding_past},
       {"flights.needles", "slender rods that turn end over end", queries, true, needles},
       {"flights.thin_plates", "plates that a step would leap over", queries, true, thin_plates},

@@ -47,6 +47,10 @@ Polytope mapped(Polytope polytope, const IntMat3& M);
 /// Every vertex v becomes v + t. Requires no rounding.
 Polytope shifted(Polytope polytope, const Vec3& t);
 
+/// Adds vertices that are no corners on about half of the edges and faces, at least on one, and puts all vertices in a
+/// random order. Halves and quarters of coordinates must be exact.
+Polytope with_redundant_vertices(Random& random, Polytope solid);
+
 /// One of the 48 symmetries of the cube.
 IntMat3 some_axes(Random& random);
 

@@ -54,7 +54,18 @@ Polytope shuffled(Random& random, const Polytope& solid) {
   return other;
 }
 
-/// On about half of the edges and of the faces, at least on one.
+Scene redundant(Random& random) {
+  Polytope below = with_redundant_vertices(random, summit(random, some_kind(random)));
+  Polytope above = depression(random, some_kind(random));
+  if (random.one_in(2)) above = with_redundant_vertices(random, std::move(above));
+  const Vec3 shift{random.whole(-2, 2), random.whole(-2, 2), 0};
+  const double gap = dyadic_gap(random, 1, 18);
+  const Pose X{Vec3::Zero(), small_quaternion(random)};
+  return across(random, std::move(below), shifted(std::move(above), shift), gap, X);
+}
+
+}  // namespace
+
 Polytope with_redundant_vertices(Random& random, Polytope solid) {
   const std::vector<std::vector<int>> faces = solid.faces;
   for (std::size_t f = 0; f < faces.size(); ++f) {
@@ -69,18 +80,6 @@ Polytope with_redundant_vertices(Random& random, Polytope solid) {
   }
   return shuffled(random, solid);
 }
-
-Scene redundant(Random& random) {
-  Polytope below = with_redundant_vertices(random, summit(random, some_kind(random)));
-  Polytope above = depression(random, some_kind(random));
-  if (random.one_in(2)) above = with_redundant_vertices(random, std::move(above));
-  const Vec3 shift{random.whole(-2, 2), random.whole(-2, 2), 0};
-  const double gap = dyadic_gap(random, 1, 18);
-  const Pose X{Vec3::Zero(), small_quaternion(random)};
-  return across(random, std::move(below), shifted(std::move(above), shift), gap, X);
-}
-
-}  // namespace
 
 std::vector<Family> redundant_families() {
   return {{"hulls.redundant", "vertices on edges and in faces, in any order, touching or nearly", convex_pair_queries,

@@ -213,3 +213,18 @@ TEST_CASE("drawn motions: tables.corner has bodies that rest in a corner, and bo
     for (const Scene& scene : scenes) CHECK(law.check(scene, *subject).outcome == oracle::Outcome::holds);
   }
 }
+
+TEST_CASE("drawn motions: flights.redundant has polytopes with vertices that no face names before some that one does") {
+  const auto has_gap = [](const Body& body) {
+    const auto* solid = std::get_if<Polytope>(&body.shape);
+    if (solid == nullptr) return false;
+    std::vector<bool> named(solid->vertices.size());
+    for (const std::vector<int>& face : solid->faces) {
+      for (const int v : face) named[static_cast<std::size_t>(v)] = true;
+    }
+    return std::ranges::find(std::ranges::find(named, false), named.end(), true) != named.end();
+  };
+  const std::vector<Scene> scenes = drawn("flights.redundant", draws);
+  CHECK(count(scenes, [&](const Scene& scene) { return std::ranges::any_of(scene.bodies, has_gap); }) >= 40);
+  CHECK(count(scenes, [&](const Scene& scene) { return truth(scene).status == Status::hit; }) >= 20);
+}
