@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "model/answers.h"
+#include "model/infinity.h"
 #include "model/scene.h"
 
 namespace touchstone::reference {
@@ -32,7 +33,9 @@ struct ConstraintTruth {
   struct Segment {
     Mode mode = Mode::ballistic;
     double acceleration = 0;  ///< m/s²: upper bound of |v'| and r |w'|
-    double clearance = 0;     ///< m: lower bound of the distance to any change other than the next one
+    /// m: lower bound of the distance to any change other than the next one; infinity if it has no duration. A change
+    /// exactly at the end does not count, but comes near: then it is at most 0.
+    double clearance = infinity;
   };
   /// At `time` the set of contacts changes, or the mode of one.
   struct Change {

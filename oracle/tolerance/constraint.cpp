@@ -28,9 +28,6 @@ double friction(const Scene& scene, int ball, int other) {
                   scene.bodies[static_cast<std::size_t>(other)].material.friction);
 }
 
-/// A mode of no duration has clearance 0 in the truth, but comes near no other change.
-double of_lasting(double clearance) { return clearance == 0 ? infinity : clearance; }
-
 /// m/s: upper bound of any body's speed, provided that impacts and contacts add no energy.
 double greatest_speed(const Scene& scene) {
   double greatest = 0;
@@ -76,7 +73,7 @@ std::vector<RollingBound> rolling(const Scene& scene, const reference::Constrain
   const double delta = step, r = radius_of(scene, truth);
   const Vec3& start = scene.bodies[static_cast<std::size_t>(truth.ball)].X_WB.p_WB;
   const double way = start.norm() + truth.speed * times.back();
-  double A = truth.first.acceleration, clearance = of_lasting(truth.first.clearance), from = 0;
+  double A = truth.first.acceleration, clearance = truth.first.clearance, from = 0;
   double X = envelope(scene) + roundings * unit_roundoff(precision) * way;
   double V = A * delta + (roundings * unit_roundoff(precision) + envelope(scene) / r) * truth.speed;
   double shift = delta;         // uncertainty of the time of the last change
@@ -113,7 +110,7 @@ std::vector<RollingBound> rolling(const Scene& scene, const reference::Constrain
     }
     if (change.segment.mode == Mode::sliding) V *= 2;
     A = change.segment.acceleration;
-    clearance = of_lasting(change.segment.clearance);
+    clearance = change.segment.clearance;
     from = end;
     unsure_until = std::max(unsure_until, end + early);
   }

@@ -149,7 +149,7 @@ namespace {
 
 /// How many samples, at 1/4, 3/4 and 1 s, are certain of a ball that makes one change, at 1/2 s and at this rate. Steps
 /// are 2^-10 s and the acceleration 8 m/s², so the velocity is off by V = 2^-7 m/s, and V + A δ = 2^-6 m/s.
-std::size_t certain_samples(Event::Kind kind, double rate) {
+std::size_t certain_samples(Event::Kind kind, double rate, double clearance_at_the_end = 64) {
   Scene scene = of(Sphere{64});  // so great that the ball stays far from where nothing is certain
   scene.gravity = Vec3::Zero();
   scene.bodies.push_back(scene.bodies[0]);
@@ -163,6 +163,7 @@ std::size_t certain_samples(Event::Kind kind, double rate) {
   change.other = 1;
   change.rate = rate;
   change.segment = truth.first;
+  change.segment.clearance = clearance_at_the_end;
   truth.changes = {change};
   return oracle::tolerance::rolling(scene, truth, Precision::binary64, 0x1p-10).size();
 }
@@ -176,4 +177,11 @@ TEST_CASE("a ball that touches a box, or leaves its edge, slower than twice what
     CHECK(certain_samples(kind, 0x1p-6) == 1);
   }
   CHECK(certain_samples(Event::Kind::contact, 0x1p-6) == 3);  // slip stops in any case: its rate is a deceleration
+}
+
+// The second segment ends at the last sample, so its clearance may be 0. A segment without duration has an infinite
+// one.
+TEST_CASE("where a ball meets a box exactly at the end, nothing is certain of it from the change before") {
+  CHECK(certain_samples(Event::Kind::contact, 1, 0) == 1);
+  CHECK(certain_samples(Event::Kind::contact, 1, infinity) == 3);
 }

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "model/infinity.h"
 #include "model/input_error.h"
 #include "tests/catch.h"
 
@@ -115,6 +116,19 @@ TEST_CASE("constraint: obstacles send the ball back, and the smooth ones do not 
   CHECK(holds(truth.changes[1].after.w_WB[1], 4));
   CHECK(truth.changes[2].kind == Kind::contact);
   CHECK(truth.changes[2].segment.mode == Mode::sliding);
+}
+
+// As above, until exactly when the ball meets the obstacle.
+TEST_CASE("constraint: what happens exactly at the end does not count, but comes near") {
+  Scene scene = ball_on_table(Vec3(1, 0, 0), 0.5);
+  scene.bodies[0].velocity.w_WB = Vec3(0, 4, 0);
+  scene.bodies.push_back(table(Vec3(0.25, 1, 1), Vec3(1, 0, 1), {0.5, 0}));
+  const ConstraintTruth truth = constraint(scene);
+  REQUIRE(truth.changes.size() == 1);        // contact with the table, from the start on
+  CHECK(truth.first.clearance == infinity);  // it has no duration
+  CHECK(truth.changes[0].segment.clearance <= 0);
+  CHECK(truth.changes[0].segment.clearance > -1e-14);
+  CHECK(holds(truth.states[1].v_WB[0], 1));
 }
 
 TEST_CASE("constraint: a rough obstacle lifts the ball off the table") {
