@@ -167,7 +167,7 @@ double pixel(const Scene& scene, Precision precision) {
 }
 
 // A side may be rounded outward to the raster's next line. A square within `pixel` of a projection is a neighbour of
-// one that intersects it, if pixels are larger than that. A value beyond the raster's size is no less strict.
+// one that intersects it, if pixels are larger than that. From 2^24 on the number says only that it is as large.
 int pixels_around(const Scene& scene, Precision precision) {
   const double most = 1 << 24;
   return 1 + static_cast<int>(std::min(std::floor(pixel(scene, precision) / scene.raster.value().pixel), most));

@@ -59,6 +59,30 @@ TEST_CASE("pixel.conservative and pixel.narrow: nothing left out, and one pixel 
   CHECK(judged("pixel.conservative", said).defect == Defect::missed);
 }
 
+// 2^36 m from the origin doubles are 2^-17 m apart, and rounding is more than 2^-17 · 2^7 m.
+TEST_CASE("pixel.narrow and pixel.comes_near: pixels that are far smaller than rounding are not judged") {
+  const auto outcomes = [](double pixel) {
+    Scene scene;
+    scene.bodies.resize(2);
+    for (Body& body : scene.bodies) {
+      body.shape = Sphere{1};
+      body.X_WB.p_WB = {0x1p36, 1 + 0x1p-10, 0};
+    }
+    scene.raster = Raster{.x = 0x1p36, .y = 0, .pixel = pixel, .columns = 1, .rows = 1};
+    Pixels said = oracle::truth::pixel(scene);
+    const Mask nothing = {"0"}, all = {"1"};
+    CHECK(said.conservative[0] == nothing);
+    said.conservative = {all, all};
+    said.meet_conservative = all;
+    tests::FixedSubject subject;
+    subject.said_pixels = said;
+    return std::pair(properties::find("pixel.narrow").check(scene, subject).outcome,
+                     properties::find("pixel.comes_near").check(scene, subject).outcome);
+  };
+  CHECK(outcomes(0x1p-46) == std::pair(Outcome::outside, Outcome::outside));
+  CHECK(outcomes(0x1p-12) == std::pair(Outcome::holds, Outcome::holds));
+}
+
 TEST_CASE("pixel.overlap and pixel.counts: the truth's, and one's own masks'") {
   Pixels said = truth();
   said.overlap.count = 4;
