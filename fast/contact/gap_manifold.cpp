@@ -12,7 +12,7 @@ namespace {
 
 constexpr double faces_oppose = 0.9;            // cos 25°
 constexpr double is_face_normal = 1 - 0x1p-20;  // a normal from two points 2⁻³⁰ apart has an error of at most 2⁻²²
-constexpr double tells_direction = 0x1p10;  // roundings: nearer points have a direction that is off by more than 2⁻¹⁰
+constexpr double gives_direction = 0x1p10;  // roundings: nearer points have a direction that is off by more than 2⁻¹⁰
 
 /// Corners of B's face within A's, projected along n, each with its gap to the plane of A's face.
 std::vector<GapPoint> common_corners(const std::vector<Vec3>& face_A, const Vec3& normal_A,
@@ -44,7 +44,7 @@ Vec3 gap_normal(const Part& A, const Part& B, const lin_canny::Proximity& near, 
   const double size = way.norm(), rounding = 2 * u * (a.lpNorm<1>() + b.lpNorm<1>());
   const bool touch_at_a_ball = near.verdict == Verdict::touching && (A.is_ball() || B.is_ball());
   const bool is_apart = near.verdict == Verdict::separated || touch_at_a_ball;
-  if (is_apart && size > tells_direction * rounding) return way / size;
+  if (is_apart && size > gives_direction * rounding) return way / size;
   // Needed for bodies that touch when the motion begins: a separating plane is among these.
   return before && !is_apart
              ? *before
