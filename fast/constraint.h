@@ -32,7 +32,8 @@ struct ConstraintOptions {
 /// force changes: there the method has no error, so it locates what changes as short steps do.
 ///
 /// Requires a valid scene with a motion and polytopes with faces. Throws InputError for compounds, bodies that start
-/// late, bodies that overlap at the start, and more than 2²⁴ steps. Cost: 2 µs a step for a ball on a table, and some 20 to 200 steps.
+/// late, bodies that overlap at the start, and more than 2²⁴ steps. Cost: 2 µs a step for a ball on a table, which
+/// takes some 20 to 200 steps.
 Trajectory constrained(const Scene& scene, const ConstraintOptions& options = {});
 
 }  // namespace touchstone::fast

@@ -130,8 +130,8 @@ StepContacts ContactSearch::find(const std::vector<StepperBody>& bodies, double 
 Vec3 ContactSearch::normal(const ContactPair& pair, const std::vector<StepperBody>& bodies, std::size_t moved,
                            const Vec3& way) {
   std::array<StepperBody, 2> both{bodies[index(pair.a)], bodies[index(pair.b)]};
-  StepperBody& mover = both[index(pair.a) == moved ? 0 : 1];
-  mover = mover.moved(way);
+  StepperBody& body = both[index(pair.a) == moved ? 0 : 1];
+  body = body.moved(way);
   const lin_canny::Proximity proximity = proximity_of(both[0], both[1], pair.tracked->walk);
   return gap_manifold(both[0].part(), both[1].part(), proximity, pair.tracked->nhat_BA_W).nhat_BA_W;
 }

@@ -35,13 +35,13 @@ bool rotates_as_accurately(const Vec3& w, const Vec3& w_after, double h, double 
   return w.cross(w_after).isZero(0) || (x < 2 && h * x * x * (1.0 / 120 + x / 720) <= short_h / 2);
 }
 
-std::optional<std::size_t> lone_ball(const Scene& scene, const std::vector<StepperBody>& bodies) {
+std::optional<LoneBall> lone_ball(const Scene& scene, const std::vector<StepperBody>& bodies) {
   if (!scene.motion->forces.empty()) return std::nullopt;
-  std::optional<std::size_t> ball;
+  std::optional<LoneBall> ball;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     if (bodies[i].is_fixed() && !bodies[i].moves()) continue;
     if (ball || !bodies[i].is_ball()) return std::nullopt;
-    ball = i;
+    ball = LoneBall{i, StepLength(longest_long_step)};
   }
   return ball;
 }
@@ -54,7 +54,6 @@ Stepper::Stepper(const Scene& scene, double short_step, int sweeps)
       skin_(envelope(scene) / 2),
       bodies_(bodies_of(scene)),
       lone_ball_(lone_ball(scene, bodies_)),
-      length_(lone_ball_ ? longest_long_step : 1),
       search_(scene, bodies_, skin_, short_step * (lone_ball_ ? longest_long_step : 1)) {}
 
 void Stepper::find_contacts(double h) {
@@ -188,27 +187,28 @@ void Stepper::emit(double weight, double until) {
 /// separates it from a body at these three does so all the way; and if a face is nearest to all three, then all the
 /// way, since the points to which a face is nearest are a convex set. Forces are constant, so no slip begins, ends or
 /// turns.
-bool Stepper::changes_nothing(const std::vector<contact::Twist>& twists, double h) {
+bool Stepper::changes_nothing(const std::vector<contact::Twist>& twists, double h, double short_h) {
+  const auto& [moves, length, last_h] = *lone_ball_;
   for (const auto& [ids, tracked] : search_.tracked()) {
     if (!tracked.seen && !tracked.loaded.empty()) return false;
   }
-  const StepperBody& ball = bodies_[*lone_ball_];
-  const contact::Twist &before = ball.twist(), &after = twists[*lone_ball_];
-  if (!rotates_as_accurately(before.w, after.w, h, short_step_)) return false;
+  const StepperBody& ball = bodies_[moves];
+  const contact::Twist &before = ball.twist(), &after = twists[moves];
+  if (!rotates_as_accurately(before.w, after.w, h, short_h)) return false;
   const std::array<Vec3, 2> ways{h / 2 * before.v, h / 2 * (before.v + after.v)};
   for (const ContactPair& pair : contacts_.pairs) {
-    const double side = index(pair.a) == *lone_ball_ ? 1 : -1;
+    const double side = index(pair.a) == moves ? 1 : -1;
     Vec3 P = Vec3::Zero(), P_before = Vec3::Zero();
     for (const TrackedPair::Loaded& loaded : pair.tracked->loaded) P_before += loaded.P;
     for (std::size_t i = pair.first; i < pair.first + pair.count; ++i) P += contacts_.rows[i].P;
-    if ((last_h_ * P - h * P_before).norm() > same_force * last_h_ * P.norm()) return false;
+    if ((last_h * P - h * P_before).norm() > same_force * last_h * P.norm()) return false;
     for (const Vec3& way : ways) {
       if (P.isZero(0)) {
         for (std::size_t i = pair.first; i < pair.first + pair.count; ++i) {
           if (!(contacts_.points[i].gap + side * contacts_.rows[i].n.dot(way) > skin_)) return false;
         }
       } else {
-        const Vec3 normal = search_.normal(pair, bodies_, *lone_ball_, way);
+        const Vec3 normal = search_.normal(pair, bodies_, moves, way);
         if ((normal - *pair.tracked->nhat_BA_W).norm() > same_normal) return false;
       }
     }
@@ -216,31 +216,36 @@ bool Stepper::changes_nothing(const std::vector<contact::Twist>& twists, double 
   return true;
 }
 
-bool Stepper::long_step(double time, double h) {
+bool Stepper::long_step(double time, double h, double short_h) {
   find_contacts(h);
   std::vector<contact::Twist> twists = free_twists(time, h);
   solve(contacts_.rows, mobilities_, twists, {.sweeps = sweeps_});
-  if (!changes_nothing(twists, h)) return false;
+  if (!changes_nothing(twists, h, short_h)) return false;
   mark(Mark::step_long);
-  bodies_[*lone_ball_].advance_evenly(h, twists[*lone_ball_]);
-  search_.move(*lone_ball_, bodies_[*lone_ball_]);
+  StepperBody& ball = bodies_[lone_ball_->index];
+  ball.advance_evenly(h, twists[lone_ball_->index]);
+  search_.move(lone_ball_->index, ball);
   for (const ContactPair& pair : contacts_.pairs) keep_impulses(pair);
   search_.forget_distant();
-  last_h_ = h;
   return true;
 }
 
 void Stepper::advance(double from, double to, int steps) {
   const auto time = [&](int i) { return i == steps ? to : from + (to - from) * i / steps; };
-  short_step_ = (to - from) / steps;
+  const double short_h = (to - from) / steps;
   for (int i = 0; i < steps;) {
-    const int n = length_.next(steps - i);
-    if (n > 1 && !long_step(time(i), time(i + n) - time(i))) {
-      length_.refuse(n);
+    const int n = lone_ball_ ? lone_ball_->length.next(steps - i) : 1;
+    const double h = n == 1 ? short_h : time(i + n) - time(i);
+    if (n == 1) {
+      short_step(time(i), h, time(i + 1));
+    } else if (!long_step(time(i), h, short_h)) {
+      lone_ball_->length.refuse(n);
       continue;
     }
-    if (n == 1) short_step(time(i), short_step_, time(i + 1));
-    length_.take(n);
+    if (lone_ball_) {
+      lone_ball_->length.take(n);
+      lone_ball_->last_h = h;
+    }
     i += n;
   }
 }
@@ -269,7 +274,6 @@ void Stepper::short_step(double time, double h, double until) {
     if (!bodies_[i].is_fixed() || bodies_[i].moves()) search_.move(i, bodies_[i]);
   }
   emit(weight, until);
-  last_h_ = h;
 }
 
 std::vector<State> Stepper::states() const {

@@ -12,6 +12,13 @@
 
 namespace touchstone::fast::constraint {
 
+/// The only body that moves, if it is a ball without applied forces.
+struct LoneBall {
+  std::size_t index;
+  StepLength length;
+  double last_h = 0;  ///< s; the last step
+};
+
 class Stepper {
  public:
   Stepper(const Scene& scene, double longest_step, int sweeps);
@@ -27,8 +34,8 @@ class Stepper {
   /// beginning.
   void short_step(double time, double h, double until);
   /// Returns false, and changes no state, if something changes within h.
-  bool long_step(double time, double h);
-  bool changes_nothing(const std::vector<contact::Twist>& twists, double h);
+  bool long_step(double time, double h, double short_h);
+  bool changes_nothing(const std::vector<contact::Twist>& twists, double h, double short_h);
   void find_contacts(double h);
   void emit_forces(double time);
   std::vector<contact::Twist> free_twists(double time, double h) const;
@@ -44,10 +51,7 @@ class Stepper {
   double skin_;  ///< m; the distance at which bodies rest
   std::vector<StepperBody> bodies_;
   std::vector<contact::Mobility> mobilities_;  ///< of bodies_, at the beginning of the step
-  std::optional<std::size_t> lone_ball_;       ///< index of the only body that moves, if it is a ball without forces
-  StepLength length_;
-  double short_step_ = 0;  ///< s
-  double last_h_ = 0;      ///< s; the last step
+  std::optional<LoneBall> lone_ball_;
   ContactSearch search_;
   StepContacts contacts_;
   std::vector<double> u_n_;   ///< of the contacts' rows, before the step

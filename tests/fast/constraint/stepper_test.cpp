@@ -53,18 +53,19 @@ double angle_between(const State& a, const State& b) {
   return rotation(a.X_WB.q_WB).angularDistance(rotation(b.X_WB.q_WB));
 }
 
-TEST_CASE("time stepper: a lone ball in flight takes a few long steps along its parabola, and turns steadily") {
+TEST_CASE(
+    "time stepper: a lone ball that touches nothing takes a few long steps along its parabola, and turns steadily") {
   const Velocity start{Vec3(1, 2, 3), Vec3(0, 0, 5)};
-  const Followed flight = follow(one_ball(Vec3::Zero(), start));
-  CHECK(flight.long_steps > 0);
-  CHECK(flight.long_steps < 32);
-  CHECK((flight.ball.X_WB.p_WB - Vec3(1, 2, 3 - g / 2)).norm() < 1e-13);
-  CHECK((flight.ball.velocity.v_WBcm - Vec3(1, 2, 3 - g)).norm() < 1e-13);
-  CHECK(angle_between(flight.ball, {{Vec3::Zero(), {std::cos(2.5), 0, 0, std::sin(2.5)}}, {}}) < 1e-7);
+  const Followed free = follow(one_ball(Vec3::Zero(), start));
+  CHECK(free.long_steps > 0);
+  CHECK(free.long_steps < 32);
+  CHECK((free.ball.X_WB.p_WB - Vec3(1, 2, 3 - g / 2)).norm() < 1e-13);
+  CHECK((free.ball.velocity.v_WBcm - Vec3(1, 2, 3 - g)).norm() < 1e-13);
+  CHECK(angle_between(free.ball, {{Vec3::Zero(), {std::cos(2.5), 0, 0, std::sin(2.5)}}, {}}) < 1e-7);
 }
 
 // Slip stops after v/(μ g (1 + 1/κ)) = 2 v/(7 μ g), κ = 2/5, and 5/7 of the velocity is left.
-TEST_CASE("time stepper: a lone ball slides until it rolls; the change is found to a short step") {
+TEST_CASE("time stepper: a lone ball slides until it rolls, and the change is found to a short step") {
   const double mu = 0.125, v = 1, t = 2 * v / (7 * mu * g);
   Scene scene = one_ball(Vec3(0, 0, 0.25), {Vec3(v, 0, 0), Vec3::Zero()});
   scene.bodies.push_back(block(Vec3(4, 4, 1), Vec3(0, 0, -1), mu));
