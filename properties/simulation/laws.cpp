@@ -69,8 +69,12 @@ bool fixed_rest(const Scene& scene) {
       scene.bodies, [](const Body& b) { return !std::holds_alternative<Fixed>(b.mass) || b.velocity == Velocity{}; });
 }
 
+/// How often velocities were rounded: at each event, and in each step of contact that the subject tells.
 std::size_t changes(const TrajectoryCase& asked) {
-  return asked.said.events ? asked.said.events->size() : tolerance::steps;
+  const Trajectory& said = asked.said;
+  if (!said.events) return tolerance::steps;
+  const int steps = said.contact_solver ? said.contact_solver->steps : 0;
+  return said.events->size() + std::min(static_cast<std::size_t>(std::max(steps, 0)), tolerance::steps);
 }
 
 /// The rounding allowance of a sum whose terms have total size `size`.

@@ -701,6 +701,30 @@ TEST_CASE("simulation: steps explain impacts that come one of them late, and a f
   CHECK(judged_at(0.4, oracle::Stepping{1.0 / 256, 1}) == Outcome::fails);
 }
 
+// The momenta, 2 kg m/s in all at the start and at the end, are rounded by up to 8u in each of two bodies, in the sum,
+// and in each step of contact; 2⁻⁴⁰ is 8192 u.
+TEST_CASE("simulation: steps of contact that a subject tells explain rounding, up to a number of steps") {
+  Scene scene;
+  scene.bodies = {ball({-4, 0, 0}, {1, 0, 0}), ball({4, 0, 0}, {-1, 0, 0})};
+  for (Body& body : scene.bodies) body.mass = MassProperties{1, Vec3::Zero(), Mat3::Identity()};
+  scene.motion.emplace();
+  scene.motion->sample_times = {1};
+  const auto judged_after = [&](int steps, double faster) {
+    tests::FixedSubject subject;
+    Trajectory said;
+    said.states = {{at({-3, 0, 0}, {1 + faster, 0, 0}), at({3, 0, 0}, {-1, 0, 0})}};
+    said.events.emplace();
+    if (steps > 0) said.contact_solver = {steps, 0, 0};
+    subject.said_simulation = said;
+    return properties::find("simulation.momentum").check(scene, subject).outcome;
+  };
+  CHECK(judged_after(0, 0) == Outcome::holds);
+  CHECK(judged_after(0, 0x1p-40) == Outcome::fails);
+  CHECK(judged_after(250, 0x1p-40) == Outcome::fails);
+  CHECK(judged_after(260, 0x1p-40) == Outcome::holds);
+  CHECK(judged_after(std::numeric_limits<int>::max(), 0x1p-30) == Outcome::fails);
+}
+
 // The relative speed is 2 m/s, and the way of a step of 1/64 s that of two bodies of 1 m/s. Lifted apart by d each, the
 // angular momentum of two unit masses changes by 2 d.
 TEST_CASE("simulation: lifting an overlap explains a change of angular momentum, by the way of a step") {
