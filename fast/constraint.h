@@ -11,7 +11,7 @@ namespace touchstone::fast {
 
 /// How finely time is cut, and how long a step is solved.
 struct ConstraintOptions {
-  std::optional<double> step = {};  ///< s, the longest short step; if absent, 1/4096 of the motion's duration
+  std::optional<double> step = {};  ///< s, the longest short step (below); if absent, 1/4096 of the motion's duration
   int sweeps = 200;                 ///< most solver sweeps per step
 };
 
@@ -28,8 +28,9 @@ struct ConstraintOptions {
 /// pair presses on in the next step, and again when its slip begins or ends; its separation emits `release`. A change
 /// of an applied force emits its event at the beginning of the first step that does not begin before it.
 ///
-/// A ball that is the only body that moves takes long steps, up to 256 times as long, through which no contact and no
-/// force changes: there the method has no error, so it locates what changes as short steps do.
+/// A ball that is the only body that moves, without applied forces, takes long steps too: up to 256 times as long, in
+/// which no contact force changes, so that the method has no error of first order. What changes is found in a short
+/// step.
 ///
 /// Requires a valid scene with a motion and polytopes with faces. Throws InputError for compounds, bodies that start
 /// late, bodies that overlap at the start, and more than 2²⁴ steps. Cost: 2 µs a step for a ball on a table, which

@@ -131,14 +131,13 @@ Finding conservative(const Scene& scene, Subject& subject) {
   });
 }
 
-// Far from the origin pixels may be far smaller than the rounding of a place. More of them are not counted.
-constexpr int most_around = 1 << 24;
+// Far from the origin pixels may be far smaller than the rounding of a place.
 constexpr const char* too_small = "pixels that are less than 2^-24 of rounding";
 
 Finding narrow(const Scene& scene, Subject& subject) {
   return of_pixels(scene, subject, [&](const Pixels& said) {
     const int around = tolerance::pixels_around(scene, subject.card().precision);
-    if (around > most_around) return judge::outside(too_small);
+    if (around > tolerance::most_pixels_around) return judge::outside(too_small);
     return each_body(scene, [&](std::size_t b, const std::string& whose) {
       return each_pixel(*scene.raster, [&](int i, int j) {
         if (!at(said.conservative[b], i, j) || at(truth::pixel(scene).conservative[b], i, j) ||
@@ -179,7 +178,7 @@ Finding comes_near(const Scene& scene, Subject& subject) {
   return of_pixels_of_two(scene, subject, [&](const Pixels& said) {
     const oracle::Precision precision = subject.card().precision;
     const int around = tolerance::pixels_around(scene, precision);
-    if (around > most_around) return judge::outside(too_small);
+    if (around > tolerance::most_pixels_around) return judge::outside(too_small);
     return each_pixel(*scene.raster, [&](int i, int j) {
       if (!at(said.meet_conservative, i, j) || at(truth::pixel(scene).meet_conservative, i, j) ||
           truth::depths_come_near(scene, i, j, around, 2 * tolerance::pixel(scene, precision))) {

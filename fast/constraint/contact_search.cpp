@@ -1,7 +1,6 @@
 #include "fast/constraint/contact_search.h"
 
 #include <algorithm>
-#include <array>
 #include <string>
 
 #include "model/input_error.h"
@@ -129,11 +128,11 @@ StepContacts ContactSearch::find(const std::vector<StepperBody>& bodies, double 
 
 Vec3 ContactSearch::normal(const ContactPair& pair, const std::vector<StepperBody>& bodies, std::size_t moved,
                            const Vec3& way) {
-  std::array<StepperBody, 2> both{bodies[index(pair.a)], bodies[index(pair.b)]};
-  StepperBody& body = both[index(pair.a) == moved ? 0 : 1];
-  body = body.moved(way);
-  const lin_canny::Proximity proximity = proximity_of(both[0], both[1], pair.tracked->walk);
-  return gap_manifold(both[0].part(), both[1].part(), proximity, pair.tracked->nhat_BA_W).nhat_BA_W;
+  const StepperBody there = bodies[moved].moved(way);
+  const StepperBody& A = index(pair.a) == moved ? there : bodies[index(pair.a)];
+  const StepperBody& B = index(pair.b) == moved ? there : bodies[index(pair.b)];
+  const lin_canny::Proximity proximity = proximity_of(A, B, pair.tracked->walk);
+  return gap_manifold(A.part(), B.part(), proximity, pair.tracked->nhat_BA_W).nhat_BA_W;
 }
 
 void ContactSearch::move(std::size_t body, const StepperBody& moved) {

@@ -143,10 +143,10 @@ double SeparationQuery::clear_until(const SeparatingPlane& plane, double h_max) 
     if (far.is_clear()) h = std::max(h, far.clear_until(h_max));  // a centre of mass outside its body may be nearer
   };
   const Vec3 &n = plane.direction(), at_rest = Vec3::Zero();
-  however_turned(pair_.a, pair_.inflation,
-                 [&](const MovingCore& ball) { return SeparatingPlane(ball, B_, n, at_rest, ball.core.t); });
-  however_turned(pair_.b, Inflation{},
-                 [&](const MovingCore& ball) { return SeparatingPlane(A_, ball, n, at_rest, ball.core.t); });
+  const auto for_A = [&](const MovingCore& ball) { return SeparatingPlane(ball, B_, n, at_rest, ball.core.t); };
+  const auto for_B = [&](const MovingCore& ball) { return SeparatingPlane(A_, ball, n, at_rest, ball.core.t); };
+  however_turned(pair_.a, pair_.inflation, for_A);
+  however_turned(pair_.b, Inflation{}, for_B);
   const auto however_spun = [&](const motion::BallisticMotion& motion, std::size_t part, const MovingCore& side,
                                 auto&& plane_of) {
     if (!(h < h_max)) return;
@@ -159,10 +159,8 @@ double SeparationQuery::clear_until(const SeparatingPlane& plane, double h_max) 
     }
     h = std::max(h, both);
   };
-  however_spun(pair_.a, pair_.part_A, A_,
-               [&](const MovingCore& ball) { return SeparatingPlane(ball, B_, n, at_rest, ball.core.t); });
-  however_spun(pair_.b, pair_.part_B, B_,
-               [&](const MovingCore& ball) { return SeparatingPlane(A_, ball, n, at_rest, ball.core.t); });
+  however_spun(pair_.a, pair_.part_A, A_, for_A);
+  however_spun(pair_.b, pair_.part_B, B_, for_B);
   return h;
 }
 

@@ -167,10 +167,10 @@ double pixel(const Scene& scene, Precision precision) {
 }
 
 // A side may be rounded outward to the raster's next line. A square within `pixel` of a projection is a neighbour of
-// one that intersects it, if pixels are larger than that. From 2^24 on the number says only that it is as large.
+// one that intersects it, if pixels are larger than that.
 int pixels_around(const Scene& scene, Precision precision) {
-  const double most = 1 << 24;
-  return 1 + static_cast<int>(std::min(std::floor(pixel(scene, precision) / scene.raster.value().pixel), most));
+  const double within = std::floor(pixel(scene, precision) / scene.raster.value().pixel);
+  return 1 + static_cast<int>(std::min<double>(within, most_pixels_around));
 }
 
 double size(const Body& body) { return solid(body).rho; }

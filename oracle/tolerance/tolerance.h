@@ -45,7 +45,8 @@ double bounds(const Scene& scene, Precision precision);
 double pixel(const Scene& scene, Precision precision);
 
 /// Pixels: how many more pixels on each side a conservative test may mark than the exact one: one, and those within
-/// `pixel`.
+/// `pixel`. More than `most_pixels_around` are not counted.
+inline constexpr int most_pixels_around = 1 << 24;
 int pixels_around(const Scene& scene, Precision precision);
 
 /// Error bounds of one body's mass (kg), centre of mass (m) and moments and products of inertia (kg m²). 0 for an exact

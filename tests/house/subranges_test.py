@@ -1,9 +1,8 @@
-"""Usage: subranges_test.py ROOT. Checks that no source calls an algorithm of std::ranges that returns a subrange,
-nor uses a view.
+"""Usage: subranges_test.py ROOT. Checks that no source calls an algorithm of std::ranges that returns a subrange, nor
+uses a view.
 
 clang 14 and 15 cannot compile them with the standard library of g++ 12 (`no matching function for call to '__begin'`).
-The algorithms of std and a
-loop do the same."""
+The algorithms of std and a loop do the same."""
 
 import pathlib
 import re

@@ -133,11 +133,12 @@ double with_deviation(const BodyMotion& a, const BodyMotion& b, double from, dou
   });
 }
 
-lin_canny::NearestParts nearest_parts(const BodyMotion& a, const BodyMotion& b, double t, PairMemory& memory) {
+lin_canny::Proximity proximity_at(const BodyMotion& a, const BodyMotion& b, double t, PairMemory& memory) {
   const lin_canny::Solid &A = a.model().solid, &B = b.model().solid;
   memory.features.resize(lin_canny::pairs_of_parts(A, B));
-  return lin_canny::nearest_parts(A, lin_canny::CachedPose(a.ballistic().pose(t)), B,
-                                  lin_canny::CachedPose(b.ballistic().pose(t)), memory.features);
+  return nearest_parts(A, lin_canny::CachedPose(a.ballistic().pose(t)), B, lin_canny::CachedPose(b.ballistic().pose(t)),
+                       memory.features)
+      .proximity;
 }
 
 struct Hit {
@@ -152,14 +153,11 @@ Hit within_envelope(const BodyMotion& a, const BodyMotion& b, const FirstContact
                     PairMemory& memory) {
   const Hit first{found.lo, found.p_WC};
   double lo = found.lo, hi = found.hi;
-  for (double t = lo; lo < hi;) {
-    const lin_canny::Proximity at = nearest_parts(a, b, t, memory).proximity;
-    const bool overlaps = at.verdict == Verdict::overlapping;
-    if (!overlaps && at.distance <= envelope) return t == found.lo ? first : Hit{t, (at.p_WCa + at.p_WCb) / 2};
-    if (overlaps && t == found.lo) break;
-    (overlaps ? hi : lo) = t;
-    t = std::midpoint(lo, hi);
-    if (!(lo < t && t < hi)) break;
+  if (!(lo < hi) || proximity_at(a, b, lo, memory).distance <= envelope) return first;  // 0 if they overlap
+  for (double t = std::midpoint(lo, hi); lo < t && t < hi; t = std::midpoint(lo, hi)) {
+    const lin_canny::Proximity at = proximity_at(a, b, t, memory);
+    if (at.verdict != Verdict::overlapping && at.distance <= envelope) return {t, (at.p_WCa + at.p_WCb) / 2};
+    (at.verdict == Verdict::overlapping ? hi : lo) = t;
   }
   return first;
 }
@@ -204,7 +202,7 @@ Touch touch(const BodyMotion& a, const BodyMotion& b, double t, PairMemory& memo
     return {at.gap, at.p_WCb + at.gap / 2 * at.n, at.n};
   }
   if (memory.time == t) return memory.touch;
-  const lin_canny::Proximity at = nearest_parts(a, b, t, memory).proximity;
+  const lin_canny::Proximity at = proximity_at(a, b, t, memory);
   const Vec3 apart = at.p_WCa - at.p_WCb;
   const double far = length(apart);
   return {at.verdict == Verdict::overlapping ? -1.0 : at.distance, (at.p_WCa + at.p_WCb) / 2,
