@@ -132,7 +132,7 @@ Finding conservative(const Scene& scene, Subject& subject) {
 }
 
 // Far from the origin pixels may be far smaller than the rounding of a place.
-constexpr const char* too_small = "pixels that are less than 2^-24 of rounding";
+constexpr const char* too_small = "pixels smaller than 2^-24 of the rounding error of a coordinate";
 
 Finding narrow(const Scene& scene, Subject& subject) {
   return of_pixels(scene, subject, [&](const Pixels& said) {
