@@ -62,6 +62,12 @@ struct Pushed {
     return 8 * std::sqrt(2 * body.mass * force.norm() * static_cast<Real>(envelope(asked.scene)));
   }
 
+  /// N s: the momenta and impulses whose difference the event's impulse is, so it is known to some roundings of them.
+  Real momenta() const {
+    const Real speeds = after().velocity.v_WBcm.cast<Real>().norm() + body.v_WBcm.norm();
+    return body.mass * speeds + seconds * force.norm() + impulse().norm();
+  }
+
   template <class Law>
   Finding compare(const Point& gained, const Point& given, Real allowed, Real size, Law&& law) const {
     const Real u = oracle::unit_roundoff(asked.precision);
@@ -79,7 +85,7 @@ struct Pushed {
     const Point v = after().velocity.v_WBcm.cast<Real>(), given = impulse() + seconds * force;
     const tolerance::BallisticBound flown = allowance(alone, 0, event.time, asked.precision);
     const Real u = oracle::unit_roundoff(asked.precision);
-    const Real size = body.mass * (v.norm() + body.v_WBcm.norm()) + seconds * force.norm() + impulse().norm();
+    const Real size = momenta();
     const Real of_mass = tolerance::mass(solid(), asked.precision).mass / body.mass;
     const bool is_ball = std::holds_alternative<Sphere>(solid().shape);
     return compare(body.mass * (v - body.v_WBcm), given,
@@ -93,7 +99,7 @@ struct Pushed {
     const Point w = after().velocity.w_WB.cast<Real>(), given = body.p_BcmC_W.cross(impulse());
     const tolerance::BallisticBound flown = allowance(alone, 0, event.time, asked.precision);
     const Real u = oracle::unit_roundoff(asked.precision), arm = body.p_BcmC_W.norm(), I = body.moments[2];
-    const Real size = I * (w.norm() + body.w_WB.norm()) + arm * impulse().norm();
+    const Real size = I * (w.norm() + body.w_WB.norm()) + arm * momenta();
     const Real of_inertia = tolerance::mass(solid(), asked.precision).inertia / body.moments[0];
     const Real off = 2 * static_cast<Real>(envelope(asked.scene) + flown.place);
     return compare(body.angular_momentum(w - body.w_WB), given,

@@ -725,6 +725,35 @@ TEST_CASE("simulation: steps of contact that a subject tells explain rounding, u
   CHECK(judged_after(std::numeric_limits<int>::max(), 0x1p-30) == Outcome::fails);
 }
 
+// A ball of 1 kg passes a wall at 2 m/s. An impulse of 2⁻⁵¹ N s is an ulp of its momentum, and has a moment about its
+// centre; 2⁻⁴⁰ N s is more than rounding.
+TEST_CASE("simulation: the moment of an impulse that is a rounding of the momenta is a rounding too") {
+  Scene scene;
+  scene.bodies = {ball({0, 0, 0}, {2, 0, 0}), ball({0, 0, -2}, {0, 0, 0})};
+  scene.bodies[0].mass = MassProperties{1, Vec3::Zero(), Mat3::Identity()};
+  scene.bodies[1].mass = Fixed{};
+  scene.motion.emplace();
+  scene.motion->sample_times = {1};
+  const auto judged_with = [&](double impulse) {
+    Event contact;
+    contact.kind = Event::Kind::contact;
+    contact.b = 1;
+    contact.p_WC = {0, 0, -1};
+    contact.nhat_BA_W = {0, 0, 1};
+    contact.P_A_W = {impulse, 0, 0};
+    contact.after_a = at({0, 0, 0}, {2 + impulse, 0, 0});
+    contact.after_b = at({0, 0, -2}, {0, 0, 0});
+    tests::FixedSubject subject;
+    Trajectory said;
+    said.states = {{at({2, 0, 0}, {2 + impulse, 0, 0}), contact.after_b}};
+    said.events.emplace(1, contact);
+    subject.said_simulation = said;
+    return properties::find("simulation.impulses_add_up").check(scene, subject).outcome;
+  };
+  CHECK(judged_with(0x1p-51) == Outcome::holds);
+  CHECK(judged_with(0x1p-40) == Outcome::fails);
+}
+
 // The relative speed is 2 m/s, and the way of a step of 1/64 s that of two bodies of 1 m/s. Lifted apart by d each, the
 // angular momentum of two unit masses changes by 2 d.
 TEST_CASE("simulation: lifting an overlap explains a change of angular momentum, by the way of a step") {
