@@ -17,8 +17,10 @@
 
 namespace touchstone::fast::time_of_impact {
 
+using lin_canny::FeatureId;
 using lin_canny::FeaturePair;
 using lin_canny::Hull;
+using lin_canny::Kind;
 using lin_canny::PosedHull;
 
 namespace {
@@ -108,10 +110,59 @@ MovingCore inflated(MovingCore side, const Inflation& inflation, double t) {
   return side;
 }
 
+/// Of the edges at a vertex, or the faces at an edge, the one that rises the most towards `up` (in P's frame), if it
+/// can rise by more than `least` within the hull; else the feature itself.
+FeatureId beyond(const Hull& P, const FeatureId& feature, const Vec3& up, double least) {
+  FeatureId steepest = feature;
+  double most = 0;
+  const auto ask = [&](const FeatureId& next, double slope, double length) {
+    if (slope > most && slope * length > least) steepest = next, most = slope;
+  };
+  if (feature.kind == Kind::vertex) {
+    for (const Hull::Spokes& some : P.spokes(feature.index)) {
+      for (std::size_t lane = 0; lane < Hull::Spokes::lanes; ++lane) {
+        const Vec3 along = P.vertex(some.other[lane]) - P.vertex(feature.index);
+        const double length = along.norm();
+        if (length > 0) ask({Kind::edge, P.edge_of(some, lane)}, up.dot(along) / length, length);
+      }
+    }
+  } else if (feature.kind == Kind::edge) {
+    const Hull::Edge& edge = P.edge(feature.index);
+    const auto inward = [&](int face, const Vec3& along) {
+      const Vec3 into = P.face(face).normal.cross(along);
+      ask({Kind::face, face}, up.dot(into) / into.norm(), 2 * P.radius());
+    };
+    inward(edge.face[0], P.along(edge));
+    inward(edge.face[1], -P.along(edge));
+  }
+  return steepest;
+}
+
+/// Distances are right to rounding, and so directions to its square root: near an end of an edge the walk takes the end
+/// for the closest point, and the far end of the edge may reach beyond the plane that is perpendicular to that
+/// direction. So it goes on to an edge or a face that rises towards the other side, if that is as near within rounding.
+void go_on_along_ties(const PosedHull& A, const PosedHull& B, lin_canny::Closest& closest) {
+  const double rounding = lin_canny::rounding(A, B);
+  for (const bool is_A : {true, false, true}) {
+    const Vec3 n = lin_canny::separating_direction(A, B, closest);
+    FeaturePair next = closest.features;
+    FeatureId& feature = is_A ? next.a : next.b;
+    const FeatureId before = feature;
+    feature = is_A ? beyond(*A.hull, before, A.turned_in(n), 4 * rounding)
+                   : beyond(*B.hull, before, B.turned_in(-n), 4 * rounding);
+    if (feature == before) continue;
+    const lin_canny::Closest tied = lin_canny::closest(A, B, next);
+    const double at_most = std::sqrt(closest.squared) + 2 * rounding;
+    if (!tied.below && tied.squared <= at_most * at_most) closest = tied;
+  }
+}
+
 lin_canny::Walked walked(const PosedHull& A, const PosedHull& B, FeaturePair& memory) {
   if (!fit_doubles(A, B)) throw std::range_error("lengths or paths beyond what doubles can multiply");
-  const lin_canny::Walked walked = lin_canny::walk(A, B, memory);
-  if (!walked.inside) memory = walked.closest.features;
+  lin_canny::Walked walked = lin_canny::walk(A, B, memory);
+  if (walked.inside) return walked;
+  go_on_along_ties(A, B, walked.closest);
+  memory = walked.closest.features;
   return walked;
 }
 

@@ -1,6 +1,7 @@
 #include "fast/time_of_impact.h"
 
 #include <cmath>
+#include <utility>
 
 #include "fast/distance.h"
 #include "fast/lin_canny/nearest_parts.h"
@@ -294,6 +295,27 @@ TEST_CASE("needles meet when the reference says they do") {
     REQUIRE(found.enclosure->hi - found.enclosure->lo < 1e-9);
   }
   CHECK(hits > 8);
+}
+
+// A ball of radius r about the origin, and a sliver whose edge of 2 m starts 2⁻¹⁸ m beside the ball's highest point and
+// turns down about it: the ball's centre is √(r² cos²θ + 2⁻³⁶) from the edge's line, and r at sin θ = 2⁻¹⁸ / r. At
+// first the closest points of the vertex and of the edge are equally near within rounding.
+TEST_CASE("an edge that turns about its end meets a ball, at first as near as the end is") {
+  constexpr double r = 0x1p-9;
+  Scene scene = balls();
+  scene.bodies[0].shape = Sphere{r};
+  scene.bodies[1].shape =
+      Polytope{{{0, 0, 2 * r}, {0, -0.25, 0}, {-2, 0, 0}, {0, 0, 0}}, {{0, 1, 3}, {0, 2, 1}, {0, 3, 2}, {1, 2, 3}}};
+  scene.bodies[0].X_WB.p_WB = Vec3::Zero();
+  scene.bodies[1].X_WB.p_WB = Vec3(0, -0x1p-18, r);
+  for (Body& body : scene.bodies) {
+    body.mass = Fixed{};
+    body.velocity = {};
+  }
+  scene.bodies[1].velocity.w_WB = Vec3(0, -1, 0);
+  check_holds(time_of_impact_of(scene), std::asin(0x1p-18 / r), 1e-7);
+  std::swap(scene.bodies[0], scene.bodies[1]);
+  check_holds(time_of_impact_of(scene), std::asin(0x1p-18 / r), 1e-7);
 }
 
 }  // namespace
