@@ -8,19 +8,10 @@
 namespace touchstone::fast::lin_canny {
 namespace {
 
-/// The slopes as doubles say, for edges whose slopes are the same or 0 as floats can tell.
+/// Where slopes are the same or 0 as floats can tell.
 int steepest_in_doubles(const Hull& hull, int v, const Vec3& d) {
   mark(Mark::walk_in_doubles);
-  int steepest = -1;
-  double most = 0;
-  for (const Hull::Spokes& some : hull.spokes(v)) {
-    for (std::size_t lane = 0; lane < Hull::Spokes::lanes; ++lane) {
-      const Vec3 along = hull.vertex(some.other[lane]) - hull.vertex(v);
-      const double slope = Vec3(along / along.norm()).dot(d);
-      if (slope > most) most = slope, steepest = hull.edge_of(some, lane);
-    }
-  }
-  return steepest;
+  return steepest_edge(hull, v, d);
 }
 
 /// The edge at vertex v that rises most steeply along d (in the hull's frame); -1 if none does.
@@ -168,6 +159,19 @@ class Walk {
 };
 
 }  // namespace
+
+int steepest_edge(const Hull& hull, int v, const Vec3& d) {
+  int steepest = -1;
+  double most = 0;
+  for (const Hull::Spokes& some : hull.spokes(v)) {
+    for (std::size_t lane = 0; lane < Hull::Spokes::lanes; ++lane) {
+      const Vec3 along = hull.vertex(some.other[lane]) - hull.vertex(v);
+      const double slope = Vec3(along / along.norm()).dot(d);
+      if (slope > most) most = slope, steepest = hull.edge_of(some, lane);
+    }
+  }
+  return steepest;
+}
 
 Walked walk(const PosedHull& A, const PosedHull& B, const FeaturePair& start, std::vector<Closest>* visited) {
   return Walk(A, B, visited).from(start);

@@ -33,6 +33,9 @@ struct Walked {
 /// `visited`, if given, receives all closest pairs that the walk visited, including the first.
 Walked walk(const PosedHull& A, const PosedHull& B, const FeaturePair& start, std::vector<Closest>* visited = nullptr);
 
+/// The edge at vertex v that rises most steeply along d (in the hull's frame), as doubles say; -1 if none does.
+int steepest_edge(const Hull& hull, int v, const Vec3& d);
+
 /// Where to start without a memory: a vertex of each, found by climbing along edges, first along the line of the two
 /// origins, then along the line of the vertices found. It only saves steps of the walk, which cost more than edges that
 /// are compared. The walk may start anywhere, so nothing has to hold of the two vertices.

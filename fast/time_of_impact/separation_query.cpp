@@ -97,9 +97,9 @@ std::vector<Vec3> highest_edges(const PosedHull& P, const Vec3& up, double depth
 }
 
 /// A vertex, or the middle of an edge, or of a face's first edge.
-Vec3 point_of(const PosedHull& P, const lin_canny::FeatureId& feature) {
-  if (feature.kind == lin_canny::Kind::vertex) return P.vertex(feature.index);
-  const bool is_edge = feature.kind == lin_canny::Kind::edge;
+Vec3 point_of(const PosedHull& P, const FeatureId& feature) {
+  if (feature.kind == Kind::vertex) return P.vertex(feature.index);
+  const bool is_edge = feature.kind == Kind::edge;
   const Hull::Edge& edge = P.hull->edge(is_edge ? feature.index : P.hull->corners(P.hull->face(feature.index))[0].side);
   return (P.vertex(edge.tail) + P.vertex(edge.head)) / 2;
 }
@@ -113,27 +113,25 @@ MovingCore inflated(MovingCore side, const Inflation& inflation, double t) {
 /// Of the edges at a vertex, or the faces at an edge, the one that rises the most towards `up` (in P's frame), if it
 /// can rise by more than `least` within the hull; else the feature itself.
 FeatureId beyond(const Hull& P, const FeatureId& feature, const Vec3& up, double least) {
-  FeatureId steepest = feature;
-  double most = 0;
-  const auto ask = [&](const FeatureId& next, double slope, double length) {
-    if (slope > most && slope * length > least) steepest = next, most = slope;
-  };
   if (feature.kind == Kind::vertex) {
-    for (const Hull::Spokes& some : P.spokes(feature.index)) {
-      for (std::size_t lane = 0; lane < Hull::Spokes::lanes; ++lane) {
-        const Vec3 along = P.vertex(some.other[lane]) - P.vertex(feature.index);
-        const double length = along.norm();
-        if (length > 0) ask({Kind::edge, P.edge_of(some, lane)}, up.dot(along) / length, length);
-      }
-    }
-  } else if (feature.kind == Kind::edge) {
+    const int edge = lin_canny::steepest_edge(P, feature.index, up);
+    const bool rises = edge >= 0 && std::abs(up.dot(P.along(P.edge(edge)))) > least;
+    return rises ? FeatureId{Kind::edge, edge} : feature;
+  }
+  FeatureId steepest = feature;
+  if (feature.kind == Kind::edge) {
+    double most = least / (2 * P.radius());
     const Hull::Edge& edge = P.edge(feature.index);
-    const auto inward = [&](int face, const Vec3& along) {
-      const Vec3 into = P.face(face).normal.cross(along);
-      ask({Kind::face, face}, up.dot(into) / into.norm(), 2 * P.radius());
+    const auto ask = [&](int face, const Vec3& along) {
+      const Vec3 inward = P.face(face).normal.cross(along);
+      const double slope = up.dot(inward) / inward.norm();
+      if (slope > most) {
+        steepest = FeatureId{Kind::face, face};
+        most = slope;
+      }
     };
-    inward(edge.face[0], P.along(edge));
-    inward(edge.face[1], -P.along(edge));
+    ask(edge.face[0], P.along(edge));
+    ask(edge.face[1], -P.along(edge));
   }
   return steepest;
 }
@@ -141,6 +139,7 @@ FeatureId beyond(const Hull& P, const FeatureId& feature, const Vec3& up, double
 /// Distances are right to rounding, and so directions to its square root: near an end of an edge the walk takes the end
 /// for the closest point, and the far end of the edge may reach beyond the plane that is perpendicular to that
 /// direction. So it goes on to an edge or a face that rises towards the other side, if that is as near within rounding.
+/// A is asked again after B, whose step changes the direction.
 void go_on_along_ties(const PosedHull& A, const PosedHull& B, lin_canny::Closest& closest) {
   const double rounding = lin_canny::rounding(A, B);
   for (const bool is_A : {true, false, true}) {
@@ -227,7 +226,6 @@ std::optional<Vec3> SeparationQuery::turn_with_edges(const Vec3& n, const Vec3& 
 /// faces a vertex; with two edges e, f as their cross product does; with two points separated by their radii as their
 /// difference does. Two vertices of polytopes define no direction that persists: none.
 std::optional<Vec3> SeparationQuery::turn_of_features(const Vec3& n) const {
-  using lin_canny::Kind;
   const auto& [a, b] = walked_.closest.features;
   if (a.kind == Kind::face) return Vec3(A_.w.cross(n));
   if (b.kind == Kind::face) return Vec3(B_.w.cross(n));
@@ -248,7 +246,7 @@ Vec3 SeparationQuery::direction_of_features() const {
   if (walked_.inside) return Vec3::Zero();
   const Vec3 n = lin_canny::separating_direction(A_.core, B_.core, walked_.closest);
   const auto& [a, b] = walked_.closest.features;
-  if (n.isZero(0) || a.kind != lin_canny::Kind::edge || b.kind != lin_canny::Kind::edge) return n;
+  if (n.isZero(0) || a.kind != Kind::edge || b.kind != Kind::edge) return n;
   const Vec3 e = A_.core.edge_vector(a.index).normalized(), f = B_.core.edge_vector(b.index).normalized();
   const Vec3 crossed = e.cross(f);
   const double sine = crossed.norm();
