@@ -15,7 +15,9 @@
 #include "app/trial/last_asked.h"
 #include "app/trial/parallel.h"
 #include "app/trial/subject_list.h"
+#include "model/input_error.h"
 #include "oracle/judge/grade.h"
+#include "oracle/judge/judge.h"
 #include "properties/transforms/name.h"
 
 namespace touchstone::app {
@@ -34,6 +36,15 @@ int affordable(int budget, Defect defect) {
 oracle::Case with_note(oracle::Case a_case, const std::string& note) {
   a_case.note = note;
   return a_case;
+}
+
+/// The property, for which a scene that the subject in this process, or the truth, refuses as bad input is outside.
+Finding checked(const properties::Property& property, const Scene& scene, oracle::Subject& subject) {
+  try {
+    return property.check(scene, subject);
+  } catch (const InputError& refusal) {
+    return oracle::judge::outside(refusal.what());
+  }
 }
 
 /// The same defect in the same unit, and none of its sizes has sunk: the smallest scene must not be one where the fault
@@ -73,7 +84,7 @@ oracle::Case smallest_without_snippet(const Example& example, const properties::
   const auto still_fails = [&](const Scene& scene) {
     if (interrupted() || hangs >= search.hangs) return false;
     DomainWatch watch(subject);
-    const Finding finding = property.check(scene, watch);
+    const Finding finding = checked(property, scene, watch);
     if (finding.defect == Defect::hung) ++hangs;
     if (search.asked) search.asked();
     if (interrupted() || watch.beyond().empty() != example.beyond.empty()) return false;
