@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "fast/lin_canny/rotation.h"
+#include "fast/motion/spread.h"
 #include "model/input_error.h"
 
 namespace touchstone::fast {
@@ -50,18 +51,15 @@ Solid solid_about(const Polytope& polytope, const Vec3& inside) {
   return {volume, inside + shift, second / 120 - volume * shift * shift.transpose()};
 }
 
-/// About the mean of the vertices. In a sliver so thin that the volume is lost in rounding, about a vertex: coordinates
-/// that vertices share then vanish exactly, and so do the tetrahedra of the faces at that vertex.
+/// About the mean of the vertices. In a sliver so thin that rounding leaves no volume, exactly.
 Solid solid(const Polytope& polytope) {
   if (polytope.faces.empty()) throw InputError("shape.faces", "are missing: mass properties need them");
   Vec3 mean = Vec3::Zero();
   for (const Vec3& v : polytope.vertices) mean += v / static_cast<double>(polytope.vertices.size());
-  Solid found = solid_about(polytope, mean);
-  for (const Vec3& vertex : polytope.vertices) {
-    if (found.volume > 0) break;
-    found = solid_about(polytope, vertex);
-  }
-  return found;
+  const Solid found = solid_about(polytope, mean);
+  if (found.volume > 0) return found;
+  const motion::Spread exact = motion::exact_spread(polytope);
+  return {exact.volume, exact.centroid, exact.C};
 }
 
 Solid solid(const Compound& compound) {

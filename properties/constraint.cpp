@@ -169,6 +169,70 @@ Finding energy_falls(const Scene& scene, Subject& subject) {
   });
 }
 
+/// N s: ∫ F dt from 0 to `time`, and |F| summed over all changes of F: what a delay of one second changes at most.
+struct Pushed {
+  Vec3 impulse = Vec3::Zero();
+  double changes = 0;
+};
+
+Pushed pushed_until(const Scene& scene, double time) {
+  Pushed sum;
+  std::vector<Vec3> now(scene.bodies.size(), Vec3::Zero());
+  for (const AppliedForce& force : scene.motion->forces) {
+    if (force.time > time) continue;
+    Vec3& before = now[static_cast<std::size_t>(force.body)];
+    sum.impulse += (force.force_W - before) * (time - force.time);
+    sum.changes += (force.force_W - before).norm();
+    before = force.force_W;
+  }
+  return sum;
+}
+
+/// Eight for each granted step: a choice.
+constexpr double roundings = 8 * 1024;
+
+/// The momentum of all bodies, of which none is fixed, changes by gravity and the applied forces alone.
+Finding momentum(const Scene& scene, Subject& subject) {
+  return of_steps(scene, subject, [&](const Trajectory& said) {
+    if (std::ranges::any_of(scene.bodies, [](const Body& body) { return is_fixed(body); })) {
+      return judge::outside("a fixed body may take momentum");
+    }
+    if (!scene.motion->start_times.empty()) return judge::outside("bodies that start at times of their own");
+    if (said.states.empty()) return judge::silent("any state");
+    const auto& masses = oracle::truth::mass(scene);
+    double mass = 0, greatest = 0;
+    Vec3 at_start = Vec3::Zero();
+    std::vector<double> m;
+    for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
+      m.push_back(masses[k]->mass.lo);
+      mass += m[k];
+      at_start += m[k] * scene.bodies[k].velocity.v_WBcm;
+      greatest += m[k] * scene.bodies[k].velocity.v_WBcm.norm();
+    }
+    Finding worst;
+    for (std::size_t i = 0; i < said.states.size(); ++i) {
+      const double time = scene.motion->sample_times[i];
+      const Pushed pushed = pushed_until(scene, time);
+      const Vec3 gained = time * mass * scene.gravity + pushed.impulse;
+      Vec3 now = Vec3::Zero();
+      double sizes = greatest + gained.norm();
+      for (std::size_t k = 0; k < m.size(); ++k) {
+        now += m[k] * said.states[i][k].velocity.v_WBcm;
+        sizes += m[k] * said.states[i][k].velocity.v_WBcm.norm();
+      }
+      const double late = tolerance::granted_step(scene) * (pushed.changes + mass * scene.gravity.norm());
+      const double rounding = roundings * oracle::unit_roundoff(subject.card().precision) * sizes;
+      const Finding finding =
+          judge::at_most((now - at_start - gained).norm(), {late + rounding, 1, "N s", 0, sizes},
+                         Defect::wrong_momentum, [&] { return "momentum " + text(now) + " N s" + at(scene, i); },
+                         [&] { return text(Vec3(at_start + gained)) + " N s"; });
+      if (finding.outcome == oracle::Outcome::fails) return finding;
+      if (finding.error >= worst.error) worst = finding;
+    }
+    return worst;
+  });
+}
+
 Finding cone(const Scene& scene, Subject& subject) {
   return of_steps(scene, subject, [&](const Trajectory& said) {
     if (!said.events) return judge::silent("its events");
@@ -295,6 +359,11 @@ std::vector<Property> constraint_properties() {
       {"constraint.turned", query, {"TS-CONSTRAINT-5"}, "rotating the world rotates the trajectory", turned_world},
       {"constraint.apart", query, {"TS-CONSTRAINT-6"}, "bodies do not penetrate each other", apart},
       {"constraint.energy", query, {"TS-CONSTRAINT-7"}, "energy never rises", energy_falls},
+      {"constraint.momentum",
+       query,
+       {"TS-CONSTRAINT-13"},
+       "where no body is fixed, gravity and applied forces alone change the momentum",
+       momentum},
       {"constraint.cone", query, {"TS-CONSTRAINT-8"}, "contact impulses push, and friction stays in its cone", cone},
       {"constraint.renumbered",
        query,

@@ -46,15 +46,18 @@ double greatest_jerk_per_radius(const Inertia& inertia, double rate) {
   return rate * rate * rate * (1 + (4 * c + 2 * c * c) / std::numbers::sqrt3) * (1 + 8 * u);
 }
 
-/// If a quaternion's components are each 0 or of one common size, and not exactly three of them differ from 0, R maps
-/// axes to axes exactly. A spin about a principal axis then persists, even about the middle axis, from which any
-/// rounding would lead away.
-bool is_along_own_axis(const RigidBodyModel& model, const Quaternion& q_WB, const Vec3& w_WB) {
-  const std::array<double, 4> sizes{std::abs(q_WB.w), std::abs(q_WB.x), std::abs(q_WB.y), std::abs(q_WB.z)};
+/// R maps axes to axes exactly, if a quaternion's components are each 0 or of one common size, and not exactly three of
+/// them differ from 0. Products with R are then exact.
+bool maps_axes(const Quaternion& q) {
+  const std::array<double, 4> sizes{std::abs(q.w), std::abs(q.x), std::abs(q.y), std::abs(q.z)};
   const double size = *std::ranges::max_element(sizes);
   const auto zeros = std::ranges::count(sizes, 0.0);
-  if (!model.inertia.is_aligned || zeros == 1 || std::ranges::count(sizes, size) + zeros != 4) return false;
-  return ((rotation(q_WB).transpose() * w_WB).array() != 0).count() <= 1;
+  return zeros != 1 && std::ranges::count(sizes, size) + zeros == 4;
+}
+
+/// A spin about a principal axis then persists, even about the middle axis, from which any rounding would lead away.
+bool is_along_own_axis(const RigidBodyModel& model, const Quaternion& q_WB, const Vec3& w_WB) {
+  return model.inertia.is_aligned && maps_axes(q_WB) && ((rotation(q_WB).transpose() * w_WB).array() != 0).count() <= 1;
 }
 
 /// α = I⁻¹ (Iω × ω) in W; its components in P are c_i ω_j ω_k.
@@ -83,11 +86,12 @@ BallisticMotion::BallisticMotion(const RigidBodyModel& model, double since, cons
   if (turning_ != Turning::tumbling) {
     rate_ = length(velocity.w_WB) * (1 + 8 * u);
   } else {
-    // Rotated once into B and, unless B's axes are P's, once more: 18u each time.
+    // Rotated once into B and, unless B's axes are P's, once more: 18u each time, unless exactly.
+    const double w_error = (maps_axes(X_WB.q_WB) ? 0 : 18 * u) + (model.inertia.is_aligned ? 0 : 18 * u);
     Vec3 w_P = rotation(X_WB.q_WB).transpose() * velocity.w_WB;
     if (!model.inertia.is_aligned) w_P = rotation(model.inertia.q_BP).transpose() * w_P;
     rate_ = greatest_rate(model.inertia, w_P);
-    tumble_ = Tumble(model.inertia.c, model.inertia.c_error, w_P, (model.inertia.is_aligned ? 18 : 36) * u);
+    tumble_ = Tumble(model.inertia.c, model.inertia.c_error, w_P, w_error);
   }
   acceleration_per_radius_ = greatest_acceleration_per_radius(model.inertia, rate_);
   jerk_per_radius_ = greatest_jerk_per_radius(model.inertia, rate_);
@@ -109,7 +113,8 @@ Centre BallisticMotion::centre(double t, const Origin& O) const {
       4 * u * velocity_.v_WBcm.lpNorm<1>() + 72 * u * fallen};
 }
 
-/// Errors of the rotation: q₀/|q₀| 24u, each product of quaternions 16u, q_BP 24u (twice), R's own rounding 12u.
+/// Errors of the rotation: q₀/|q₀| 24u, each product of quaternions 16u, R's own rounding 12u; q_BP 24u (twice), but it
+/// is 1, and its products exact, if the axes are B's.
 Kinematics BallisticMotion::kinematics(double t, const Origin& O) const {
   const double tau = t - since_;
   Kinematics now{centre(t, O), start_.q_WB, {}, velocity_.w_WB, 12 * u, 0, Vec3::Zero()};
@@ -141,7 +146,8 @@ Kinematics BallisticMotion::kinematics(double t, const Origin& O) const {
       now.q_WB = product(q_WP, conjugate(model_->inertia.q_BP));
       now.w_WB = rotation(q_WP) * tumbled.w_P;
       const bool is_exact = against_ == Against::exact;
-      now.turn_error = (is_exact ? tumbled.error : tumbled.computed_error) + 140 * u;
+      now.turn_error =
+          (is_exact ? tumbled.error : tumbled.computed_error) + (model_->inertia.is_aligned ? 60 : 140) * u;
       now.w_error = rate_ * (now.turn_error + 64 * u) + (is_exact ? tumbled.w_error : tumbled.computed_w_error);
     }
   }

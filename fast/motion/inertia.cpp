@@ -9,6 +9,7 @@
 #include "fast/exact/vector.h"
 #include "fast/lin_canny/rotation.h"
 #include "fast/motion/quaternion.h"
+#include "fast/motion/spread.h"
 #include "model/infinity.h"
 #include "model/input_error.h"
 
@@ -27,14 +28,6 @@ Exact exactly(const Mat3& M) {
   return E;
 }
 
-/// Volume, centroid, and C about the centroid at unit density; C has an error of at most `error` (Frobenius).
-struct Spread {
-  double volume = 0;
-  Vec3 centroid = Vec3::Zero();
-  Mat3 C = Mat3::Zero();
-  double error = 0;
-};
-
 Spread spread(const Sphere& sphere) {
   const double r2 = sphere.radius * sphere.radius;
   const double volume = 4.1887902047863905 * sphere.radius * r2;  // 4π/3
@@ -47,46 +40,7 @@ Spread spread(const Box& box) {
   return {volume, Vec3::Zero(), (volume / 3 * h.cwiseProduct(h)).asDiagonal(), 8 * u * volume * h.squaredNorm()};
 }
 
-/// With tetrahedra from the origin, d = det(a, b, c), s = a + b + c: D = Σ d, M = Σ d s, S = Σ d (aaᵀ + bbᵀ + ccᵀ +
-/// ssᵀ); V = D/6, centroid M/(4D), C = S/120 − M Mᵀ/(96 D) = (4 D S − 5 M Mᵀ)/(480 D).
-Spread spread(const Polytope& polytope) {
-  if (polytope.faces.empty()) throw InputError("shape.faces", "are missing: moments of inertia need them");
-  Dyadic D;
-  std::array<Dyadic, 3> M;
-  std::array<std::array<Dyadic, 3>, 3> S;
-  const auto corner = [&](int v) { return exact::vector(polytope.vertices[static_cast<std::size_t>(v)]); };
-  const auto entries = [](const exact::Vector& x) { return std::array<Dyadic, 3>{x.x, x.y, x.z}; };
-  for (const std::vector<int>& face : polytope.faces) {
-    const exact::Vector a = corner(face[0]);
-    for (std::size_t k = 2; k < face.size(); ++k) {
-      const exact::Vector b = corner(face[k - 1]), c = corner(face[k]);
-      const Dyadic d = dot(a, cross(b, c));
-      const std::array<std::array<Dyadic, 3>, 4> corners{entries(a), entries(b), entries(c), entries(a + b + c)};
-      D = D + d;
-      for (std::size_t i = 0; i < 3; ++i) {
-        M[i] = M[i] + d * corners[3][i];
-        for (std::size_t j = i; j < 3; ++j) {
-          Dyadic sum;
-          for (const auto& x : corners) sum = sum + x[i] * x[j];
-          S[i][j] = S[i][j] + d * sum;
-        }
-      }
-    }
-  }
-  if (D.sign() <= 0) throw InputError("shape.faces", "bound no positive volume");
-  Spread found;
-  found.volume = exact::ratio(D, Dyadic(6));
-  for (std::size_t i = 0; i < 3; ++i) {
-    found.centroid[static_cast<Eigen::Index>(i)] = exact::ratio(M[i], Dyadic(4) * D);
-    for (std::size_t j = i; j < 3; ++j) {
-      const double C_ij = exact::ratio(Dyadic(4) * D * S[i][j] - Dyadic(5) * M[i] * M[j], Dyadic(480) * D);
-      found.C(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = C_ij;
-      found.C(static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(i)) = C_ij;
-    }
-  }
-  found.error = 6 * u * found.C.norm();
-  return found;
-}
+Spread spread(const Polytope& polytope) { return exact_spread(polytope); }
 
 /// Steiner's theorem. Rotating a part rounds by 64u‖C‖; its distance from the compound's centroid rounds by 32u of the
 /// lengths involved, its volume by 16u and n sums.
@@ -196,8 +150,9 @@ Inertia in_own_axes(const Exact& M, const Mat3& about, double error, bool is_ine
 
 bool is_diagonal(const Mat3& M) { return M(0, 1) == 0 && M(0, 2) == 0 && M(1, 2) == 0; }
 
-/// `c` have errors of at most 5u each; the error of |ω'| is at most the greatest of them.
-Inertia aligned(const Vec3& c) { return {{}, c, 5 * u * c.lpNorm<Eigen::Infinity>(), true}; }
+/// `c` have errors of at most 5u each; that of |ω'| is at most the greatest of them over √3, since Σ ω_j² ω_k² ≤
+/// |ω|⁴/3.
+Inertia aligned(const Vec3& c) { return {{}, c, 3 * u * c.lpNorm<Eigen::Infinity>(), true}; }
 
 Inertia of(const Shape&, const Fixed&) { return {}; }
 

@@ -6,6 +6,7 @@
 #include "fast/lin_canny/rotation.h"
 #include "fast/mark.h"
 #include "fast/motion/quaternion.h"
+#include "model/infinity.h"
 
 namespace touchstone::fast::motion {
 namespace {
@@ -22,6 +23,51 @@ Mat3 linearised(const Vec3& c, const Vec3& w) {
   return A;
 }
 
+/// √(Σ weight_k ω_k²), where the motion has it greatest. ω_k² − (c_k/c_i) ω_i² is constant, with i the middle axis, so
+/// that is where ω_i² is 0 or greatest, and another ω_k² is 0.
+double greatest_norm(const Vec3& weights, const Vec3& c, const Vec3& w) {
+  int i = 0;
+  for (int axis = 1; axis < 3; ++axis) {
+    if (c[(axis + 1) % 3] * c[(axis + 2) % 3] > c[(i + 1) % 3] * c[(i + 2) % 3]) i = axis;
+  }
+  const Vec3 from = w.cwiseAbs2();
+  double to_greatest = infinity;
+  for (int k = 0; k < 3; ++k) {
+    if (k != i) to_greatest = std::min(to_greatest, std::abs(c[i] / c[k]) * from[k]);
+  }
+  const auto sum_after = [&](double gained) {
+    double sum = 0;
+    for (int k = 0; k < 3; ++k) {
+      const double gains = k == i ? gained : -std::abs(c[k] / c[i]) * gained;
+      sum += weights[k] * std::max(0.0, from[k] + gains);
+    }
+    return sum;
+  };
+  return std::sqrt(std::max(sum_after(-from[i]), sum_after(to_greatest)));
+}
+
+/// An error of ω grows at most at the greatest eigenvalue of A's symmetric part. That has no trace, and m_k = (c_i +
+/// c_j) ω_k/2 off its diagonal, so the eigenvalue is at most √(4/3 Σ m_k²).
+double greatest_growth(const Vec3& c, const Vec3& w) {
+  const Vec3 m = Vec3(c[1] + c[2], c[2] + c[0], c[0] + c[1]) / 2;
+  return greatest_norm(4.0 / 3 * m.cwiseAbs2(), c, w);
+}
+
+/// Beyond the first order, and for the percents of Φ.
+constexpr double margin = 1.125;
+
+/// At least the longest half axis of the ellipsoid, √λ with λ the greatest eigenvalue of S; at most 15 % more. λ⁴ ≤ tr
+/// S⁴.
+double longest_axis(const Mat3& S) { return std::sqrt(std::sqrt(Mat3(S.lazyProduct(S)).norm())); }
+
+/// At least e^x, by at most a factor of e^(x²/120), for x from 0 to 8; infinite above. std::exp rounds by machine.
+double above_exp(double x) {
+  if (!(x < 8)) return infinity;
+  double power = 1 / (1 - x / 64);
+  for (int k = 0; k < 6; ++k) power *= power;
+  return power;
+}
+
 }  // namespace
 
 Tumble::Tumble(const Vec3& c, double c_error, const Vec3& w_P, double w_error) : c_(c), c_error_(c_error) {
@@ -33,6 +79,7 @@ Tumble::Tumble(const Vec3& c, double c_error, const Vec3& w_P, double w_error) :
   start_ = {1, 0, 0, 0, w[0], w[1], w[2]};
   spread_ = (w_error * w_error) * w.squaredNorm() * Mat3::Identity();
   period_ = period(c, c_error, w, w_error);
+  greatest_ = {greatest_norm(Vec3::Ones(), c, w), greatest_growth(c, w)};
 }
 
 /// The length is a power of two: the scaled terms are exact.
@@ -79,9 +126,11 @@ Tumble::Step Tumble::step(double from, const Terms& start) {
   return taken;
 }
 
-/// New errors in a step: the rounding of the sums, 4u, and the effect of the coefficients' error, c_error |ω|² per unit
-/// of time; half as much again for their growth within the step. The series of Φ to order 12 serves a bound, not a
-/// solution: an error of a percent does not matter.
+/// What is new in ω's error a while after a step's start, without its growth: the rounding of the sums, 4u, and the
+/// effect of the coefficients' error, c_error |ω|² per unit of time.
+double Tumble::new_error(double time) const { return greatest_.rate * (4 * u + c_error_ * greatest_.rate * time); }
+
+/// The series of Φ to order 12 serves a bound, not a solution: an error of a percent does not matter.
 void Tumble::grow_errors(Step& taken) {
   constexpr std::size_t enough = 12;
   std::array<Mat3, enough + 1> A, P;
@@ -95,26 +144,29 @@ void Tumble::grow_errors(Step& taken) {
   }
   Mat3 once = P[enough];
   for (std::size_t k = enough; k-- > 0;) once += P[k];
-  const Terms& x = taken.series[0];
-  const double rate = taken.rate = Vec3(x[4], x[5], x[6]).norm();
-  const double before = taken.w_error_before = std::sqrt(spread_.trace());
+  const double before = taken.w_error_before = longest_axis(spread_);
   spread_ = once.lazyProduct(spread_).lazyProduct(once.transpose()).eval();
-  const double added = 1.5 * (4 * u * rate + c_error_ * rate * rate * taken.length);
-  const double k = 16 + static_cast<double>(steps_.size());
-  spread_ = (1 + 1 / k) * spread_ + (1 + k) * (added * added) * Mat3::Identity();
-  taken.w_error = 1.5 * std::max(before, std::sqrt(spread_.trace()));
+  const double added = new_error(taken.length) * above_exp(greatest_.growth * taken.length);
+  const double k = std::sqrt(spread_.trace() / 3) / added;
+  if (k > 0) spread_ *= 1 + 1 / k;
+  spread_ += (1 + k) * (added * added) * Mat3::Identity();
+  taken.w_error = margin * std::max(before, longest_axis(spread_));
   taken.error_before = error_;
-  error_ += taken.w_error * taken.length + 16 * u;
+  error_ += turn_error_after(taken, taken.length);
   if (!(error_ < 0x1p-10)) error_ = nothing_known;
   taken.error = error_;
 }
 
-/// The error of ω a while after a step's start. |ω|² at most doubles within a motion.
+/// The error of ω a while after a step's start.
 double Tumble::w_error_after(const Step& step, double time) const {
-  const double growth = 2 * step.rate * time;
-  if (!(growth < 0.5)) return step.w_error;
-  const double added = 4 * u * step.rate + 2 * c_error_ * step.rate * step.rate * time;
-  return std::min(step.w_error, 1.5 * (step.w_error_before + added) / (1 - growth));
+  return std::min(step.w_error, margin * (step.w_error_before + new_error(time)) * above_exp(greatest_.growth * time));
+}
+
+/// What is added to the error of the rotation: the integral of that of ω. The trapezoid is above the convex
+/// exponential.
+double Tumble::turn_error_after(const Step& step, double time) const {
+  const double grown = (1 + above_exp(greatest_.growth * time)) / 2;
+  return std::min(step.w_error, margin * (step.w_error_before + new_error(time)) * grown) * time + 16 * u;
 }
 
 Tumble::Terms Tumble::sum(const Step& step, double x) {
@@ -137,7 +189,7 @@ Tumble::Now Tumble::within(double time) {
   const auto after = [](double t, const Step& s) { return t < s.from; };
   const Step& now = *std::prev(std::upper_bound(steps_.begin() + 1, steps_.end(), time, after));
   const double since = time - now.from, w_error = w_error_after(now, since);
-  const double error = std::min(now.error, now.error_before + w_error * since + 16 * u);
+  const double error = std::min(now.error, now.error_before + turn_error_after(now, since));
   const Terms x = sum(now, since / now.length);
   return {{x[0], x[1], x[2], x[3]}, {x[4], x[5], x[6]}, error, w_error};
 }

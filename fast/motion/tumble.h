@@ -24,12 +24,11 @@ namespace touchstone::fast::motion {
 /// alongside by its series) maps S to Φ S Φᵀ; adding a ball of radius ε, the step's new error, gives an ellipsoid
 /// within (1 + 1/k) S + (1 + k) ε² for any k, and with k = 16, 17, ... a number N of equal errors adds up to no more
 /// than some N of them. So errors that the flow contracts are not counted as if they grew, which makes all the
-/// difference near the middle axis. Early in a step less is claimed: with |A| ≤ 2|ω|, an error of ω grows by no more
-/// than a factor 1/(1 − 2|ω|τ), and that of the rotation by τ times the error of ω. For each of the two errors, half as
-/// much again is claimed. n periods add n times the error of one, and n times the effect of the period's error. Claims
-/// nothing (error 2) once the error exceeds 2^-10, or if the period is unknown: the first 2^14 units of time are then
-/// repeated. |L| and the energy are conserved
-/// in any case.
+/// difference near the middle axis. Early in a step less is claimed: with g the greatest eigenvalue of the symmetric
+/// part of A along the motion, an error of ω grows by no more than a factor exp(g τ), and that of the rotation by τ
+/// times the error of ω. For each of the two errors, half as much again is claimed. n periods add n times the error of
+/// one, and n times the effect of the period's error. Claims nothing (error 2) once the error exceeds 2^-10, or if the
+/// period is unknown: the first 2^14 units of time are then repeated. |L| and the energy are conserved in any case.
 class Tumble {
  public:
   struct Now {
@@ -61,23 +60,31 @@ class Tumble {
     double from = 0;
     double length = 0;
     std::array<Terms, order + 1> series;  ///< in (time − from)/length
-    double rate = 0;                      ///< |ω| at its start
     double error_before = 0;              ///< at its start, as w_error_before
     double w_error_before = 0;
     double error = 0;  ///< at its end, and before
     double w_error = 0;
   };
 
+  /// Of the motion.
+  struct Greatest {
+    double rate = 0;    ///< |ω|
+    double growth = 0;  ///< the rate at which an error of ω grows
+  };
+
   Now within(double time);  ///< in the first period
   Quaternion turn_in(double periods);
   Step step(double from, const Terms& start);
   void grow_errors(Step& taken);
+  double new_error(double time) const;
   double w_error_after(const Step& step, double time) const;
+  double turn_error_after(const Step& step, double time) const;
   static Terms sum(const Step& step, double x);
 
   std::vector<Step> steps_;
   Vec3 c_ = Vec3::Zero();
   double c_error_ = 0;
+  Greatest greatest_;
   Terms start_{};
   double scale_ = 1;            ///< 1/s: the unit of rates
   Mat3 spread_ = Mat3::Zero();  ///< S, the ellipsoid of ω's error

@@ -103,12 +103,26 @@ Real grown(const Facts& it, Real theta) {
   return std::min(slowly, std::expm1(greatest_growth * theta));
 }
 
+// How an error of 1 of ω/Ω at the start has grown; of two parts if two moments are equal, since L and the spin about
+// the axis each keep theirs. The rotation's error is the integral over θ, at most θ times as much.
+Real grown_from_start(const Facts& it, Real theta) {
+  if (it.round) return 0;
+  return it.tumbles ? std::exp(it.growth * theta) : 2;
+}
+
+// A body with unequal moments is followed in its own axes, so its motion begins with Rᵀω: the entries of R, from a
+// quaternion of any length, 12u, and three products and two sums a row, √3·3u (fast/lin_canny/rotation.h derives both).
+constexpr Real into_own_axes = 18;
+
 /// The errors of the moments, as the rate of error that they cause.
 Real uneven(const Facts& it, Real u) { return it.round ? 0 : 3 * it.moment_error + 8 * u; }
 
 // θ = ωτ: |ω| 3.5u, a product, sine and cosine: 8uθ; the composition with the initial pose: 32u; where the moments
-// differ, the grown error.
-Real turned(const Facts& it, Real theta, Real u) { return u * (8 * theta + 32) + uneven(it, u) * grown(it, theta); }
+// differ, the grown errors.
+Real turned(const Facts& it, Real theta, Real u) {
+  return u * (8 * theta + 32) + uneven(it, u) * grown(it, theta) +
+         into_own_axes * u * theta * grown_from_start(it, theta);
+}
 
 }  // namespace
 
@@ -138,7 +152,8 @@ BallisticBound ballistic(const Scene& scene, std::size_t body, double time, Prec
   bound.place = static_cast<double>(u * (52 * (p + it.centre) + 14 * far) + pushed * it.tau * it.tau / 2 +
                                     turned(it, theta, u) * rho + 2 * it.centre_error);
   bound.velocity = static_cast<double>(4 * u * (it.v + it.a * it.tau) + pushed * it.tau);
-  bound.spin = static_cast<double>(it.w * (8 * u + uneven(it, u) * (grown(it, theta) + 1)));
+  bound.spin = static_cast<double>(
+      it.w * (8 * u + uneven(it, u) * (grown(it, theta) + 1) + into_own_axes * u * grown_from_start(it, theta)));
   return bound;
 }
 

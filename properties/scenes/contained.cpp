@@ -50,6 +50,31 @@ Scene concentric_spheres(Random& random) {
   return pair(random, at_rest(Sphere{radius}, {p, {}}), std::move(other));
 }
 
+/// A corner, the middle of an edge, or a point inside a face: exact.
+Vec3 on_surface(Random& random, const Polytope& solid) {
+  const std::vector<int>& face =
+      solid.faces[static_cast<std::size_t>(random.below(static_cast<int>(solid.faces.size())))];
+  const auto corner = [&](std::size_t k) -> const Vec3& { return solid.vertices[static_cast<std::size_t>(face[k])]; };
+  switch (random.below(3)) {
+    case 0:
+      return corner(0);
+    case 1:
+      return (corner(0) + corner(1)) / 2;
+    default:
+      return (corner(0) + 2 * corner(1) + corner(2)) / 4;
+  }
+}
+
+/// A ball whose centre is on the surface of a solid, or 2^-1 to 2^-50 off along an axis.
+Scene centre_on_surface(Random& random) {
+  const Polytope solid = around_origin(random);
+  Vec3 centre = on_surface(random, solid);
+  if (random.one_in(2)) centre[random.below(3)] += dyadic_gap(random, 1, 50);
+  const Quaternion q = axes_quaternion(random);
+  const double radius = dyadic(random, 1, 8, random.one_in(4) ? -20 : -2, 2);
+  return pair(random, at_rest(solid, {Vec3::Zero(), q}), at_rest(Sphere{radius}, {turned_by_axes(q, centre), {}}));
+}
+
 /// A small block in a large one, against one of its walls, edges or corners from inside, or slightly through.
 Scene nested(Random& random) {
   const Vec3 large{8, random.whole(6, 9), random.whole(6, 9)};
@@ -81,6 +106,8 @@ std::vector<Family> contained_families() {
        concentric},
       {"contained.concentric_spheres", "a sphere about the origin of another body", convex_pair_queries, true,
        concentric_spheres},
+      {"contained.centre_on_surface", "a ball with its centre on another body's surface, or nearly",
+       convex_pair_queries, false, centre_on_surface},
       {"contained.nested",
        "a small block in a large one, at a wall, an edge or a corner from inside, or just through it",
        convex_pair_queries, true, nested},

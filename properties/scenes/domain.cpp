@@ -10,18 +10,32 @@ namespace {
 
 std::vector<Family> all_families() {
   std::vector<Family> all;
-  for (const auto& some : {box_families(),           touching_families(),
-                           parallel_families(),      slender_families(),
-                           round_families(),         hull_families(),
-                           mixed_families(),         redundant_families(),
-                           ball_pair_families(),     compound_pair_families(),
-                           contained_families(),     placed_families(),
-                           crowd_families(),         sequence_families(),
-                           long_sequence_families(), mass_families(),
-                           pixel_families(),         contact_families(),
-                           motion_families(),        tangent_motion_families(),
-                           long_motion_families(),   compound_motion_families(),
-                           run_families(),           table_families()}) {
+  for (const auto& some : {box_families(),
+                           touching_families(),
+                           parallel_families(),
+                           slender_families(),
+                           round_families(),
+                           hull_families(),
+                           mixed_families(),
+                           redundant_families(),
+                           ball_pair_families(),
+                           compound_pair_families(),
+                           contained_families(),
+                           placed_families(),
+                           crowd_families(),
+                           sequence_families(),
+                           long_sequence_families(),
+                           mass_families(),
+                           pixel_families(),
+                           contact_families(),
+                           motion_families(),
+                           tangent_motion_families(),
+                           long_motion_families(),
+                           compound_motion_families(),
+                           off_centre_motion_families(),
+                           run_families(),
+                           driven_run_families(),
+                           table_families()}) {
     all.insert(all.end(), some.begin(), some.end());
   }
   return all;

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <utility>
 
+#include "oracle/truth/truth.h"
 #include "properties/scenes/families.h"
 #include "properties/scenes/pair.h"
 
@@ -54,6 +55,20 @@ Scene far_off_origin(Random& random, const Vec3& t) {
   return alone(with_density(random, at_rest(shifted(std::move(solid), t))));
 }
 
+/// Corners in any pose, three of them on a lattice; the fourth is in their plane up to a few roundings. Such a solid
+/// has a volume, but in doubles about no corner.
+Scene lost_volumes(Random& random) {
+  const auto corner = [&random]() -> Vec3 {
+    const double x = 2 * random.unit() - 1, y = 2 * random.unit() - 1;
+    return 8 * Vec3{x, y, 2 * random.unit() - 1};
+  };
+  const Vec3 a = corner(), b = corner(), c = corner();
+  const double share = random.unit(), other = random.unit();
+  Vec3 d = a + share * (b - a) + other * (c - a);
+  d[random.below(3)] *= 1 + std::ldexp(random.between(1, 4), -52);
+  return alone(with_density(random, at_rest(oracle::truth::convex_hull({a, b, c, d}))));
+}
+
 Scene slivers(Random& random) {
   const Vec3 a = Vec3::Zero(), b{random.whole(1, 9), 0, 0}, c{random.whole(-9, 9), random.whole(1, 9), 0};
   const Vec3 d{random.whole(-9, 9), random.whole(-9, 9), dyadic(random, 1, 3, -20, 0)};
@@ -68,14 +83,19 @@ Scene densities(Random& random) {
   return pair(random, std::move(sphere), std::move(box));
 }
 
-/// Principal moments that satisfy the triangle inequality, one of them often with equality; the frame need not be
-/// rotated.
+/// Principal moments that satisfy the triangle inequality, one of them often with equality, about the axes of the body
+/// or about others.
 Scene given(Random& random) {
   MassProperties mass;
   mass.mass = dyadic(random, 1, 9, -10, 10);
   mass.p_BBcm = small_vector(random, 4);
   const double x = random.whole(1, 9), y = random.whole(1, 9);
-  mass.I_BBcm_B = Vec3{x, y, random.one_in(2) ? x + y : std::max(x, y)}.asDiagonal();
+  const Vec3 moments{x, y, random.one_in(2) ? x + y : std::max(x, y)};
+  mass.I_BBcm_B = moments.asDiagonal();
+  if (random.one_in(2)) {
+    const Mat3 thrice_a_rotation = (Mat3() << 1, -2, 2, 2, -1, -2, 2, 2, 1).finished();
+    mass.I_BBcm_B = thrice_a_rotation * moments.asDiagonal() * thrice_a_rotation.transpose();
+  }
   Body body = at_rest(Box{Vec3::Ones()});
   body.mass = mass;
   Body fixed = at_rest(block(Vec3::Zero(), Vec3::Ones()));
@@ -111,6 +131,7 @@ std::vector<Family> mass_families() {
          return far_off_origin(random, dyadic(random, 1, 1, 13, 40) * Vec3{3, 1, -2});
        }},
       {"mass.slivers", "tetrahedra down to 2^-20 thin, turned", queries, true, slivers},
+      {"mass.lost_volumes", "tetrahedra in any pose whose volume is lost in rounding", queries, false, lost_volumes},
       {"mass.densities", "spheres and boxes of sizes and densities that differ by 2^20", queries, true, densities},
       {"mass.given", "stated mass properties, some on the triangle inequality, beside a fixed body", queries, true,
        given},

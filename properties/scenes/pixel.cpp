@@ -230,6 +230,39 @@ Scene steep_plates(Random& random) {
   return under(raster, pair(random, A, at_rest(plate, {Vec3(0, apart, 0), q})));
 }
 
+/// A vertical line at a lattice point `apart` from a ball's axis enters and leaves the ball at ±`height`: exact.
+struct Chord {
+  Vec3 apart;
+  double radius, height;
+};
+
+Chord some_chord(Random& random) {
+  const Chord chord = random.pick<Chord>({{{0, 0, 0}, 5, 5},
+                                          {{3, 0, 0}, 5, 4},
+                                          {{4, 0, 0}, 5, 3},
+                                          {{3, 4, 0}, 13, 12},
+                                          {{5, 0, 0}, 13, 12},
+                                          {{8, 0, 0}, 17, 15},
+                                          {{1, 2, 0}, 3, 2},
+                                          {{2, 0, 0}, 2, 0},
+                                          {{6, 8, 0}, 26, 24}});
+  const double x = random.sign(), y = random.sign();
+  const Vec3 mirrored{x * chord.apart.x(), y * chord.apart.y(), 0};
+  return {random.one_in(2) ? mirrored : Vec3(mirrored.y(), mirrored.x(), 0), chord.radius, chord.height};
+}
+
+/// Above one pixel's centre the chords of two balls touch exactly, or overlap or miss by next to nothing.
+Scene balls_meet(Random& random) {
+  const Raster raster = small_raster(random);
+  const Chord a = some_chord(random), b = some_chord(random);
+  const Vec3 centre{raster.x + random.between(0, raster.columns - 1) + 0.5,
+                    raster.y + random.between(0, raster.rows - 1) + 0.5, 0};
+  const double end_of_a = random.sign() * a.height, end_of_b = random.sign() * b.height;
+  const Vec3 up{0, 0, end_of_a - end_of_b + (random.one_in(2) ? 0 : dyadic_gap(random, 1, 40))};
+  return under(raster, pair(random, at_rest(Sphere{a.radius}, {centre + a.apart, {}}),
+                            at_rest(Sphere{b.radius}, {centre + b.apart + up, {}})));
+}
+
 /// Two convex parts each: masks with notches, several depth intervals.
 Scene compounds(Random& random) {
   const Raster raster = small_raster(random);
@@ -239,7 +272,8 @@ Scene compounds(Random& random) {
     const double radius = 0.5 * r.between(1, 4);
     const ConvexShape shape = r.one_in(2) ? ConvexShape(Sphere{radius}) : ConvexShape(lattice_box(r));
     const Box first = lattice_box(r);
-    return at_rest(Compound{{{Pose{}, first}, {Pose{second, {}}, shape}}}, {p, axes_quaternion(r)});
+    const Quaternion turned = r.one_in(2) ? axes_quaternion(r) : Quaternion{};
+    return at_rest(Compound{{{Pose{}, first}, {Pose{second, turned}, shape}}}, {p, axes_quaternion(r)});
   };
   const Body A = bracket(random);
   const Body B = random.one_in(2) ? bracket(random) : some_ball(random);
@@ -267,7 +301,8 @@ std::vector<Family> pixel_families() {
       {"pixels.big_shifts", "shifts beyond the raster, to ±10^9", queries, true, big_shifts},
       {"pixels.stacked", "prisms one above the other, a gap of ±2^-1 to ±2^-40 or 0 between", queries, false, stacked},
       {"pixels.steep_plates", "plates that stand side by side, steep against the view", queries, true, steep_plates},
-      {"pixels.compounds", "two convex parts each", queries, true, compounds},
+      {"pixels.balls_meet", "balls that touch exactly above a pixel's centre, or nearly", queries, false, balls_meet},
+      {"pixels.compounds", "two convex parts each, some turned", queries, true, compounds},
   };
 }
 

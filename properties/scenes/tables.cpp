@@ -191,6 +191,46 @@ Scene block_on_slope(Random& random) {
   return scene;
 }
 
+/// A block that stands on a slope and cannot slide: its width is between an eighth of its height and twice that, so
+/// that it tips or stands.
+Scene tips(Random& random) {
+  const Slope& tilt = slopes[random.below(4)];
+  Scene scene = on_slope(random, tilt, random.between(-1, 1));
+  const double r = std::get<Sphere>(scene.bodies[0].shape).radius;
+  const double width = r * random.pick({0.125, 0.25, 0.5, 1.0, 2.0});
+  scene.bodies[0] = block(Vec3(width, r, r), {scene.bodies[0].X_WB.p_WB, tilt.q}, 1);
+  for (Body& body : scene.bodies) body.material = {0, 16};
+  scene.motion = sampled_at(random.pick({0.125, 0.25}));
+  return scene;
+}
+
+/// A block that slides down a slope or up it, where friction stops it or does not.
+Scene block_slides(Random& random) {
+  const Slope& tilt = slopes[random.below(4)];
+  Scene scene = on_slope(random, tilt, random.between(-1, 1));
+  const double r = std::get<Sphere>(scene.bodies[0].shape).radius;
+  scene.bodies[0] = block(Vec3(2 * r, r, r), {scene.bodies[0].X_WB.p_WB, tilt.q}, 1);
+  const double friction = rounded(tilt.s / tilt.c * random.pick({0.25, 0.75, 1.25, 2.0}), 16);
+  for (Body& body : scene.bodies) body.material = {0, friction};
+  const Vec3 down = Vec3(tilt.c, 0, -tilt.s) / 16;
+  scene.bodies[0].velocity.v_WBcm = random.whole(-4, 4) * down;
+  scene.motion = sampled_at(random.pick({0.25, 0.5}));
+  return scene;
+}
+
+/// Rolls down from rest or with a push, and leaves the lower edge.
+Scene slope_end(Random& random) {
+  const Slope& tilt = slopes[random.below(4)];
+  Scene scene = on_slope(random, tilt, random.between(1, 3));
+  const Vec3 down = Vec3(tilt.c, 0, -tilt.s) / 16;
+  const double speed = random.one_in(2) ? 0 : random.whole(0, 6) / 2;
+  const double r = std::get<Sphere>(scene.bodies[0].shape).radius;
+  scene.bodies[0].velocity = {speed * down, Vec3(0, speed * tilt.over / 16 / r, 0)};
+  scene.bodies[1].material.friction = random.pick({0.125, 0.5, 2.0});
+  scene.motion = sampled_at(random.pick({1.0, 1.5}));
+  return scene;
+}
+
 /// A ball or a block in the corner of a slope and a wall at its lower end, or that slides down to the wall. At rest the
 /// two normals differ, so forces that would hold a body which sticks at both may be outside of its friction cones.
 Scene corner(Random& random) {
@@ -263,6 +303,31 @@ Scene pushed(Random& random) {
   return scene;
 }
 
+/// A ball, or a ball and a block that may collide, without a table, pushed by forces that begin and change.
+Scene adrift(Random& random) {
+  const double r = some_radius(random);
+  Scene scene = table_scene(random, r);
+  scene.bodies.pop_back();
+  scene.bodies[0].mass = Density{1};
+  scene.bodies[0].velocity.v_WBcm = {sixteenths(random, -16, 16), 0, sixteenths(random, -16, 16)};
+  if (random.one_in(2)) {
+    scene.bodies.push_back(block(Vec3(r, r, r), {Vec3(4 * r, 0, r), {}}, 1));
+    scene.bodies[1].material.restitution = random.pick({0.0, 0.5});
+  }
+  if (random.one_in(3)) scene.gravity.setZero();
+  scene.motion = sampled_at(0.5);
+  if (random.one_in(3)) return scene;
+  const double volume = 8 * r * r * r;
+  scene.motion->force_bound = 64 * volume;
+  double time = random.pick({0.0, 0.0625, 0.1});
+  for (int i = random.between(1, 3); i > 0; --i) {
+    const Vec3 force{random.whole(-16, 16), random.whole(-1, 1), random.whole(-4, 4)};
+    scene.motion->forces.push_back({time, random.below(static_cast<int>(scene.bodies.size())), volume * force});
+    time += sixteenths(random, 1, 2);
+  }
+  return scene;
+}
+
 }  // namespace
 
 std::vector<Family> table_families() {
@@ -277,10 +342,14 @@ std::vector<Family> table_families() {
       {"tables.barely_stays", "a ball that turns just before the upper edge", queries, false, barely_stays},
       {"tables.drops", "a ball that falls on a table with spin", queries, true, drops},
       {"tables.block", "a block on a slope, friction near the tangent", queries, false, block_on_slope},
+      {"tables.tips", "a block that stands on a slope, and tips or not", queries, false, tips},
+      {"tables.block_slides", "a block that slides on a slope, stops or does not", queries, false, block_slides},
+      {"tables.slope_end", "a ball that rolls down a slope and leaves it", queries, false, slope_end},
       {"tables.corner", "a ball or a block at the lower end of a slope, at a wall or on its way there", queries, false,
        corner},
       {"tables.overhangs", "blocks at rest over two edges of a table", queries, true, overhangs},
       {"tables.pushed", "a ball or a block on a table, pushed by forces that begin and change", queries, false, pushed},
+      {"tables.adrift", "a ball, perhaps with a block, without a table, pushed by forces", queries, false, adrift},
       {"tables.stack", "two or three boxes on each other, the upper up to 100 times as heavy", queries, false, stack},
   };
 }

@@ -33,6 +33,7 @@ std::vector<Scene> build_tables() {
                 {plain, table({0.25, 1, 1}, {1, 0, 1}, 0.5, 0)}, {0.25, 0.75, 1}),
       on_tables("a ball that falls down and bounces", {0, 0, 0.75}, {{0.5, 0, 0}, {0, -24, 0}},
                 {table({2, 2, 1}, {0, 0, -1}, 0.5, 0.25)}, {0.125, 0.375, 0.5}),
+      on_tables("a ball in the air, with no table", {0, 0, 0.25}, {{1, 0, 4}, {0, 4, 0}}, {}, {0.125, 0.5}),
       on_tables("a ball down a slope", {0.75, 0, 1}, {{0, 0, 0}, {0, 0, 0}},
                 {table({4, 4, 1}, {0, 0, 0}, 0, 2, {3, 0, 1, 0})}, {0.125, 0.25}),
   };

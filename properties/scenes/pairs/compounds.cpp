@@ -48,6 +48,22 @@ Scene unlike(Random& random, bool balls) {
   return on_a_plane(random, {Vec3::Zero(), small_quaternion(random)}, gap, balls);
 }
 
+/// One part of each touches the other, two further ones overlap by 1 to 2^-16, or touch too.
+Scene touching_and_overlapping(Random& random) {
+  const double deep = random.one_in(4) ? 0 : std::ldexp(1.0, -random.between(0, 16));
+  const Vec3 aside{random.sign() * 32.0, random.whole(-4, 4), 0};
+  Compound below = above_the_plane(random, 0, false), above = above_the_plane(random, 0, false);
+  const auto add = [&](Compound& compound, const Vec3& p) {
+    const Part part{{p, {}}, Box{Vec3{random.whole(1, 3), random.whole(1, 3), 2}}};
+    const int place = random.between(0, static_cast<int>(compound.parts.size()));
+    compound.parts.insert(compound.parts.begin() + place, part);
+  };
+  add(above, aside + Vec3(0, 0, 2 - deep));
+  add(below, Vec3(aside.x(), -aside.y(), 2));  // seen upside down, it is below the other
+  const Quaternion q = small_quaternion(random);
+  return pair(random, at_rest(below, {Vec3::Zero(), times(q, upside_down)}), at_rest(above, {Vec3::Zero(), q}));
+}
+
 /// 2^40 and more from the origin; or from each other; or with a part that far away.
 Scene far(Random& random) {
   const double gap = dyadic_gap(random, 1, 16);
@@ -71,6 +87,9 @@ std::vector<Family> compound_pair_families() {
        pair_queries, true, [](Random& random) { return unlike(random, false); }},
       {"compounds.balls", "balls of unlike sizes, 2^-20 to 12, that touch at one point or nearly", pair_queries, true,
        [](Random& random) { return unlike(random, true); }},
+      {"compounds.touching_and_overlapping",
+       "two parts touch, and two others overlap by 1 to 2^-16 or touch, in any order", pair_queries, true,
+       touching_and_overlapping},
       {"compounds.far",
        "such compounds 2^40 to 2^45 from the origin or from each other, or with a part that far away",
        {"bounds", "broad_phase", "distance"},

@@ -4,6 +4,7 @@
 // fast keeps a grid from 17 bodies on, and climbs to extremal vertices from 24 on; the families of sequences.cpp have
 // at most 10 bodies and no polytope.
 #include <algorithm>
+#include <cmath>
 #include <functional>
 
 #include "properties/scenes/families.h"
@@ -180,6 +181,61 @@ Scene growing(Random& random) {
   return scene;
 }
 
+/// Two or three bodies at a time go far beyond all others, into the same place or beside each other, and come back.
+Scene leaving(Random& random) {
+  const int n = many(random);
+  Scene scene;
+  for (int i = 0; i < n; ++i) scene.bodies.push_back(at_rest(Box{Vec3::Constant(0.5)}));
+  const std::vector<Pose> first = on_lattice(random, n, 1);
+  SequenceFrame all;
+  for (int i = 0; i < n; ++i) all.push_back({i, first[static_cast<std::size_t>(i)]});
+  scene.frames.push_back(std::move(all));
+  for (int round = random.between(2, 5); round > 0; --round) {
+    const int leaver = random.below(n), together = random.between(2, 3);
+    Vec3 there = small_vector(random, 2);
+    const double side = random.sign(), far = side * std::ldexp(1.0, random.between(2, 12));
+    there[random.below(3)] = far;
+    for (const bool leaves : {true, false}) {
+      SequenceFrame frame;
+      for (int k = 0; k < together; ++k) {
+        const int body = (leaver + k) % n;
+        const Vec3 beside = leaves ? small_vector(random, 1) : Vec3::Zero();
+        frame.push_back({body, leaves ? Pose{there + beside, {}} : first[static_cast<std::size_t>(body)]});
+        if (random.one_in(2)) {
+          scene.frames.push_back(std::move(frame));
+          frame.clear();
+        }
+      }
+      if (!frame.empty()) scene.frames.push_back(std::move(frame));
+    }
+  }
+  return scene;
+}
+
+/// A prism of many corners that is hardly tilted, and a plate that comes down on it: its lower side is between the
+/// top's highest corner and the top's middle, or just above.
+Scene tilted(Random& random) {
+  struct Circle {
+    int square, radius;  // its highest corner is at (0, radius)
+  };
+  const Circle circle = random.pick<Circle>({{25, 5}, {625, 25}, {4225, 65}});
+  const int k = random.between(4, 36);
+  const double w = std::ldexp(1.0, k), rise = circle.radius * std::ldexp(1.0, 1 - k);
+  Scene scene;
+  scene.bodies.push_back(at_rest(prism(lattice_circle(circle.square), -1, 1)));
+  scene.bodies.push_back(at_rest(Box{Vec3{random.whole(1, 80), random.whole(1, 80), 1}}));
+  const double sign = random.sign();
+  const bool about_x = random.one_in(2);
+  const auto prism_at = [&](double x) { return Pose{{x, 0, 0}, {w, about_x ? sign : 0, about_x ? 0 : sign, 0}}; };
+  scene.frames.push_back({{0, prism_at(0)}, {1, Pose{{0, 0, 4}, {}}}});
+  for (int f = random.between(2, 6); f > 0; --f) {
+    const double part = random.pick({0.25, 0.5, 0.75, 1.25});
+    scene.frames.push_back({{1, Pose{{random.whole(-9, 9), random.whole(-9, 9), 2 + part * rise}, {}}}});
+    if (random.one_in(2)) scene.frames.back().push_back({0, prism_at(random.whole(-1, 1))});
+  }
+  return scene;
+}
+
 /// All bodies move, each with a velocity of its own, by a 64th to half of its size in a frame; every number is a random
 /// double.
 Scene streaming(Random& random) {
@@ -259,6 +315,9 @@ std::vector<Family> long_sequence_families() {
       {"films.turning_rod", "a rod that lies down among 18 to 300 boxes, and boxes that come to its ends", queries,
        true, turning_rod},
       {"films.growing", "bodies that double in number, then halve", queries, true, growing},
+      {"films.leaving", "18 to 300 boxes, of which two or three meet far outside", queries, true, leaving},
+      {"films.tilted", "a prism of many corners tilted by 2^-3 to 2^-35, and a plate on its highest one", queries,
+       false, tilted},
       {"films.streaming", "18 to 300 boxes that all move, every number a random double", queries, false, streaming},
       {"films.round_solids", "prisms of 24 to 48 corners, and compounds of them, that turn", queries, true,
        turning_round_solids},
