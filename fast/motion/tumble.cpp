@@ -147,7 +147,7 @@ void Tumble::grow_errors(Step& taken) {
   const double before = taken.w_error_before = longest_axis(spread_);
   spread_ = once.lazyProduct(spread_).lazyProduct(once.transpose()).eval();
   const double added = new_error(taken.length) * above_exp(greatest_.growth * taken.length);
-  const double k = std::sqrt(spread_.trace() / 3) / added;
+  const double k = std::min(std::sqrt(spread_.trace() / 3) / added, 16 + static_cast<double>(steps_.size()));
   if (k > 0) spread_ *= 1 + 1 / k;
   spread_ += (1 + k) * (added * added) * Mat3::Identity();
   taken.w_error = margin * std::max(before, longest_axis(spread_));

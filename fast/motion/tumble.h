@@ -22,13 +22,14 @@ namespace touchstone::fast::motion {
 /// Error, to first order: the error of ω grows by the linearised equations, δω' = A(ω) δω, and the error of the
 /// rotation is its integral. δω is enclosed in the ellipsoid {δω: δωᵀ S⁻¹ δω ≤ 1}. A step's own matrix Φ (integrated
 /// alongside by its series) maps S to Φ S Φᵀ; adding a ball of radius ε, the step's new error, gives an ellipsoid
-/// within (1 + 1/k) S + (1 + k) ε² for any k, and with k = 16, 17, ... a number N of equal errors adds up to no more
-/// than some N of them. So errors that the flow contracts are not counted as if they grew, which makes all the
-/// difference near the middle axis. Early in a step less is claimed: with g the greatest eigenvalue of the symmetric
-/// part of A along the motion, an error of ω grows by no more than a factor exp(g τ), and that of the rotation by τ
-/// times the error of ω. For each of the two errors, half as much again is claimed. n periods add n times the error of
-/// one, and n times the effect of the period's error. Claims nothing (error 2) once the error exceeds 2^-10, or if the
-/// period is unknown: the first 2^14 units of time are then repeated. |L| and the energy are conserved in any case.
+/// within (1 + 1/k) S + (1 + k) ε² for any k: k is what makes the trace least, and at most 16, 17, ..., with which a
+/// number N of equal errors adds up to no more than some N of them. So errors that the flow contracts are not counted
+/// as if they grew, which makes all the difference near the middle axis. Early in a step less is claimed: with g the
+/// greatest eigenvalue of the symmetric part of A along the motion, an error of ω grows by no more than a factor exp(g
+/// τ), and that of the rotation by τ times the error of ω. For each of the two errors, an eighth more is claimed. n
+/// periods add n times the error of one, and n times the effect of the period's error. Claims nothing (error 2) once
+/// the error exceeds 2^-10, or if the period is unknown: the first 2^14 units of time are then repeated. |L| and the
+/// energy are conserved in any case.
 class Tumble {
  public:
   struct Now {

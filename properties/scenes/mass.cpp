@@ -133,8 +133,8 @@ std::vector<Family> mass_families() {
       {"mass.slivers", "tetrahedra down to 2^-20 thin, turned", queries, true, slivers},
       {"mass.lost_volumes", "tetrahedra in any pose whose volume is lost in rounding", queries, false, lost_volumes},
       {"mass.densities", "spheres and boxes of sizes and densities that differ by 2^20", queries, true, densities},
-      {"mass.given", "stated mass properties, some on the triangle inequality, beside a fixed body", queries, true,
-       given},
+      {"mass.given", "stated mass properties about any axes, some on the triangle inequality, beside a fixed body",
+       queries, true, given},
       {"mass.mirrored", "compounds of two mirrored parts and perhaps a sphere", queries, true, mirrored_compound},
   };
 }

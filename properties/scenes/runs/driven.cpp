@@ -93,7 +93,7 @@ Scene pushed_before(Random& random) {
   for (Body& body : bodies) body.material = material;
   bodies[1].X_WB.p_WB = {random.whole(4, 6), random.whole(-1, 1), 0};
   Motion motion = motion_until(4, 8);
-  const double start = random.pick({0.5, 1.0});
+  const double start = random.pick({0.25, 0.5});
   motion.start_times = {start, 0};
   motion.force_bound = 64;
   const Vec3 aside = small_vector(random, 4), along{random.whole(4, 16), 0, 0};
