@@ -199,7 +199,7 @@ Scene tips(Random& random) {
   const double r = std::get<Sphere>(scene.bodies[0].shape).radius;
   const double width = r * random.pick({0.125, 0.25, 0.5, 1.0, 2.0});
   scene.bodies[0] = block(Vec3(width, r, r), {scene.bodies[0].X_WB.p_WB, tilt.q}, 1);
-  for (Body& body : scene.bodies) body.material = {0, 16};
+  for (Body& body : scene.bodies) body.material = {0, 2};
   scene.motion = sampled_at(random.pick({0.125, 0.25}));
   return scene;
 }
