@@ -50,6 +50,7 @@ std::vector<Property> join() {
                             simulation_exact_ball_properties,
                             simulation_impulse_properties,
                             constraint_properties,
+                            constraint_motion_properties,
                             work_properties}) {
     for (Property& property : query()) joined.push_back(in_its_precision(std::move(property)));
   }

@@ -32,6 +32,7 @@ std::vector<Property> simulation_same_run_properties();
 std::vector<Property> simulation_exact_ball_properties();
 std::vector<Property> simulation_impulse_properties();
 std::vector<Property> constraint_properties();
+std::vector<Property> constraint_motion_properties();
 std::vector<Property> work_properties();
 
 }  // namespace touchstone::properties

@@ -177,7 +177,7 @@ void add_run_options(CLI::App& command, RunOptions& options) {
           "standard asks several subjects about 1,000 scenes of each query, and one by itself about 100,000 "
           "and about 1,456,000 impacts for the properties that need one answer each. Trajectories are longer: "
           "of simulation, quick asks for at most 68 drawn scenes (960 of one subject by itself) and 20 extreme ones, "
-          "standard for 100 (4,000) and soak for 10,000 (40,000); of constraint 80, 400 and 10,000 (beside others "
+          "standard for 100 (4,000) and soak for 10,000 (40,000); of constraint 120, 400 and 10,000 (beside others "
           "half of that, and of the extreme scenes). Beside other subjects one that computes exactly is asked about "
           "400 scenes of each query (soak: 4,000), and "
           "for no trajectory of these two queries")

@@ -20,9 +20,10 @@ struct GapManifold {
 };
 
 /// The normal is the direction of the closest points. It is replaced by a face's normal if the two differ by no more
-/// than rounding explains. For parts that touch or overlap it is the normal `before`, or else that of the plane of
-/// greatest separation. If both parts have a face within 25° of the normal, the points are the corners of the two
-/// faces' intersection, projected along the normal; otherwise the pair of closest points is the only one.
+/// than rounding explains. For parts that touch or overlap it is that of the plane of least overlap, or the normal
+/// `before` while the overlap along it is at most twice that. If both parts have a face within 25° of the normal, the
+/// points are the corners of the two faces' intersection, projected along the normal; otherwise the pair of closest
+/// points is the only one.
 GapManifold gap_manifold(const Part& A, const Part& B, const lin_canny::Proximity& near,
                          const std::optional<Vec3>& before);
 

@@ -63,6 +63,8 @@ double granted_step(const Scene& scene) { return scene.motion->sample_times.back
 // the position is multiplied by e along n̂. Across n̂ it grows by the tangential jump that acts late, which is at most
 // μ times the normal one: X := (1 + μ) X + velocity_jump δ.
 //
+// Each step rounds what weight adds to the velocities, also of a ball at rest: together |g| T is rounded.
+//
 // All this requires that the approximate ball makes the same changes as the exact one. It does if X stays below the
 // distance to any other change and V below half the rate of each crossing (and, at an edge, below half the excess of v²
 // over g r, as only then it becomes ballistic too). Where that does not hold, or X reaches a quarter of the radius,
@@ -75,7 +77,9 @@ std::vector<RollingBound> rolling(const Scene& scene, const reference::Constrain
   const double way = start.norm() + truth.speed * times.back();
   double A = truth.first.acceleration, clearance = truth.first.clearance, from = 0;
   double X = envelope(scene) + roundings * unit_roundoff(precision) * way;
-  double V = A * delta + (roundings * unit_roundoff(precision) + envelope(scene) / r) * truth.speed;
+  const double weight = scene.gravity.norm() * times.back();
+  double V =
+      A * delta + roundings * unit_roundoff(precision) * (truth.speed + weight) + envelope(scene) / r * truth.speed;
   double shift = delta;         // uncertainty of the time of the last change
   double unsure_until = delta;  // the last change may come as late as this
   std::vector<RollingBound> bounds;

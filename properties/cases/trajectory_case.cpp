@@ -132,64 +132,6 @@ oracle::Finding moves(const TrajectoryCase& asked, const Scene& ballistic_scene,
       oracle::Defect::wrong_motion, [&] { return velocity_text(said); }, [&] { return velocity_text(expected); });
 }
 
-/// The body's velocity before an event at its time.
-Velocity velocity_before(const TrajectoryCase& asked, const Timeline& timeline, int body, std::size_t event) {
-  const std::vector<Segment>& segments = timeline[static_cast<std::size_t>(body)];
-  const auto found = std::ranges::find_if(segments, [=](const Segment& s) { return s.ends_with >= event; });
-  const double time = (*asked.said.events)[event].time;
-  return oracle::ballistic_state(segment_scene(asked.scene, {*found}, time), 0, time).velocity;
-}
-
-/// Is one of an impact's bodies that move held by a contact in the segment that ends with the first event at its time?
-bool is_held_before(const TrajectoryCase& asked, const std::vector<Segment>& segments, const Event& impact) {
-  return std::ranges::any_of(segments, [&](const Segment& segment) {
-    const bool takes_part =
-        segment.body == static_cast<std::size_t>(impact.a) || segment.body == static_cast<std::size_t>(impact.b);
-    return takes_part && !asked.is_fixed(segment.body) && !segment.ballistic;
-  });
-}
-
-/// Whether two bodies in contact at C approach at C or elsewhere in their contact region. The region is in the convex
-/// hull of A's vertices near the plane through C, and in that of B's, and u_n is affine over it; so it does not
-/// approach if u_n ≥ 0 at all vertices of one of the two. Vertices count as near within four envelopes: the bodies are
-/// within one of each other, C is within one of both, and the rest leaves room for rounding. A ball has no such
-/// vertices.
-bool region_approaches(const Scene& pair, double envelope) {
-  constexpr oracle::Real infinite = std::numeric_limits<oracle::Real>::infinity();
-  const oracle::Impact impact = oracle::impact(pair);
-  if (impact.u_n() < 0) return true;
-  const oracle::Point C = pair.contact->p_WC.cast<oracle::Real>();
-  const oracle::Point spin = impact.bodies[0].w_WB - impact.bodies[1].w_WB;
-  oracle::Real bound = -infinite;  // of u_n over the region
-  for (std::size_t k = 0; k < 2; ++k) {
-    oracle::Real least = infinite;
-    for (int part = 0;; ++part) {
-      const oracle::Points vertices = oracle::world_points(pair.bodies[k], part);
-      if (vertices.empty()) break;
-      for (const oracle::Point& vertex : vertices) {
-        const oracle::Point off = vertex - C;
-        const bool is_near = std::abs(impact.nhat_BA_W.dot(off)) <= 4 * envelope;
-        if (is_near) least = std::min(least, impact.nhat_BA_W.dot(impact.u + spin.cross(off)));
-      }
-    }
-    if (least == infinite) return false;
-    bound = std::max(bound, least);
-  }
-  return bound < 0;
-}
-
-/// Whether the contact of `impact` approaches before `event`, which is at the same time and not later.
-bool approaches_before(const TrajectoryCase& asked, const Timeline& timeline, const Event& impact, std::size_t event) {
-  Scene pair;
-  pair.contact = Contact{impact.p_WC, impact.nhat_BA_W, Law::poisson, 0, 0};
-  for (const auto& [body, after] : {std::pair(impact.a, &impact.after_a), std::pair(impact.b, &impact.after_b)}) {
-    pair.bodies.push_back(asked.scene.bodies[static_cast<std::size_t>(body)]);
-    pair.bodies.back().X_WB = after->X_WB;
-    pair.bodies.back().velocity = velocity_before(asked, timeline, body, event);
-  }
-  return region_approaches(pair, envelope(asked.scene));
-}
-
 std::string pose_text(const Pose& pose) {
   const Quaternion& q = pose.q_WB;
   return "p = " + words::text(pose.p_WB) + ", q = (" + words::text(q.w) + ", " + words::text(q.x) + ", " +
@@ -263,29 +205,6 @@ bool worse(oracle::Finding& worst, oracle::Finding next) {
     worst = std::move(next);
   }
   return failed;
-}
-
-bool acts_together(const TrajectoryCase& asked, const Event& impact) {
-  const std::vector<Event>& events = *asked.said.events;
-  const auto moves = [&](int body) { return !asked.is_fixed(static_cast<std::size_t>(body)); };
-  const auto acts_on = [](const Event& e, int body) { return e.a == body || e.b == body; };
-  const auto is_convex = [&](int body) {
-    return !std::holds_alternative<Compound>(asked.scene.bodies[static_cast<std::size_t>(body)].shape);
-  };
-  const auto at = static_cast<std::size_t>(&impact - events.data());
-  std::optional<Timeline> all;
-  for (std::size_t k = 0; k < events.size(); ++k) {
-    const Event& other = events[k];
-    const bool shares = (moves(impact.a) && acts_on(other, impact.a)) || (moves(impact.b) && acts_on(other, impact.b));
-    const bool one_region = other.a == impact.a && other.b == impact.b && is_convex(impact.a) && is_convex(impact.b);
-    if (k == at || other.kind != Event::Kind::impact || other.time != impact.time || !shares) continue;
-    const std::size_t first = std::min(k, at);
-    if (!all) all = timeline(asked.scene, asked.said);
-    if (is_held_before(asked, segments_into(*all, asked.said, first), impact)) return true;
-    if (one_region) continue;
-    if (approaches_before(asked, *all, impact, first) && approaches_before(asked, *all, other, first)) return true;
-  }
-  return false;
 }
 
 oracle::judge::Allowance in_ulps_of_place(const TrajectoryCase& asked, double bound) {

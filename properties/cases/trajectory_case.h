@@ -71,29 +71,6 @@ oracle::Finding of_timeline(const Scene& scene, oracle::Subject& subject, JudgeI
 /// for a failure, which ends the search.
 bool worse(oracle::Finding& worst, oracle::Finding next);
 
-/// For answers with events, passes on each impact of bodies in ballistic motion: judge_it(const TrajectoryCase&, const
-/// Event&, the segments that it ends).
-template <class JudgeIt>
-oracle::Finding of_impacts(const Scene& scene, oracle::Subject& subject, JudgeIt&& judge_it) {
-  return of_timeline(scene, subject, [&](const TrajectoryCase& asked, const Timeline& timeline) {
-    oracle::Finding worst = oracle::judge::outside("no impact of bodies in ballistic motion");
-    for (std::size_t e = 0; e < asked.events(); ++e) {
-      const Event& event = (*asked.said.events)[e];
-      if (event.kind != Event::Kind::impact) continue;
-      const std::vector<Segment> segments = segments_into(timeline, asked.said, e);
-      if (!std::ranges::all_of(segments, &Segment::ballistic)) continue;
-      if (worse(worst, judge_it(asked, event, segments))) break;
-    }
-    return worst;
-  });
-}
-
-/// Whether another impact at the same time acts together with this one: it acts on a common body that moves, and before
-/// the first of the two both contacts approach; or with a contact that holds one of the bodies until then. Then the law
-/// of one contact says nothing about it. Two convex bodies have one contact region, which acts as one.
-bool acts_together(const TrajectoryCase& asked, const Event& impact);
-inline constexpr const char* together_with_others = "acts together with other impacts at its time";
-
 /// A bound in metres, counted in ulps of the scene's scale.
 oracle::judge::Allowance in_ulps_of_place(const TrajectoryCase& asked, double bound);
 

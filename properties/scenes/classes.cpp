@@ -396,13 +396,13 @@ const std::vector<Class>& classes(const std::string& query) {
       {"jam-capable", 0.1},    {"cond(K) to 10", 0.2}, {"cond(K) beyond 1e4", 0.03},
       {"one body fixed", 0.2}, {"no body fixed", 0.2}, {"binary32", 0.5}};
   static const std::vector<Class> constraint = {{"rolls", 0.2},
-                                                {"slides", 0.125},
+                                                {"slides", 0.1},
                                                 {"flies", 0.2},
                                                 {"slip stops", 0.05},
                                                 {"a contact ends", 0.1},
                                                 {"an impact", 0.1},
                                                 {"two impacts or more", 0.01},
-                                                {"sure to the end", 0.2},
+                                                {"sure to the end", 0.16},
                                                 {"laws alone", 0.1},
                                                 {"binary32", 0.1}};
   static const std::vector<Class> time_of_impact_classes = {{"hit", 0.3},

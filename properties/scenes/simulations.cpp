@@ -522,9 +522,9 @@ Scene far_apart(Random& random) {
 }  // namespace
 
 std::vector<Family> run_families() {
-  const std::vector<std::string> queries = {"simulation"};
+  const std::vector<std::string> queries = {"simulation"}, both = {"simulation", "constraint"};
   return {
-      {"runs.balls", "balls that collide in the middle", queries, true, balls},
+      {"runs.balls", "balls that collide in the middle", both, true, balls},
       {"runs.solids", "two solids that collide in the middle", queries, true, solids},
       {"runs.elastic_balls", "the same for elastic, smooth balls", queries, true, elastic_balls},
       {"runs.on_a_table", "solids thrown onto a table", queries, true, on_a_table},
@@ -532,21 +532,20 @@ std::vector<Family> run_families() {
       {"runs.ties", "pairs that collide at the same time", queries, true, ties},
       {"runs.crowd", "20 to 60 balls that collide in pairs within 2^-5 s", queries, true, crowd},
       {"runs.one_impact", "two elastic, smooth bodies that collide once", queries, true, one_impact},
-      {"runs.tops", "bodies whose moments differ, turning", queries, true, tops},
+      {"runs.tops", "bodies whose moments differ, turning", both, true, tops},
       {"runs.pushed", "forces that begin and change", queries, true, pushed},
-      {"runs.apart", "bodies that never touch", queries, true, apart},
-      {"runs.at_rest", "balls and blocks at rest on a table", queries, true, at_rest_on_a_table},
+      {"runs.apart", "bodies that never touch", both, true, apart},
+      {"runs.at_rest", "balls and blocks at rest on a table", both, true, at_rest_on_a_table},
       {"runs.skims", "balls on a table that bounce within the envelope", queries, true, skims},
-      {"runs.spins", "a ball that slides on a table and spins about the vertical", queries, true, spins},
-      {"runs.bouncing", "a ball that bounces, and comes to rest", queries, true, bouncing},
-      {"runs.falls_flat", "a box that falls flat, bounces, and comes to rest", queries, true, falls_flat},
+      {"runs.spins", "a ball that slides on a table and spins about the vertical", both, true, spins},
+      {"runs.bouncing", "a ball that bounces, and comes to rest", both, true, bouncing},
+      {"runs.falls_flat", "a box that falls flat, bounces, and comes to rest", both, true, falls_flat},
       {"runs.together", "one body that collides with two at one time", queries, true, together},
       {"runs.touching", "a row of balls that touch, hit at its ends; a polytope that lands on a face", queries, true,
        touching},
-      {"runs.on_ice", "bodies that slide, fall and rub on each other on a table without friction", queries, true,
-       on_ice},
+      {"runs.on_ice", "bodies that slide, fall and rub on each other on a table without friction", both, true, on_ice},
       {"runs.piles", "three bodies that rest on each other, rub, tip and fall", queries, true, piles},
-      {"runs.carried", "bodies that slide on a box that moves, fixed or on ice", queries, true, on_a_carrier},
+      {"runs.carried", "bodies that slide on a box that moves, fixed or on ice", both, true, on_a_carrier},
       {"runs.edge_on_edge", "bars whose parallel edges meet, shifted along each other", queries, true, edge_on_edge},
       {"runs.far_apart", "two bodies that start 2^4 to 2^60 sizes apart", queries, false, far_apart},
   };

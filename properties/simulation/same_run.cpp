@@ -102,10 +102,11 @@ Finding masses(const Scene& scene, Subject& subject) {
       [](Trajectory said) { return in_units(std::move(said), 0, -mass_scale); }, subject);
 }
 
-/// The scene with one more sample before each.
+/// The scene with one more sample before each, but none before all bodies have started.
 Scene sampled_twice_as_often(Scene scene) {
   std::vector<double> times;
-  double last = 0;
+  const std::vector<double>& starts = scene.motion->start_times;
+  double last = starts.empty() ? 0 : std::ranges::max(starts);
   for (const double time : scene.motion->sample_times) {
     const double between = last + (time - last) * 0.375;  // not a half: steps may end there
     if (between > last && between < time) times.push_back(between);

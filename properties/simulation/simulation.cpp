@@ -13,6 +13,7 @@
 #include "oracle/truth/truth.h"
 #include "oracle/truth/world_points.h"
 #include "properties/cases/impact_case.h"
+#include "properties/cases/simultaneous_impacts.h"
 #include "properties/cases/time_of_impact_case.h"
 #include "properties/cases/trajectory_case.h"
 #include "properties/queries.h"
@@ -140,17 +141,6 @@ Finding none_missed(const Scene& scene, Subject& subject) {
       return overlap(pair_case ? -pair_case->deepest(until) : 0);
     });
   });
-}
-
-/// Calls judge_it(asked, event, pair, there) for each impact. `pair` is the scene of the two segments that end with it,
-/// `there` has both bodies at the time of the impact.
-template <class JudgeIt>
-Finding of_struck_pairs(const Scene& scene, Subject& subject, JudgeIt&& judge_it) {
-  return of_impacts(scene, subject,
-                    [&](const TrajectoryCase& asked, const Event& event, const std::vector<Segment>& segments) {
-                      const Scene pair = segment_scene(scene, segments, event.time);
-                      return judge_it(asked, event, pair, oracle::pair_at(pair, event.time));
-                    });
 }
 
 // m: the overlap of the convex bodies A and B along n, an upper bound on their depth. Negative: their gap along n.
@@ -359,9 +349,12 @@ std::optional<double> effect_of_gaps(const ImpactCase& impact, const LawfulImpac
 }
 
 Finding impulses(const Scene& scene, Subject& subject) {
-  return of_struck_pairs(
-      scene, subject, [&](const TrajectoryCase& asked, const Event& event, const Scene& pair, const Scene&) {
-        if (acts_together(asked, event)) return judge::outside(together_with_others);
+  return of_impacts(
+      scene, subject,
+      [&](const TrajectoryCase& asked, const Event& event, const std::vector<Segment>& segments,
+          SimultaneousImpacts& simultaneous) {
+        if (simultaneous.act_together_with(event)) return judge::outside(together_with_others);
+        const Scene pair = segment_scene(scene, segments, event.time);
         if (!is_decisive(pair, tolerance::moving_distance(pair, event.time, asked.precision))) {
           return judge::outside(too_far_to_decide);
         }

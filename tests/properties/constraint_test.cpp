@@ -1,7 +1,13 @@
 // The outcomes of properties of constrained motion, for trajectories on paper.
+#include <Eigen/Geometry>
+
+#include "oracle/rotation.h"
+#include "oracle/subjects/touchstone/fast.h"
+#include "oracle/subjects/touchstone/reference.h"
 #include "properties/property.h"
 #include "tests/catch.h"
 #include "tests/properties/fixed_subject.h"
+#include "tests/properties/scenes.h"
 
 namespace touchstone::properties {
 namespace {
@@ -36,6 +42,35 @@ TEST_CASE("constraint.energy: without gravity it rises by no more than rounding"
   CHECK(judged("constraint.energy", 0x1p-42).outcome == oracle::Outcome::holds);
   CHECK(judged("constraint.energy", 0x1p-40).defect == oracle::Defect::wrong_energy);
   CHECK(judged("constraint.energy", 0x1p-36).defect == oracle::Defect::wrong_energy);
+}
+
+std::vector<Eigen::Quaterniond> orientations(const Answer<Trajectory>& said) {
+  std::vector<Eigen::Quaterniond> all;
+  for (const std::vector<State>& states : std::get<Trajectory>(said).states) {
+    all.push_back(oracle::rotation(states.front().X_WB.q_WB));
+  }
+  return all;
+}
+
+// It rolls at 1 m/s with 4 rad/s about y until it meets the obstacle after 1/2 s.
+TEST_CASE("the reference's ball turns by its angular velocity") {
+  const auto reference = oracle::subjects::make_reference();
+  const auto turned = orientations(reference->constraint(tests::scene("a ball that an obstacle sends back")));
+  CHECK(turned[0].angularDistance(Eigen::Quaterniond(Eigen::AngleAxisd(1, Vec3::UnitY()))) < 1e-12);
+}
+
+TEST_CASE("the reference's ball and that of fast turn alike, through slip and impacts") {
+  const auto reference = oracle::subjects::make_reference(), fast = oracle::subjects::make_fast();
+  int compared = 0;
+  for (const Scene& scene : tests::scenes_of("constraint")) {
+    const Answer<Trajectory> exact = reference->constraint(scene);
+    if (!std::holds_alternative<Trajectory>(exact)) continue;
+    INFO(scene.name);
+    const auto expected = orientations(exact), said = orientations(fast->constraint(scene));
+    for (std::size_t i = 0; i < expected.size(); ++i) CHECK(said.at(i).angularDistance(expected[i]) < 0.02);
+    ++compared;
+  }
+  CHECK(compared >= 9);
 }
 
 }  // namespace

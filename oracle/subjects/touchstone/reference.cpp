@@ -6,6 +6,7 @@
 #include "model/input_error.h"
 #include "oracle/subject.h"
 #include "oracle/subjects/common/engine.h"
+#include "oracle/subjects/touchstone/reference_ball_orientation.h"
 #include "reference/bounds.h"
 #include "reference/broad_phase.h"
 #include "reference/constraint.h"
@@ -93,10 +94,12 @@ Event event_of(const reference::ConstraintTruth::Change& change, const Scene& sc
 Trajectory trajectory_of(const reference::ConstraintTruth& truth, const Scene& scene) {
   Trajectory said;
   const auto ball = static_cast<std::size_t>(truth.ball);
-  for (const reference::BallTruth& at : truth.states) {
+  const std::vector<Quaternion> turned = orientations(truth, scene);
+  for (std::size_t i = 0; i < truth.states.size(); ++i) {
     std::vector<State> states;
     for (const Body& body : scene.bodies) states.push_back({body.X_WB, body.velocity});
-    states[ball] = state_of(at, scene.bodies[ball]);
+    states[ball] = state_of(truth.states[i], scene.bodies[ball]);
+    states[ball].X_WB.q_WB = turned[i];
     said.states.push_back(std::move(states));
   }
   said.events.emplace();

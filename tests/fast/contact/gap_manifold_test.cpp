@@ -30,7 +30,7 @@ TEST_CASE("gap_manifold: a cube half a metre above a plate has its four corners,
   }
 }
 
-TEST_CASE("gap_manifold: parts that overlap keep the normal before, or else get that of the least overlap") {
+TEST_CASE("gap_manifold: parts that overlap little keep the normal before, or else get that of the least overlap") {
   const Posed A(cube(), 1.875 * z), B(plate(), Vec3::Zero());
   for (const std::optional<Vec3>& before : {std::optional<Vec3>(z), std::optional<Vec3>()}) {
     const GapManifold found = manifold_of(A, B, before);
@@ -41,8 +41,15 @@ TEST_CASE("gap_manifold: parts that overlap keep the normal before, or else get 
       CHECK(point.p_WC.z() == Approx(0.9375));
     }
   }
-  const Vec3 x(1, 0, 0);
-  CHECK((manifold_of(A, B, x).nhat_BA_W - x).norm() < 1e-15);
+  const Vec3 tilted = Vec3(0.02, 0, 1).normalized();  // the overlap along it is 0.225
+  CHECK((manifold_of(A, B, tilted).nhat_BA_W - tilted).norm() < 1e-15);
+}
+
+// Otherwise a block that tips over an edge has, along its first normal, the overlap of what is beyond the edge.
+TEST_CASE("gap_manifold: parts that overlap by more than twice the least along the normal before get another") {
+  const Posed A(cube(), 1.875 * z), B(plate(), Vec3::Zero());
+  CHECK((manifold_of(A, B, Vec3(1, 0, 0)).nhat_BA_W - z).norm() < 1e-15);
+  CHECK((manifold_of(A, B, Vec3(0.05, 0, 1).normalized()).nhat_BA_W - z).norm() < 1e-15);
 }
 
 // The box lies on the plate's upper face up to the rounding of its place: its nearest points say nothing about n.
