@@ -45,6 +45,7 @@ struct Heard {
 struct JudgedQuery {
   std::string query;
   std::optional<Json> truth;  ///< none: its properties are laws, and judge without one exact answer
+  std::string no_truth;       ///< why the exact answer is not known
   std::vector<Heard> subjects;
 };
 
@@ -164,6 +165,7 @@ void print_words(const std::vector<JudgedQuery>& all) {
       print("  truth\n");
       print_answer(*one.truth, "    ");
     }
+    if (!one.no_truth.empty()) print("  truth      not known: {}\n", one.no_truth);
     for (const Heard& heard : one.subjects) print_heard(heard);
   }
 }
@@ -182,6 +184,7 @@ Json json_of(const std::vector<JudgedQuery>& all) {
   for (const JudgedQuery& one : all) {
     Json json = {{"query", one.query}};
     if (one.truth) json["truth"] = *one.truth;
+    if (!one.no_truth.empty()) json["no_truth"] = one.no_truth;
     json["subjects"] = Json::array();
     for (const Heard& heard : one.subjects) json["subjects"].push_back(json_of(heard));
     queries.push_back(std::move(json));
@@ -198,10 +201,17 @@ bool any_failed(const std::vector<JudgedQuery>& all) {
   return false;
 }
 
-Json truth_of(const std::string& query, const GivenScene& given) try {
-  return exact_answer(query, given.scene);
-} catch (const InputError& error) {
-  throw given.located(error);
+/// A valid scene may be outside what is known exactly. Then laws judge alone.
+JudgedQuery asked(const std::string& query, const GivenScene& given) {
+  JudgedQuery one;
+  one.query = query;
+  if (std::ranges::count(printed_queries(), query) == 0) return one;
+  try {
+    one.truth = exact_answer(query, given.scene);
+  } catch (const InputError& error) {
+    one.no_truth = error.what();
+  }
+  return one;
 }
 
 }  // namespace
@@ -215,8 +225,7 @@ int judge(const JudgeOptions& options) {
   }
   std::vector<JudgedQuery> all;
   for (const std::string& query : queries) {
-    JudgedQuery one{query, std::nullopt, {}};
-    if (std::ranges::count(printed_queries(), query) > 0) one.truth = truth_of(query, given);
+    JudgedQuery one = asked(query, given);
     for (const auto& subject : subjects) one.subjects.push_back(hear(*subject, query, given.scene));
     const bool applies =
         std::ranges::any_of(one.subjects, [](const Heard& heard) { return !all_are(heard, Outcome::outside); });

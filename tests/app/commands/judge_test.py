@@ -40,6 +40,16 @@ class Judge(Test):
         queries = [one["query"] for one in json.loads(self.succeeds("judge", painleve, "--subjects", RIGHT, "--json"))["queries"]]
         self.assertIn("impulse", queries)
 
+    def test_laws_judge_where_no_exact_answer_is_known(self):
+        block = body({"type": "box", "half_extents": [1, 1, 1]}, (0, 0, 1))
+        table = body({"type": "box", "half_extents": [4, 4, 1]}, (0, 0, -1)) | {"mass": {"type": "fixed"}}
+        self.file("block.json", scene(block, table) | {"gravity": [0, 0, -8], "motion": {"sample_times": [0.5, 1]}})
+        said = self.succeeds("judge", "block.json", "--subjects", "inproc:fast", "--queries", "constraint")
+        self.assertRegex(said, r"(?m)^constraint\n  truth +not known: bodies\[0\]\.shape: a moving body that is no ball$")
+        self.assertRegex(said, r"(?m)^    holds +constraint\.rests: error")
+        [query] = json.loads(self.succeeds("judge", "block.json", "--subjects", "inproc:fast", "--queries", "constraint", "--json"))["queries"]
+        self.assertIn("no ball", query["no_truth"])
+
     def test_json_has_the_findings(self):
         said = json.loads(self.succeeds("judge", "balls.json", "--subjects", altered(1.5), "--queries", "distance", "--json", code=1))
         [query] = said["queries"]
