@@ -398,7 +398,7 @@ const std::vector<Class>& classes(const std::string& query) {
   static const std::vector<Class> constraint = {{"rolls", 0.2},
                                                 {"slides", 0.1},
                                                 {"flies", 0.2},
-                                                {"slip stops", 0.05},
+                                                {"slip stops", 0.04},
                                                 {"a contact ends", 0.1},
                                                 {"an impact", 0.1},
                                                 {"two impacts or more", 0.01},

@@ -533,7 +533,7 @@ std::vector<Family> run_families() {
       {"runs.crowd", "20 to 60 balls that collide in pairs within 2^-5 s", queries, true, crowd},
       {"runs.one_impact", "two elastic, smooth bodies that collide once", queries, true, one_impact},
       {"runs.tops", "bodies whose moments differ, turning", both, true, tops},
-      {"runs.pushed", "forces that begin and change", queries, true, pushed},
+      {"runs.pushed", "forces that begin and change", both, true, pushed},
       {"runs.apart", "bodies that never touch", both, true, apart},
       {"runs.at_rest", "balls and blocks at rest on a table", both, true, at_rest_on_a_table},
       {"runs.skims", "balls on a table that bounce within the envelope", queries, true, skims},

@@ -284,6 +284,18 @@ Scene overhangs(Random& random) {
   return scene;
 }
 
+/// A block that lies half over the edge of a table, and tips over it at once.
+Scene topples(Random& random) {
+  Scene scene = table_scene(random, 0.5);
+  const double edge = std::get<Box>(scene.bodies[1].shape).half_extents.x();
+  scene.bodies[1].material = {0, random.pick({0.0625, 0.25, 0.5, 1.0})};
+  const Vec3 half{sixteenths(random, 4, 16), sixteenths(random, 4, 16), sixteenths(random, 1, 8)};
+  const double beside = half.x() * random.pick({0.25, 0.5, 0.75});
+  scene.bodies[0] = block(half, {Vec3(random.sign() * (edge + beside), 0, half.z()), {}}, 1);
+  scene.motion = sampled_at(random.pick({0.5, 1.0}));
+  return scene;
+}
+
 /// A ball or a block at rest on a table, pushed along it by forces that begin and change.
 Scene pushed(Random& random) {
   const double r = some_radius(random);
@@ -348,6 +360,7 @@ std::vector<Family> table_families() {
       {"tables.corner", "a ball or a block at the lower end of a slope, at a wall or on its way there", queries, false,
        corner},
       {"tables.overhangs", "blocks at rest over two edges of a table", queries, true, overhangs},
+      {"tables.topples", "a block half over the edge of a table, which tips over it", queries, true, topples},
       {"tables.pushed", "a ball or a block on a table, pushed by forces that begin and change", queries, false, pushed},
       {"tables.adrift", "a ball, perhaps with a block, without a table, pushed by forces", queries, false, adrift},
       {"tables.stack", "two or three boxes on each other, the upper up to 100 times as heavy", queries, false, stack},
