@@ -55,6 +55,16 @@ std::vector<Vec3> over_face(std::vector<Vec3> rest, const Outline& face, double 
   return rest;
 }
 
+/// Whether B's face is the one on which corners of the other part lie. Of two faces it is the one that has more corners
+/// of the other over it: when a cube on a table begins to tip, its corners stay on the table, whose face pushes.
+bool is_on_face_of_B(const Outline& of_A, const Outline& of_B, double slack) {
+  if (of_A.corners.size() < 3 || of_B.corners.size() < 3) return of_B.corners.size() >= 3;
+  const auto count_over = [slack](const Outline& other, const Outline& face) {
+    return std::ranges::count_if(other.corners, [&](const Vec3& p) { return !over_face({p}, face, slack).empty(); });
+  };
+  return count_over(of_A, of_B) >= count_over(of_B, of_A);
+}
+
 Feature point(const Part& part, const Vec3& p_W) {
   return {Kind::point, part.body.in(p_W), Vec3::Zero(), part.convex->radius};
 }
@@ -144,13 +154,15 @@ std::vector<ContactPoint> contact_points(const Part& A, const Part& B, const Vec
   const Outline of_A = outline(A, -n, within), of_B = outline(B, n, within);
   const bool face_of_A = of_A.corners.size() >= 3, face_of_B = of_B.corners.size() >= 3;
   if (!face_of_A && !face_of_B) return points_without_face(A, of_A, B, of_B, n, within);
+  const double slack = beside * within;
   if (!face_of_A || !face_of_B) {
-    const Outline wide = face_of_B ? outline(A, -n, nearly_parallel * within) : outline(B, n, nearly_parallel * within);
-    std::vector<ContactPoint> points = face_of_B ? points_on_face(A, wide, B, of_B, true, beside * within, within)
-                                                 : points_on_face(A, of_A, B, wide, false, beside * within, within);
+    const Outline wide_A = face_of_A ? of_A : outline(A, -n, nearly_parallel * within),
+                  wide_B = face_of_B ? of_B : outline(B, n, nearly_parallel * within);
+    std::vector<ContactPoint> points =
+        points_on_face(A, wide_A, B, wide_B, is_on_face_of_B(wide_A, wide_B, slack), slack, within);
     if (!points.empty()) return points;
   }
-  return points_on_face(A, of_A, B, of_B, face_of_B, beside * within);
+  return points_on_face(A, of_A, B, of_B, is_on_face_of_B(of_A, of_B, slack), slack);
 }
 
 ContactPoint contact_point_between(const Part& A, const Vec3& p_Wa, const Part& B, const Vec3& p_Wb, const Vec3& n) {

@@ -477,6 +477,20 @@ Scene on_a_carrier(Random& random) {
   return run(random, std::move(bodies), motion_until(1, 8), {0, 0, -8});
 }
 
+/// A box falls beside the middle of another one, which stands on ice: they rock, and come to rest.
+Scene onto_a_box(Random& random) {
+  const double half = random.whole(1, 4) / 4, height = random.whole(1, 4) / 4;
+  Body lower = with_mass(random, at_rest(Box{Vec3::Ones()}, {{0, 0, 1}, {}}));
+  Body upper = with_mass(random, at_rest(Box{Vec3::Constant(half)}));
+  const double x = random.whole(-7, 7) / 8, y = random.whole(-7, 7) / 8;
+  upper.X_WB.p_WB = Vec3(x, y, 2 + half + height);
+  Body table = fixed(at_rest(Box{Vec3(64, 64, 1)}, {{0, 0, -1}, {}}));
+  std::vector<Body> bodies = {std::move(table), std::move(lower), std::move(upper)};
+  for (Body& body : bodies) body.material = {0, 0};
+  if (random.one_in(2)) std::ranges::reverse(bodies);
+  return run(random, std::move(bodies), motion_until(1, 8), {0, 0, -8});
+}
+
 /// A square bar that stands on one of its long edges, which is along y.
 Body bar_on_edge(Random& random) {
   const double half = random.whole(1, 2), length = random.whole(1, 3);
@@ -546,6 +560,7 @@ std::vector<Family> run_families() {
       {"runs.on_ice", "bodies that slide, fall and rub on each other on a table without friction", both, true, on_ice},
       {"runs.piles", "three bodies that rest on each other, rub, tip and fall", queries, true, piles},
       {"runs.carried", "bodies that slide on a box that moves, fixed or on ice", both, true, on_a_carrier},
+      {"runs.onto_a_box", "a box that falls beside the middle of another one on ice", queries, true, onto_a_box},
       {"runs.edge_on_edge", "bars whose parallel edges meet, shifted along each other", queries, true, edge_on_edge},
       {"runs.far_apart", "two bodies that start 2^4 to 2^60 sizes apart", queries, false, far_apart},
   };

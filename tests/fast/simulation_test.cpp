@@ -481,13 +481,13 @@ Scene in_units(Scene scene, double unit) {
 }
 
 // A count, since times depend on the machine. Steps that were shortened for a contact took 750.
-TEST_CASE("six dominoes take no more than 720 contact steps in a second, and all but a few are solved") {
+TEST_CASE("six dominoes take no more than 730 contact steps in a second, and all but a few are solved") {
   const auto& all = app::motion_scenes();
   Scene scene = std::ranges::find(all, "dominoes", [](const auto& motion) { return motion.scene.name; })->scene;
   scene.motion->sample_times = {1};
   const Simulated done = simulate(scene);
   CHECK(!done.stopped);
-  CHECK(done.statistics.contact_steps <= 720);
+  CHECK(done.statistics.contact_steps <= 730);
   CHECK(done.statistics.unconverged <= 8);
 }
 

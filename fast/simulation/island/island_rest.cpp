@@ -7,6 +7,7 @@ namespace touchstone::fast::simulation {
 namespace {
 
 constexpr double balance_tolerance = 0x1p-30;  // greatest unbalanced acceleration, relative to the applied one
+constexpr double left_over = 0x1p-20;          // of the speed at rest: what a frictionless contact may leave
 
 }  // namespace
 
@@ -17,14 +18,19 @@ void remove_approach(ContactGraph& graph) {
 }
 
 bool rest_test(ContactGraph& graph, double rest_speed) {
+  std::vector<contact::ContactConstraint> contact_points = constraints(graph);
+  std::vector<bool> braked(graph.bodies().size(), false);
+  for (const contact::ContactConstraint& at : contact_points) {
+    if (at.friction > 0) braked[at.a] = braked[at.b] = true;
+  }
   bool pulled = false;
-  for (const IslandBody& island_body : graph.bodies()) {
+  for (std::size_t i = 0; i < graph.bodies().size(); ++i) {
+    const IslandBody& island_body = graph.bodies()[i];
     const Velocity& V = island_body.state().velocity;
     const double speed = length(V.v_WBcm) + length(V.w_WB) * island_body.body->radius();
-    if (speed > (island_body.fixed() ? 0 : rest_speed)) return false;
+    if (speed > (island_body.fixed() ? 0 : braked[i] ? rest_speed : left_over * rest_speed)) return false;
     pulled = pulled || (!island_body.fixed() && !island_body.step_body.acceleration.isZero(0));
   }
-  std::vector<contact::ContactConstraint> contact_points = constraints(graph);
   if (pulled && !(contact::unbalanced(step_bodies(graph), contact_points) <= balance_tolerance)) return false;
   for (std::size_t i = 0; i < graph.bodies().size(); ++i) graph.body(i).step_body.state.velocity = {};
   return true;

@@ -129,12 +129,13 @@ std::optional<RestingContact> body_on_face(const BodyMotion& body, const BodyMot
   const double N = -n.dot(gravity);
   const Vec3 g_t = gravity + N * n, slides = state.velocity.v_WBcm - V - n.dot(state.velocity.v_WBcm - V) * n;
   const double slope = length(g_t) > negligible * N ? length(g_t) : 0,
-               speed = length(slides) > rest_speed ? length(slides) : 0;
+               speed = length(slides) > (friction > 0 ? rest_speed : 0) ? length(slides) : 0;
   RestingContact rest;
   rest.nhat_W = n;
   if (speed > 0 || slope > friction * N) {
     const Vec3 along = speed > 0 ? Vec3(slides / speed) : Vec3(g_t / slope);
-    if (slope > 0 && length(along.cross(g_t)) > negligible * slope) return {};
+    const bool slip_turns = friction > 0 && slope > 0 && length(along.cross(g_t)) > negligible * slope;
+    if (slip_turns) return {};
     rest.acceleration = (slope > 0 ? g_t : Vec3(Vec3::Zero())) - friction * N * along;
     const double rate = (slope > 0 ? g_t.dot(along) : 0) - friction * N;
     if (speed > 0 && rate < 0) rest.until = t + speed / -rate;

@@ -56,7 +56,7 @@ std::optional<RestingContact> ball_on_face(const BodyMotion& ball, const BodyMot
 /// unless the normal speed and the turning speed of every corner are at most `rest_speed` (m/s), the contact force goes
 /// through the region, and the slip is along the slope, if there is one.
 ///
-///   lies:   a = 0, at slips below `rest_speed`, while |g_t| ≤ μ g_n
+///   lies:   a = 0, at slips below `rest_speed`, while |g_t| ≤ μ g_n; without friction at no slip at all
 ///   slides: a = g_t − μ g_n σ, until |v| + (g_t·σ − μ g_n) τ = 0, or the force point leaves the face
 /// The force a − g per mass acts through the centre of mass, since the body does not turn; the force point is where its
 /// line intersects the face. If that is outside of the region, the body tips and does not rest.

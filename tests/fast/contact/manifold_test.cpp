@@ -40,6 +40,18 @@ TEST_CASE("manifold: a cube on a plate stands on its four corners, points over t
   }
 }
 
+// Whichever of the two is named first: a plane of the cube's would tip with it.
+TEST_CASE("manifold: of two faces the one that the other's corners are on gives the planes") {
+  const Posed A(plate(), Vec3(0, 0, 2)), B(cube(), Vec3::Zero());
+  const std::vector<ContactPoint> points = contact_points(A.part(), B.part(), z, within);
+  CHECK(points.size() == 4);
+  for (const ContactPoint& point : points) {
+    CHECK(point.a.kind == Kind::plane);
+    CHECK((point.a.along + z).norm() < 1e-15);
+    CHECK(point.b.kind == Kind::point);
+  }
+}
+
 TEST_CASE("manifold: a cube over the plate's side stands on the common rectangle, beside it on nothing") {
   const Posed B(plate(), Vec3::Zero());
   check_places(Posed(cube(), Vec3(4, 0, 2)), B, {{3, -1, 1}, {3, 1, 1}, {4, -1, 1}, {4, 1, 1}});

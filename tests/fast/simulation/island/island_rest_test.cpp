@@ -15,13 +15,23 @@ TEST_CASE("island rest: an island sleeps if it is slow and contacts carry the we
     CHECK(graph.state(0).velocity.v_WBcm == (passes ? still : body.velocity.v_WBcm));
     return passes;
   };
-  CHECK(sleeps(ball(1, {0, 0, 1}, {0.25, 0, 0}, {}), g_W));
-  CHECK_FALSE(sleeps(ball(1, {0, 0, 1}, {0.75, 0, 0}, {}), g_W));
+  const Material rough{0, 0.5};
+  CHECK(sleeps(ball(1, {0, 0, 1}, {0.25, 0, 0}, rough), g_W));
+  CHECK_FALSE(sleeps(ball(1, {0, 0, 1}, {0.75, 0, 0}, rough), g_W));
   CHECK_FALSE(sleeps(ball(1, {0, 0, 9}, still, {}), g_W));
-  CHECK(sleeps(ball(1, {0, 0, 9}, {0.25, 0, 0}, {}), still));  // nothing to carry
+  CHECK(sleeps(ball(1, {0, 0, 9}, still, {}), still));  // nothing to carry
   // A block on a slope of 2 to 10 needs μ ≥ 0.2.
   CHECK(sleeps(brick({1, 1, 1}, {0, 0, 1}, {0, 0.21}), {2, 0, -10}));
   CHECK_FALSE(sleeps(brick({1, 1, 1}, {0, 0, 1}, {0, 0.19}), {2, 0, -10}));
+}
+
+// On ice it would lose momentum that nothing takes.
+TEST_CASE("island rest: what no friction brakes sleeps only without any speed") {
+  for (const double speed : {0.0, 0.25}) {
+    const IslandBodies bodies({ball(1, {0, 0, 1}, {speed, 0, 0}, {}), table()}, g_W);
+    ContactGraph graph = bodies.graph(near, reach);
+    CHECK(rest_test(graph, 0.5) == (speed == 0));
+  }
 }
 
 TEST_CASE("island rest: turning counts as fast as the farthest corner, and a moving support never sleeps") {

@@ -64,6 +64,10 @@ TEST_CASE("resting contact: a block lies, slides until it stops, or tips") {
   REQUIRE(lies.has_value());
   CHECK(lies->start.velocity.v_WBcm == still);
   CHECK(lies->acceleration == still);
+  const auto on_ice = rest({1, 1, 1}, {1e-4, 0, 0}, g_W, 0);
+  REQUIRE(on_ice.has_value());
+  CHECK(on_ice->start.velocity.v_WBcm == Vec3(1e-4, 0, 0));
+  CHECK(on_ice->acceleration == still);
   const auto slides = rest({1, 1, 1}, {3, 0, 0}, g_W, 0.5);
   REQUIRE(slides.has_value());
   CHECK(slides->acceleration.x() == Approx(-5));
