@@ -105,6 +105,18 @@ bool has(const std::vector<Choice>& choices, const std::string& what) {
   return std::ranges::any_of(choices, [&](const Choice& choice) { return choice.what == what; });
 }
 
+std::string reason(const std::vector<Choice>& choices, const std::string& what) {
+  return std::ranges::find(choices, what, &Choice::what)->why;
+}
+
+TEST_CASE("plan: counts the pairs") {
+  Scene scene;
+  for (int i = 0; i < 3; ++i) scene.bodies.emplace_back().shape = Sphere{1};
+  CHECK(reason(plan(scene).used, "all pairs").starts_with("3 pairs at most"));
+  for (int i = 3; i < 100; ++i) scene.bodies.emplace_back().shape = Sphere{1};
+  CHECK(reason(plan(scene).left_out, "all pairs").starts_with("4950 pairs would be compared"));
+}
+
 TEST_CASE("plan: says of each named scene what it needs") {
   struct Expected {
     std::string scene, strategy;
