@@ -75,29 +75,33 @@ const SimultaneousImpacts::Instant& SimultaneousImpacts::at(std::size_t event) {
   for (std::size_t k = now_.first; k < now_.end; ++k) {
     const auto known =
         std::ranges::find_if(contacts, [&](std::size_t c) { return same_contact(events[c], events[k]); });
-    now_.contact_of.push_back(known != contacts.end() ? *known : k);
-    if (known == contacts.end()) contacts.push_back(k);
+    const bool is_new = known == contacts.end();
+    now_.contact_of.push_back(is_new ? k : *known);
+    if (is_new) {
+      contacts.push_back(k);
+    } else {
+      now_.approaches[*known].resize(now_.end - now_.first, -1);
+    }
   }
   return now_;
 }
 
 /// Whether the contact of an impact approaches before an event at the same time that is not later.
 bool SimultaneousImpacts::approaches_before(std::size_t impact, std::size_t event) {
-  auto& known = now_.approaches[now_.contact_of[impact - now_.first]];
-  known.resize(now_.end - now_.first, -1);
-  signed char& answer = known[event - now_.first];
-  if (answer < 0) {
-    const Event& contact = (*asked_.said.events)[impact];
-    Scene pair;
-    pair.contact = Contact{contact.p_WC, contact.nhat_BA_W, Law::poisson, 0, 0};
-    for (const auto& [body, after] : {std::pair(contact.a, &contact.after_a), std::pair(contact.b, &contact.after_b)}) {
-      pair.bodies.push_back(asked_.scene.bodies[static_cast<std::size_t>(body)]);
-      pair.bodies.back().X_WB = after->X_WB;
-      pair.bodies.back().velocity = velocity_before(asked_, timeline_, body, event);
-    }
-    answer = region_approaches(pair, envelope(asked_.scene)) ? 1 : 0;
+  const auto known = now_.approaches.find(now_.contact_of[impact - now_.first]);
+  signed char* remembered = known == now_.approaches.end() ? nullptr : &known->second[event - now_.first];
+  if (remembered != nullptr && *remembered >= 0) return *remembered > 0;
+  const Event& contact = (*asked_.said.events)[impact];
+  Scene pair;
+  pair.contact = Contact{contact.p_WC, contact.nhat_BA_W, Law::poisson, 0, 0};
+  for (const auto& [body, after] : {std::pair(contact.a, &contact.after_a), std::pair(contact.b, &contact.after_b)}) {
+    pair.bodies.push_back(asked_.scene.bodies[static_cast<std::size_t>(body)]);
+    pair.bodies.back().X_WB = after->X_WB;
+    pair.bodies.back().velocity = velocity_before(asked_, timeline_, body, event);
   }
-  return answer > 0;
+  const bool answer = region_approaches(pair, envelope(asked_.scene));
+  if (remembered != nullptr) *remembered = answer ? 1 : 0;
+  return answer;
 }
 
 /// Is a body of the impact that moves held by a contact in the segment that ends with this event?

@@ -26,8 +26,9 @@ class SimultaneousImpacts {
   /// The events at one time are those from `first` on, before `end`.
   struct Instant {
     std::size_t first = 0, end = 0;
-    std::vector<std::size_t> contact_of;                         ///< of each event: the first one with the same contact
-    std::map<std::size_t, std::vector<signed char>> approaches;  ///< by contact, before each event; -1: not asked yet
+    std::vector<std::size_t> contact_of;  ///< of each event: the first one with the same contact
+    /// By contact, of those that several events have, before each event; -1: not asked yet.
+    std::map<std::size_t, std::vector<signed char>> approaches;
   };
 
   const Instant& at(std::size_t event);
