@@ -40,6 +40,9 @@ struct Interval {
   double lo = 0;
   double hi = 0;
 
+  /// For an interval of two neighbouring doubles this is one of them.
+  double middle() const { return lo + (hi - lo) / 2; }
+
   bool operator==(const Interval&) const = default;
 };
 

@@ -129,15 +129,14 @@ double energy(const Scene& scene, const std::vector<State>& states) {
   const auto& masses = oracle::truth::mass(scene);
   for (std::size_t i = 0; i < states.size(); ++i) {
     if (!masses[i]) continue;
-    const auto middle = [](const Interval& x) { return x.lo + (x.hi - x.lo) / 2; };
     const auto& m = *masses[i];
     Mat3 I;
-    const double xy = middle(m.I_BBcm_B[3]), xz = middle(m.I_BBcm_B[4]), yz = middle(m.I_BBcm_B[5]);
-    I << middle(m.I_BBcm_B[0]), xy, xz, xy, middle(m.I_BBcm_B[1]), yz, xz, yz, middle(m.I_BBcm_B[2]);
+    const double xy = m.I_BBcm_B[3].middle(), xz = m.I_BBcm_B[4].middle(), yz = m.I_BBcm_B[5].middle();
+    I << m.I_BBcm_B[0].middle(), xy, xz, xy, m.I_BBcm_B[1].middle(), yz, xz, yz, m.I_BBcm_B[2].middle();
     const Eigen::Quaterniond turn = oracle::rotation(states[i].X_WB.q_WB);
     const Vec3 w = turn.conjugate() * states[i].velocity.w_WB, v = states[i].velocity.v_WBcm;
-    const Vec3 p = turn * Vec3(middle(m.p_BBcm[0]), middle(m.p_BBcm[1]), middle(m.p_BBcm[2])) + states[i].X_WB.p_WB;
-    sum += middle(m.mass) * (v.squaredNorm() / 2 - scene.gravity.dot(p)) + w.dot(I * w) / 2;
+    const Vec3 p = turn * Vec3(m.p_BBcm[0].middle(), m.p_BBcm[1].middle(), m.p_BBcm[2].middle()) + states[i].X_WB.p_WB;
+    sum += m.mass.middle() * (v.squaredNorm() / 2 - scene.gravity.dot(p)) + w.dot(I * w) / 2;
   }
   return sum;
 }
@@ -149,14 +148,14 @@ bool is_central_ball(const Body& body) {
 
 /// Newton's rule, by which steps rebound, may add energy where friction acts out of line with the centre of mass.
 bool restitution_may_add_energy(const Scene& scene) {
-  const auto pair = [](const Body& a, const Body& b) {
+  const auto rebound_and_rub = [](const Body& a, const Body& b) {
     return std::min(a.material.restitution, b.material.restitution) > 0 &&
            std::min(a.material.friction, b.material.friction) > 0;
   };
   const auto off_centre = [](const Body& body) { return !is_fixed(body) && !is_central_ball(body); };
   for (const Body& a : scene.bodies) {
     for (const Body& b : scene.bodies) {
-      if (&a != &b && off_centre(a) && pair(a, b)) return true;
+      if (&a != &b && off_centre(a) && rebound_and_rub(a, b)) return true;
     }
   }
   return false;

@@ -13,8 +13,7 @@ using oracle::words::text;
 namespace judge = oracle::judge;
 
 std::string text_of(const std::array<Interval, 3>& v) {
-  const auto middle = [](const Interval& x) { return x.lo + (x.hi - x.lo) / 2; };
-  return text(Vec3(middle(v[0]), middle(v[1]), middle(v[2])));
+  return text(Vec3(v[0].middle(), v[1].middle(), v[2].middle()));
 }
 
 /// m/s: of the ball, the exact one of its centre or of its surface about it, whichever is greater.

@@ -289,14 +289,13 @@ std::vector<std::optional<MassTruth>> mass(const Scene& scene) {
 }
 
 MassProperties nearest(const MassTruth& truth) {
-  const auto middle = [](const Interval& i) { return i.lo + (i.hi - i.lo) / 2; };
   const auto& [xx, yy, zz, xy, xz, yz] = truth.I_BBcm_B;
   MassProperties m;
-  m.mass = middle(truth.mass);
-  m.p_BBcm = {middle(truth.p_BBcm[0]), middle(truth.p_BBcm[1]), middle(truth.p_BBcm[2])};
-  m.I_BBcm_B << middle(xx), middle(xy), middle(xz),  //
-      middle(xy), middle(yy), middle(yz),            //
-      middle(xz), middle(yz), middle(zz);
+  m.mass = truth.mass.middle();
+  m.p_BBcm = {truth.p_BBcm[0].middle(), truth.p_BBcm[1].middle(), truth.p_BBcm[2].middle()};
+  m.I_BBcm_B << xx.middle(), xy.middle(), xz.middle(),  //
+      xy.middle(), yy.middle(), yz.middle(),            //
+      xz.middle(), yz.middle(), zz.middle();
   return m;
 }
 

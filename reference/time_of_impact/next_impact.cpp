@@ -52,11 +52,10 @@ std::optional<double> time_outside(const Scene& pair, double envelope, double fr
 Body moved(const Scene& scene, std::size_t index, double time) {
   const BallisticTruth truth = ballistic_state(scene, index, time);
   if (!is_known(truth.R_WB)) throw MotionUnknown();
-  const auto middle = [](const Interval& i) { return i.lo + (i.hi - i.lo) / 2; };
-  const auto vec = [&](const std::array<Interval, 3>& v) { return Vec3(middle(v[0]), middle(v[1]), middle(v[2])); };
+  const auto vec = [](const std::array<Interval, 3>& v) { return Vec3(v[0].middle(), v[1].middle(), v[2].middle()); };
   const auto& q = truth.q_WB;
   Body body = scene.bodies[index];
-  body.X_WB = {vec(truth.p_WB), {middle(q[0]), middle(q[1]), middle(q[2]), middle(q[3])}};
+  body.X_WB = {vec(truth.p_WB), {q[0].middle(), q[1].middle(), q[2].middle(), q[3].middle()}};
   body.velocity = {vec(truth.v_WBcm), vec(truth.w_WB)};
   return body;
 }

@@ -15,18 +15,17 @@ namespace {
 using reference::ballistic_state;
 using reference::BallisticTruth;
 
-double middle(const Interval& i) { return i.lo + (i.hi - i.lo) / 2; }
 double width(const Interval& i) { return i.hi - i.lo; }
 
 Mat3 rotation(const BallisticTruth& truth) {
   Mat3 R;
   for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) R(i, j) = middle(truth.R_WB[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)]);
+    for (int j = 0; j < 3; ++j) R(i, j) = truth.R_WB[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)].middle();
   }
   return R;
 }
 
-Vec3 vec(const std::array<Interval, 3>& v) { return {middle(v[0]), middle(v[1]), middle(v[2])}; }
+Vec3 vec(const std::array<Interval, 3>& v) { return {v[0].middle(), v[1].middle(), v[2].middle()}; }
 
 double widest(const BallisticTruth& truth) {
   double most = 0;
@@ -190,7 +189,7 @@ void agrees_with_series(const Vec3& I, const Vec3& w, double time) {
   const BallisticTruth truth = ballistic_state(spinning(I.asDiagonal(), w, {1, 0, 0, 0}), 0, time);
   const Vec3 w_B = rotation(truth).transpose() * vec(truth.w_WB);
   CAPTURE(I.transpose(), w.transpose(), time);
-  for (std::size_t i = 0; i < 4; ++i) CHECK(std::abs(middle(truth.q_WB[i]) - static_cast<double>(y[i])) < 1e-13);
+  for (std::size_t i = 0; i < 4; ++i) CHECK(std::abs(truth.q_WB[i].middle() - static_cast<double>(y[i])) < 1e-13);
   for (std::size_t i = 0; i < 3; ++i) {
     CHECK(std::abs(w_B[static_cast<Eigen::Index>(i)] - static_cast<double>(y[4 + i])) < 1e-13 * w.norm());
   }

@@ -21,9 +21,6 @@
 namespace touchstone::oracle::subjects {
 namespace {
 
-/// For an interval of two neighbouring doubles this is one of them.
-double middle(const Interval& i) { return i.lo + (i.hi - i.lo) / 2; }
-
 /// A value that no double can represent is not reported, since any finite number would be a different value.
 const Abstains beyond_doubles{"the exact value is beyond the range of doubles"};
 
@@ -65,7 +62,7 @@ double error_of(const reference::ImpulseTruth& truth, const Vec3& P) {
   return truth.error == 0 ? rounding : std::nextafter(rounding + truth.error, INFINITY);
 }
 
-Vec3 middle(const std::array<Interval, 3>& v) { return {middle(v[0]), middle(v[1]), middle(v[2])}; }
+Vec3 middle(const std::array<Interval, 3>& v) { return {v[0].middle(), v[1].middle(), v[2].middle()}; }
 
 State state_of(const reference::BallTruth& truth, const Body& ball) {
   return {{middle(truth.p_WB), ball.X_WB.q_WB}, {middle(truth.v_WB), middle(truth.w_WB)}};
@@ -75,7 +72,7 @@ State state_of(const reference::BallTruth& truth, const Body& ball) {
 Event event_of(const reference::ConstraintTruth::Change& change, const Scene& scene, int ball) {
   const Body& other = scene.bodies[static_cast<std::size_t>(change.other)];
   Event event{change.kind,
-              middle(change.time),
+              change.time.middle(),
               ball,
               change.other,
               change.p_WC,
@@ -140,7 +137,7 @@ class Reference : public Subject {
     Distance said;
     said.verdict = truth.verdict;
     if (!std::isfinite(truth.distance.hi)) return beyond_doubles;
-    said.distance = middle(truth.distance);
+    said.distance = truth.distance.middle();
     said.enclosure = truth.distance;
     if (truth.verdict == Verdict::overlapping) return said;
     said.p_WCa = truth.p_WCa;
@@ -156,7 +153,7 @@ class Reference : public Subject {
     Penetration said;
     said.verdict = truth.verdict;
     if (!std::isfinite(truth.depth.hi)) return beyond_doubles;
-    said.depth = middle(truth.depth);
+    said.depth = truth.depth.middle();
     if (truth.verdict == Verdict::overlapping) said.nhat_BA_W = truth.nhat_BA_W;
     return said;
   }
@@ -190,7 +187,7 @@ class Reference : public Subject {
     const reference::TimeOfImpactTruth truth = reference::time_of_impact(scene);
     TimeOfImpact said;
     said.status = truth.status;
-    if (truth.status == TimeOfImpact::Status::hit) said.time = middle(truth.time);
+    if (truth.status == TimeOfImpact::Status::hit) said.time = truth.time.middle();
     if (truth.status != TimeOfImpact::Status::miss) said.enclosure = truth.time;
     if (truth.status == TimeOfImpact::Status::undecided && std::isfinite(truth.gap)) said.gap = truth.gap;
     return said;

@@ -11,9 +11,7 @@ namespace {
 
 using Rotation = Eigen::Quaternion<Real>;
 
-Real middle(const Interval& i) { return i.lo + (i.hi - i.lo) / 2; }
-
-Point middle(const std::array<Interval, 3>& v) { return {middle(v[0]), middle(v[1]), middle(v[2])}; }
+Point middle(const std::array<Interval, 3>& v) { return {v[0].middle(), v[1].middle(), v[2].middle()}; }
 
 class Turning {
  public:
@@ -30,7 +28,7 @@ class Turning {
   /// The impulse of a change acts at C, a radius away along −n̂.
   void until(const reference::ConstraintTruth::Change& change, Real radius) {
     const Point after = middle(change.after.w_WB), arm = -radius * change.nhat_W.cast<Real>();
-    until(middle(change.time), after - ball_.spin(arm.cross(change.P_W.cast<Real>())));
+    until(change.time.middle(), after - ball_.spin(arm.cross(change.P_W.cast<Real>())));
     w_ = after;
   }
 
@@ -63,7 +61,7 @@ std::vector<Quaternion> orientations(const reference::ConstraintTruth& truth, co
   auto change = truth.changes.begin();
   for (std::size_t i = 0; i < truth.states.size(); ++i) {
     const double sample = scene.motion->sample_times[i];
-    for (; change != truth.changes.end() && middle(change->time) <= sample; ++change) {
+    for (; change != truth.changes.end() && change->time.middle() <= sample; ++change) {
       turning.until(*change, std::get<Sphere>(body.shape).radius);
     }
     turning.until(sample, middle(truth.states[i].w_WB));
