@@ -12,10 +12,10 @@ namespace {
 
 constexpr double faces_oppose = 0.9;            // cos 25°
 constexpr double is_face_normal = 1 - 0x1p-20;  // a normal from two points 2⁻³⁰ apart has an error of at most 2⁻²²
-// A normal stays while the overlap along it is at most so many times the least one. Of two bodies that are turning
-// about an edge it would soon say that they are deep in each other.
-constexpr double stays = 2;
 constexpr double gives_direction = 0x1p10;  // roundings: nearer points have a direction that is off by more than 2⁻¹⁰
+// A normal is kept while the overlap along it is at most so many times the least one. When a body turns about an edge,
+// its first normal would soon say that the two are deep in each other.
+constexpr double kept_up_to = 2;
 
 /// Corners of B's face within A's, projected along n, each with its gap to the plane of A's face.
 std::vector<GapPoint> common_corners(const std::vector<Vec3>& face_A, const Vec3& normal_A,
@@ -48,10 +48,10 @@ Vec3 gap_normal(const Part& A, const Part& B, const lin_canny::Proximity& near, 
   const bool touch_at_a_ball = near.verdict == Verdict::touching && (A.is_ball() || B.is_ball());
   const bool is_apart = near.verdict == Verdict::separated || touch_at_a_ball;
   if (is_apart && size > gives_direction * rounding) return way / size;
-  // Needed for bodies that touch when the motion begins: a separating plane is among these.
+  // Of bodies that touch when the motion begins, a separating plane is among these.
   const Vec3 widest =
       lin_canny::widest_parting_normal(A.core, B.core, [&](const Vec3& n) { return gap_along(A, B, n); });
-  return before && !is_apart && gap_along(A, B, *before) >= stays * gap_along(A, B, widest) ? *before : widest;
+  return before && !is_apart && gap_along(A, B, *before) >= kept_up_to * gap_along(A, B, widest) ? *before : widest;
 }
 
 }  // namespace

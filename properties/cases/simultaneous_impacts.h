@@ -1,6 +1,7 @@
 // Which impacts of a trajectory that are at one time act together.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <map>
 #include <vector>
@@ -41,7 +42,7 @@ class SimultaneousImpacts {
 };
 
 /// For answers with events, passes on each impact of bodies in ballistic motion: judge_it(const TrajectoryCase&, const
-/// Event&, the segments that it ends, SimultaneousImpacts&).
+/// Event&, the segments that it ends, whether another impact acts together with it).
 template <class JudgeIt>
 oracle::Finding of_impacts(const Scene& scene, oracle::Subject& subject, JudgeIt&& judge_it) {
   return of_timeline(scene, subject, [&](const TrajectoryCase& asked, const Timeline& timeline) {
@@ -52,7 +53,7 @@ oracle::Finding of_impacts(const Scene& scene, oracle::Subject& subject, JudgeIt
       if (event.kind != Event::Kind::impact) continue;
       const std::vector<Segment> segments = segments_into(timeline, asked.said, e);
       if (!std::ranges::all_of(segments, &Segment::ballistic)) continue;
-      if (worse(worst, judge_it(asked, event, segments, simultaneous))) break;
+      if (worse(worst, judge_it(asked, event, segments, simultaneous.act_together_with(event)))) break;
     }
     return worst;
   });

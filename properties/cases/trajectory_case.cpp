@@ -2,20 +2,14 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
-#include <limits>
-#include <optional>
 #include <tuple>
 #include <utility>
 
-#include "model/limits.h"
 #include "oracle/judge/words.h"
 #include "oracle/tolerance/motion.h"
 #include "oracle/tolerance/precision.h"
 #include "oracle/tolerance/tolerance.h"
-#include "oracle/truth/impact.h"
 #include "oracle/truth/motion_in_doubles.h"
-#include "oracle/truth/world_points.h"
 #include "properties/cases/time_of_impact_case.h"
 
 namespace touchstone::properties {

@@ -1,7 +1,6 @@
 // The preconditions of the simulation properties: a scene with a motion, and an answer of the right form.
 #pragma once
 
-#include <algorithm>
 #include <string>
 #include <vector>
 

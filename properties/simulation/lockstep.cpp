@@ -47,17 +47,17 @@ Finding in_enclosure(const MotionCase& pair, double eps, const Event& event) {
 
 Finding lockstep(const Scene& scene, Subject& subject) {
   long impacts = 0;
-  Finding worst = of_impacts(scene, subject,
-                             [&](const TrajectoryCase& asked, const Event& event, const std::vector<Segment>& segments,
-                                 SimultaneousImpacts& simultaneous) {
-                               if (simultaneous.act_together_with(event)) return judge::outside(together_with_others);
-                               const Scene ballistic_scene = segment_scene(scene, segments, asked.end);
-                               const std::optional<MotionCase> pair = motion_case(ballistic_scene, asked.precision);
-                               if (!pair) return judge::outside("a pair overlaps where its segments begin");
-                               if (!pair->sure()) return judge::outside(too_far_to_decide);
-                               ++impacts;
-                               return in_enclosure(*pair, envelope(scene), event);
-                             });
+  Finding worst = of_impacts(
+      scene, subject,
+      [&](const TrajectoryCase& asked, const Event& event, const std::vector<Segment>& segments, bool together) {
+        if (together) return judge::outside(together_with_others);
+        const Scene ballistic_scene = segment_scene(scene, segments, asked.end);
+        const std::optional<MotionCase> pair = motion_case(ballistic_scene, asked.precision);
+        if (!pair) return judge::outside("a pair overlaps where its segments begin");
+        if (!pair->sure()) return judge::outside(too_far_to_decide);
+        ++impacts;
+        return in_enclosure(*pair, envelope(scene), event);
+      });
   worst.impacts = impacts;
   return worst;
 }

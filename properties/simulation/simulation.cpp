@@ -351,9 +351,8 @@ std::optional<double> effect_of_gaps(const ImpactCase& impact, const LawfulImpac
 Finding impulses(const Scene& scene, Subject& subject) {
   return of_impacts(
       scene, subject,
-      [&](const TrajectoryCase& asked, const Event& event, const std::vector<Segment>& segments,
-          SimultaneousImpacts& simultaneous) {
-        if (simultaneous.act_together_with(event)) return judge::outside(together_with_others);
+      [&](const TrajectoryCase& asked, const Event& event, const std::vector<Segment>& segments, bool together) {
+        if (together) return judge::outside(together_with_others);
         const Scene pair = segment_scene(scene, segments, event.time);
         if (!is_decisive(pair, tolerance::moving_distance(pair, event.time, asked.precision))) {
           return judge::outside(too_far_to_decide);

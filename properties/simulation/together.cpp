@@ -151,27 +151,25 @@ Finding reflected(const Scene& scene, Subject& subject) {
 }
 
 Finding pushes(const Scene& scene, Subject& subject) {
-  return of_impacts(scene, subject,
-                    [](const TrajectoryCase& asked, const Event& event, const std::vector<Segment>& segments,
-                       SimultaneousImpacts& simultaneous) {
-                      if (!simultaneous.act_together_with(event))
-                        return judge::outside("no other impact acts together with it");
-                      const double mu = std::min(asked.scene.bodies[segments[0].body].material.friction,
-                                                 asked.scene.bodies[segments[1].body].material.friction);
-                      const double P = event.P_A_W.norm(), P_n = event.P_A_W.dot(event.nhat_BA_W);
-                      const double across = (event.P_A_W - P_n * event.nhat_BA_W).norm();
-                      const double unit = oracle::unit_roundoff(asked.precision) * P;
-                      if (P == 0 || !std::isfinite(mu)) return judge::outside("no impulse, or unlimited friction");
-                      const auto at_most = [&](double beyond, double factor, Defect defect, const std::string& law) {
-                        return judge::at_most(
-                            std::max(0.0, beyond),
-                            {tolerance::cone(P, factor, asked.precision), unit, "ulps of the impulse", 0, P}, defect,
-                            [&] { return text(event) + ": P = " + words::text(event.P_A_W); }, [&] { return law; });
-                      };
-                      const Finding pulls = at_most(-P_n, 0, Defect::pulls, "P·n ≥ 0");
-                      if (pulls.outcome == oracle::Outcome::fails) return pulls;
-                      return at_most(across - mu * P_n, mu, Defect::beyond_cone, "|P_t| ≤ mu P·n");
-                    });
+  return of_impacts(
+      scene, subject,
+      [](const TrajectoryCase& asked, const Event& event, const std::vector<Segment>& segments, bool together) {
+        if (!together) return judge::outside("no other impact acts together with it");
+        const double mu = std::min(asked.scene.bodies[segments[0].body].material.friction,
+                                   asked.scene.bodies[segments[1].body].material.friction);
+        const double P = event.P_A_W.norm(), P_n = event.P_A_W.dot(event.nhat_BA_W);
+        const double across = (event.P_A_W - P_n * event.nhat_BA_W).norm();
+        const double unit = oracle::unit_roundoff(asked.precision) * P;
+        if (P == 0 || !std::isfinite(mu)) return judge::outside("no impulse, or unlimited friction");
+        const auto at_most = [&](double beyond, double factor, Defect defect, const std::string& law) {
+          return judge::at_most(
+              std::max(0.0, beyond), {tolerance::cone(P, factor, asked.precision), unit, "ulps of the impulse", 0, P},
+              defect, [&] { return text(event) + ": P = " + words::text(event.P_A_W); }, [&] { return law; });
+        };
+        const Finding pulls = at_most(-P_n, 0, Defect::pulls, "P·n ≥ 0");
+        if (pulls.outcome == oracle::Outcome::fails) return pulls;
+        return at_most(across - mu * P_n, mu, Defect::beyond_cone, "|P_t| ≤ mu P·n");
+      });
 }
 
 }  // namespace
