@@ -82,5 +82,16 @@ TEST_CASE("simultaneous impacts: of a row that comes to rest, those that were ap
   CHECK(all == std::vector<bool>{true, true, false, true, false, true, false, true});
 }
 
+TEST_CASE("simultaneous impacts: what contacts that come again did at a later event is not mixed up with the first") {
+  // The impact of balls 3 and 4 comes first and touches none of the others.
+  const Scene scene = row({0, 2, 4, 10, 12}, {1, 0, -1, 1, 0});
+  std::vector<Event> events = {impact(scene, 3, 0, 1), impact(scene, 0, 0.25, 0.75), impact(scene, 1, -0.5, 0.25)};
+  for (int round = 0; round < 2; ++round) {
+    events.push_back(impact(scene, 0, 0, -0.25));
+    events.push_back(impact(scene, 1, 0, 0.25));
+  }
+  CHECK(together(scene, events) == std::vector<bool>{false, true, true, false, true, false, true});
+}
+
 }  // namespace
 }  // namespace touchstone::properties
