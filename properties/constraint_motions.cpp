@@ -42,9 +42,9 @@ struct Shared {
 };
 
 constexpr Shared shared[] = {
-    {"alone", "14"},         {"slides", "15"},    {"turns", "15"},   {"carried", "16"},
-    {"rests", "17"},         {"supported", "17"}, {"bounces", "18"}, {"angular_momentum", "19"},
-    {"level_momentum", "20"}};
+    {"alone", "14"},          {"slides", "15"},      {"turns", "15"},   {"carried", "16"},
+    {"rests", "17"},          {"supported", "17"},   {"bounces", "18"}, {"angular_momentum", "19"},
+    {"level_momentum", "20"}, {"face_impulse", "21"}};
 
 Property in_steps(Property law, const Shared& as) {
   law.id = std::string("constraint.") + as.law;
@@ -63,7 +63,7 @@ Property in_steps(Property law, const Shared& as) {
 std::vector<Property> constraint_motion_properties() {
   std::vector<Property> of_simulation;
   for (const auto& part : {simulation_law_properties, simulation_scene_properties, simulation_face_properties,
-                           simulation_carrier_properties}) {
+                           simulation_carrier_properties, simulation_face_impulse_properties}) {
     std::ranges::move(part(), std::back_inserter(of_simulation));
   }
   std::vector<Property> properties;

@@ -49,6 +49,8 @@ std::vector<Property> join() {
                             simulation_same_run_properties,
                             simulation_exact_ball_properties,
                             simulation_impulse_properties,
+                            simulation_lasting_contact_properties,
+                            simulation_face_impulse_properties,
                             constraint_properties,
                             constraint_motion_properties,
                             work_properties}) {

@@ -103,17 +103,53 @@ ContactRow row_of(const ContactConstraint& constraint, const Nearness& before, c
   return row;
 }
 
-/// For each contact that pressed, in turn: removes its normal velocity, and its tangential velocity if it stuck. Uses
-/// the largest eigenvalue of K_tt, so the tangential impulse is under-corrected and never adds energy.
+/// How much an impulse P changes u.
+Vec3 response(const ContactRow& row, const Vec3& P, const std::vector<Mobility>& mobilities) {
+  const Mobility &A = mobilities[index(row.a)], &B = mobilities[index(row.b)];
+  return (A.inverse_mass + B.inverse_mass) * P + (A.inverse_inertia * row.arm_A.cross(P)).cross(row.arm_A) +
+         (B.inverse_inertia * row.arm_B.cross(P)).cross(row.arm_B);
+}
+
+/// Removes the normal velocity of a contact that slips, by an impulse with friction: that of the step belongs to the
+/// step's normal impulse alone. Less normal impulse means less friction, so this may add energy, but no more than is
+/// left of `work` (J), which friction took in the step; otherwise the impulse is along the normal.
+void project_slip(const ContactRow& row, const Vec3& friction_per_normal, double& work,
+                  const std::vector<Mobility>& mobilities, std::vector<Twist>& twists) {
+  const Vec3 u = relative_velocity(row, twists), along = row.n + friction_per_normal;
+  const Vec3 change = response(row, along, mobilities);
+  const double u_n = row.n.dot(u), impulse = -u_n / row.n.dot(change);
+  const double added = impulse * along.dot(u + impulse / 2 * change);
+  if (!friction_per_normal.isZero(0) && row.n.dot(change) > row.K_nn / 4 && added <= work) {
+    work -= std::max(0.0, added);
+    apply_impulse(row, impulse * along, mobilities, twists);
+  } else {
+    apply_impulse(row, -u_n / row.K_nn * row.n, mobilities, twists);
+  }
+}
+
+/// For each contact that pressed, in turn: removes its normal velocity, and its tangential velocity if it stuck. That
+/// uses the largest eigenvalue of K_tt, so the tangential impulse is under-corrected and never adds energy.
 void project_velocities(const std::vector<ContactRow>& at_end, const std::vector<ContactRow>& in_step,
-                        const std::vector<Mobility>& mobilities, std::vector<Twist>& twists) {
+                        const std::vector<Twist>& mean, const std::vector<Mobility>& mobilities,
+                        std::vector<Twist>& twists) {
+  std::vector<Vec3> friction_per_normal;
+  std::vector<double> work;
+  for (const ContactRow& row : in_step) {
+    const double P_n = row.n.dot(row.P);
+    const Vec3 P_t = row.P - P_n * row.n;
+    friction_per_normal.push_back(P_n > 0 ? Vec3(P_t / P_n) : Vec3::Zero());
+    work.push_back(-2 * P_t.dot(relative_velocity(row, mean)));
+  }
   for (int sweep = 0; sweep < projection_sweeps; ++sweep) {
     for (std::size_t i = 0; i < at_end.size(); ++i) {
       const ContactRow& row = at_end[i];
       if (!(in_step[i].n.dot(in_step[i].P) > 0)) continue;
+      if (!sticks(in_step[i])) {
+        project_slip(row, friction_per_normal[i], work[i], mobilities, twists);
+        continue;
+      }
       const double u_n = row.n.dot(relative_velocity(row, twists));
       apply_impulse(row, -u_n / row.K_nn * row.n, mobilities, twists);
-      if (!sticks(in_step[i])) continue;
       const Vec3 u = relative_velocity(row, twists);
       apply_impulse(row, -(u - row.n.dot(u) * row.n) / row.K_tt, mobilities, twists);
     }
@@ -237,7 +273,7 @@ Stepped step(const std::vector<StepBody>& step_bodies, std::vector<ContactConstr
     constraints[i].contact_point.h = h;
   }
   mobilities = mobilities_of(moved);
-  project_velocities(rows_at(moved, constraints, mobilities), rows, mobilities, twists);
+  project_velocities(rows_at(moved, constraints, mobilities), rows, mean, mobilities, twists);
   Stepped stepped;
   stepped.residual = residual_of_step(constraints, bodies, before, least_u_n, rows, mean, h);
   for (std::size_t i = 0; i < bodies.size(); ++i) {

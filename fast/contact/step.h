@@ -52,7 +52,10 @@ struct Stepped {
 /// how far, in m, a point still slips or gaps when it should not. It is not 0, since iterations stop.
 ///
 /// Afterwards the remaining relative velocity at contacts that press (its tangential part only where they stick) is
-/// removed from the velocities by projections. These only take energy, of second order in h.
+/// removed from the velocities by projections, of second order in h. Where a contact slips the impulse of the
+/// projection has the direction of the step's, so that friction stays μ times all of the normal impulse: without that
+/// the error of a body that slides while it turns would be of first order. A projection adds no more energy than
+/// friction at that contact took in the step.
 ///
 /// The contact constraints keep their forces as the next initial guess. Error: of second order in h.
 Stepped step(const std::vector<StepBody>& step_bodies, std::vector<ContactConstraint>& constraints, double h,

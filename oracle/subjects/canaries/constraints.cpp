@@ -108,6 +108,12 @@ std::vector<Canary> canaries_about_constraints() {
       lying(
           "canary.frictionless_table", "lets balls slide for ever",
           [] { return as_if([](Scene& scene) { each_body(scene, true, [](Body& b) { b.material.friction = 0; }); }); }),
+      lying("canary.rubber", "doubles all friction",
+            [] {
+              return as_if([](Scene& scene) {
+                for (Body& body : scene.bodies) body.material.friction *= 2;
+              });
+            }),
       lying("canary.no_bounce", "takes 0 for every e",
             [] {
               return as_if([](Scene& scene) { each_body(scene, false, [](Body& b) { b.material.restitution = 0; }); });

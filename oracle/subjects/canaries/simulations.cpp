@@ -272,6 +272,14 @@ void slippery(Subject& truthful, const Scene& scene, Trajectory& said) {
   said.events.reset();
 }
 
+// Twice the friction. Without events, the law of single impacts does not show it.
+void grips(Subject& truthful, const Scene& scene, Trajectory& said) {
+  Scene other = scene;
+  for (Body& body : other.bodies) body.material.friction *= 2;
+  with(truthful.simulation(other), [&](const Trajectory& answer) { said = answer; });
+  said.events.reset();
+}
+
 // A body that starts at rest in contact stays there, wherever its centre of mass is.
 void clings(Subject& truthful, const Scene& scene, Trajectory& said) {
   std::vector<State> stays;
@@ -487,6 +495,7 @@ std::vector<Canary> canaries_about_simulations() {
       lying("canary.starts_anew", "takes a state at a later time for one at time 0",
             [] { return as_if([](Scene& scene) { scene.motion->start_times.clear(); }); }),
       lying("canary.slippery", "halves all friction, and reports no events", [] { return runs(slippery); }),
+      lying("canary.grips", "doubles all friction, and reports no events", [] { return runs(grips); }),
       lying("canary.clings", "keeps a body that starts in contact where it is, whatever it is on",
             [] { return runs(clings); }),
       lying("canary.one_corner", "lets the first corner that touches take an impact alone",

@@ -1,0 +1,100 @@
+// The clause of docs/spec/simulation.md about bodies under a contact that lasts: something touches them.
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "model/limits.h"
+#include "oracle/judge/words.h"
+#include "oracle/tolerance/motion.h"
+#include "oracle/tolerance/tolerance.h"
+#include "oracle/truth/truth.h"
+#include "properties/cases/trajectory_case.h"
+#include "properties/queries.h"
+
+namespace touchstone::properties {
+namespace {
+
+using oracle::Defect;
+using oracle::Finding;
+using oracle::Subject;
+namespace judge = oracle::judge;
+namespace tolerance = oracle::tolerance;
+
+/// 1: of a body's radius: how far it may leave another within one step in which contacts are solved. It starts at rest
+/// relative to the other, so its way is a h²/2, where a is at most that of gravity and of its rotation. If h is at most
+/// 1/256 of the time in which such an acceleration moves the body by its radius, or a rotation turns it by a radian,
+/// that is 2⁻¹⁷ of the radius for each of the two: a choice.
+constexpr double opens_in_a_step = 0x1p-16;
+
+/// Is the body, at this time, strictly between two events of which the first reports a contact that lasts?
+bool is_held(const std::vector<Segment>& segments, double time) {
+  return std::ranges::any_of(segments, [time](const Segment& segment) {
+    return !segment.ballistic && segment.from < time && time < segment.until;
+  });
+}
+
+/// The bodies i and k where a sample shows them.
+Scene pair_in(const Scene& scene, const std::vector<State>& states, std::size_t i, std::size_t k) {
+  Scene pair;
+  for (const std::size_t body : {i, k}) {
+    pair.bodies.push_back(scene.bodies[body]);
+    pair.bodies.back().X_WB = states[body].X_WB;
+  }
+  return pair;
+}
+
+/// m: how far two bodies of which at least one moves may be apart although a contact between them lasts.
+double gap_of_contact(const TrajectoryCase& asked, const Scene& pair) {
+  double gap = 2 * envelope(asked.scene) + tolerance::distance(pair, asked.precision);
+  if (asked.stepping) gap += tolerance::way_of_step(asked.scene, asked.stepping->step);
+  if (!asked.said.contact_solver) return gap;
+  for (const Body& body : pair.bodies) gap += is_fixed(body) ? 0 : opens_in_a_step * tolerance::radius(body);
+  return gap;
+}
+
+/// Does the body, in one sample, touch another, or how far (m) is it from the nearest beyond what is allowed?
+Finding touches_another(const TrajectoryCase& asked, std::size_t sample, std::size_t body) {
+  const std::vector<State>& states = asked.said.states[sample];
+  Finding least = judge::outside("no other body");
+  for (std::size_t other = 0; other < states.size(); ++other) {
+    if (other == body) continue;
+    const Scene pair = pair_in(asked.scene, states, body, other);
+    const Interval apart = oracle::truth::distance(pair).distance;
+    const double allowed = gap_of_contact(asked, pair) + asked.distances.of(apart.lo);
+    Finding finding = judge::at_most(
+        apart.lo, in_ulps_of_place(asked, allowed), Defect::phantom,
+        [&] {
+          return "body " + std::to_string(body) + " is under a contact at " + oracle::words::text(asked.time(sample)) +
+                 " s, and body " + std::to_string(other) + " is " + oracle::words::text(apart.lo) + " m away";
+        },
+        [] { return std::string("a body that touches it"); });
+    if (finding.outcome == oracle::Outcome::holds) return finding;
+    if (least.outcome == oracle::Outcome::outside || finding.error < least.error) least = std::move(finding);
+  }
+  return least;
+}
+
+Finding touches(const Scene& scene, Subject& subject) {
+  return of_timeline(scene, subject, [&](const TrajectoryCase& asked, const Timeline& timeline) {
+    Finding worst = judge::outside("no sample of a body under a contact that lasts");
+    for (std::size_t sample = 0; sample < asked.samples(); ++sample) {
+      for (std::size_t body = 0; body < scene.bodies.size(); ++body) {
+        if (asked.is_fixed(body) || !is_held(timeline[body], asked.time(sample))) continue;
+        if (worse(worst, touches_another(asked, sample, body))) return worst;
+      }
+    }
+    return worst;
+  });
+}
+
+}  // namespace
+
+std::vector<Property> simulation_lasting_contact_properties() {
+  return {{"simulation.touches",
+           "simulation",
+           {"TS-SIMULATION-42"},
+           "a body under a contact that lasts touches another in each sample",
+           touches}};
+}
+
+}  // namespace touchstone::properties
