@@ -129,9 +129,6 @@ bool is_beside(const Vec3& corner, const Outline& other, const Vec3& n, double w
 std::vector<ContactPoint> points_without_face(const Part& A, const Outline& of_A, const Part& B, const Outline& of_B,
                                               const Vec3& n, double within) {
   const std::size_t a = of_A.corners.size(), b = of_B.corners.size();
-  if (A.is_ball() || B.is_ball()) {
-    return {{a == 2 ? line(A, of_A) : point(A, of_A.corners[0]), b == 2 ? line(B, of_B) : point(B, of_B.corners[0])}};
-  }
   if (a == 2 && b == 2) {
     const Vec3 d = (of_A.corners[1] - of_A.corners[0]).normalized();
     if (d.cross((of_B.corners[1] - of_B.corners[0]).normalized()).norm() > is_parallel) {
@@ -142,8 +139,11 @@ std::vector<ContactPoint> points_without_face(const Part& A, const Outline& of_A
     for (const Vec3& p : common_of_edges(of_A, of_B)) made.push_back({point(A, p), plane(B, of_B.corners[0], n)});
     return made;
   }
-  // A corner at a corner or an edge: the plane perpendicular to n separates them.
   if (is_beside(a == 1 ? of_A.corners[0] : of_B.corners[0], a == 1 ? of_B : of_A, n, within)) return {};
+  if (A.is_ball() || B.is_ball()) {
+    return {{a == 2 ? line(A, of_A) : point(A, of_A.corners[0]), b == 2 ? line(B, of_B) : point(B, of_B.corners[0])}};
+  }
+  // A corner at a corner or an edge: the plane perpendicular to n separates them.
   if (a == 1) return {{point(A, of_A.corners[0]), plane(B, of_B.corners[0], n)}};
   return {{plane(A, of_A.corners[0], -n), point(B, of_B.corners[0])}};
 }

@@ -108,6 +108,9 @@ bool is_round(const Scene& scene, std::size_t body) {
   return std::holds_alternative<Sphere>(scene.bodies[body].shape) && facts.p_BcmC_W.isZero(0);
 }
 
+/// rad: how far a contact's normal may be off in a subject with steps, whose collision detection finds it: a choice.
+constexpr Real normal_in_steps = 0x1p-20L;
+
 /// m/s: what a step adds or leaves out at either end of the time between two samples, and its rounding.
 double of_steps(const TrajectoryCase& asked, Real g, Real fastest, double time) {
   if (!asked.stepping) return 0;
@@ -141,8 +144,9 @@ Finding judged(const TrajectoryCase& asked, const Span& span, std::size_t index,
   const double u = oracle::unit_roundoff(asked.precision);
   const auto speeds = static_cast<double>(body.fastest + g.norm() * seconds);
   const auto bounce = std::sqrt(2 * static_cast<double>(g.norm()) * envelope(scene));
-  const double each =
-      8 * (1 + events) * bounce + (64 + 8 * events) * u * speeds + of_steps(asked, g.norm(), body.fastest, span.until);
+  const Real tilted = asked.stepping ? normal_in_steps * P.norm() : 0;
+  const double each = static_cast<double>(tilted) + 8 * (1 + events) * bounce + (64 + 8 * events) * u * speeds +
+                      of_steps(asked, g.norm(), body.fastest, span.until);
   const auto friction = static_cast<double>(mu);
   const judge::Allowance allowed{(1 + friction) * each, u * std::max(speeds, 0x1p-900), "ulps of the speeds", 0,
                                  speeds};

@@ -21,10 +21,10 @@ namespace judge = oracle::judge;
 namespace tolerance = oracle::tolerance;
 
 /// 1: of a body's radius: how far it may leave another within one step in which contacts are solved. It starts at rest
-/// relative to the other, so its way is a h²/2, where a is at most that of gravity and of its rotation. If h is at most
-/// 1/256 of the time in which such an acceleration moves the body by its radius, or a rotation turns it by a radian,
-/// that is 2⁻¹⁷ of the radius for each of the two: a choice.
-constexpr double opens_in_a_step = 0x1p-16;
+/// relative to the other, so its way is a h²/2, where a is its acceleration without the contact. If h is at most 1/32
+/// of the time in which such an acceleration moves the body by its radius, or a rotation turns it by a radian, that is
+/// 2⁻¹¹ of the radius for each of the two: a choice.
+constexpr double opens_in_a_step = 0x1p-10;
 
 /// Is the body, at this time, strictly between two events of which the first reports a contact that lasts?
 bool is_held(const std::vector<Segment>& segments, double time) {
@@ -52,7 +52,7 @@ double gap_of_contact(const TrajectoryCase& asked, const Scene& pair) {
   return gap;
 }
 
-/// Does the body, in one sample, touch another, or how far (m) is it from the nearest beyond what is allowed?
+/// Does the body, in one sample, touch another? The finding is about the nearest.
 Finding touches_another(const TrajectoryCase& asked, std::size_t sample, std::size_t body) {
   const std::vector<State>& states = asked.said.states[sample];
   Finding least = judge::outside("no other body");
@@ -68,20 +68,37 @@ Finding touches_another(const TrajectoryCase& asked, std::size_t sample, std::si
                  " s, and body " + std::to_string(other) + " is " + oracle::words::text(apart.lo) + " m away";
         },
         [] { return std::string("a body that touches it"); });
-    if (finding.outcome == oracle::Outcome::holds) return finding;
+    if (!(apart.lo > envelope(asked.scene))) return finding;
     if (least.outcome == oracle::Outcome::outside || finding.error < least.error) least = std::move(finding);
   }
   return least;
 }
 
+/// Do the two bodies of a release touch until then?
+Finding touches_at_release(const TrajectoryCase& asked, const Event& event) {
+  Scene pair;
+  for (const int body : {event.a, event.b}) pair.bodies.push_back(asked.scene.bodies[static_cast<std::size_t>(body)]);
+  pair.bodies[0].X_WB = event.after_a.X_WB;
+  pair.bodies[1].X_WB = event.after_b.X_WB;
+  const Interval apart = oracle::truth::distance(pair).distance;
+  return judge::at_most(
+      apart.lo, in_ulps_of_place(asked, gap_of_contact(asked, pair) + asked.distances.of(apart.lo)), Defect::phantom,
+      [&] { return text(event) + ", " + oracle::words::text(apart.lo) + " m apart"; },
+      [] { return std::string("two bodies that touch until then"); });
+}
+
 Finding touches(const Scene& scene, Subject& subject) {
   return of_timeline(scene, subject, [&](const TrajectoryCase& asked, const Timeline& timeline) {
-    Finding worst = judge::outside("no sample of a body under a contact that lasts");
+    Finding worst = judge::outside("no sample of a body under a contact that lasts, and no release");
     for (std::size_t sample = 0; sample < asked.samples(); ++sample) {
       for (std::size_t body = 0; body < scene.bodies.size(); ++body) {
         if (asked.is_fixed(body) || !is_held(timeline[body], asked.time(sample))) continue;
         if (worse(worst, touches_another(asked, sample, body))) return worst;
       }
+    }
+    for (std::size_t e = 0; e < asked.events(); ++e) {
+      const Event& event = (*asked.said.events)[e];
+      if (event.kind == Event::Kind::release && worse(worst, touches_at_release(asked, event))) break;
     }
     return worst;
   });
@@ -93,7 +110,7 @@ std::vector<Property> simulation_lasting_contact_properties() {
   return {{"simulation.touches",
            "simulation",
            {"TS-SIMULATION-42"},
-           "a body under a contact that lasts touches another in each sample",
+           "a body under a contact that lasts touches another in each sample, and at its release",
            touches}};
 }
 

@@ -138,6 +138,12 @@ ImpactCandidate candidate_at(const ContactPair& contact_pair, const contact::Con
   return {contact_pair.a, contact_pair.b, touch, normal_velocity(*A.body, A.state(), *B.body, B.state(), touch)};
 }
 
+double distance(const ContactPair& contact_pair, const IslandBody& body_a, const State& at_a, const IslandBody& body_b,
+                const State& at_b) {
+  const contact::Part A = part_of(body_a, contact_pair.part_a, at_a), B = part_of(body_b, contact_pair.part_b, at_b);
+  return proximity_of(A, at_a, B, at_b).distance;
+}
+
 std::vector<double> clearances(const ContactPair& contact_pair, const IslandBody& body_a, const State& at_a,
                                const IslandBody& body_b, const State& at_b, double near) {
   const contact::Part A = part_of(body_a, contact_pair.part_a, at_a), B = part_of(body_b, contact_pair.part_b, at_b);

@@ -58,6 +58,10 @@ void choose_normal_of_approach(ContactPair& contact_pair, const IslandBody& A, c
 ImpactCandidate candidate_at(const ContactPair& contact_pair, const contact::ContactPoint& contact_point,
                              const IslandBody& A, const IslandBody& B);
 
+/// How far the two parts are apart (m), 0 if they overlap, with A and B in the given states.
+double distance(const ContactPair& contact_pair, const IslandBody& A, const State& at_a, const IslandBody& B,
+                const State& at_b);
+
 /// The separations of all vertices of both parts along the pair's normal (m), with A and B in the given states.
 std::vector<double> clearances(const ContactPair& contact_pair, const IslandBody& A, const State& at_a,
                                const IslandBody& B, const State& at_b, double near);

@@ -48,13 +48,27 @@ void record_pair(Run& run, Event::Kind kind, const ContactPair& pair) {
                        pair.nhat_BA_W, Vec3::Zero(), run.islands.state(pair.a), run.islands.state(pair.b)});
 }
 
+/// Of the released pairs of a body the one that is least apart: others may have let go at the start of the step.
+const ContactPair* last_to_let_go(const ContactGraph& graph, BodyId id, const std::vector<ContactPair>& released) {
+  const ContactPair* last = nullptr;
+  double least = never;
+  for (const ContactPair& pair : released) {
+    if (!pair.has(id)) continue;
+    const IslandBody &A = graph.bodies()[graph.index(pair.a)], &B = graph.bodies()[graph.index(pair.b)];
+    const double apart = distance(pair, A, A.state(), B, B.state());
+    if (!last || apart < least) last = &pair, least = apart;
+  }
+  return last;
+}
+
 /// The body has no contact left and moves ballistically. If the other body of the released pair stays in contact with
 /// others, its contact events are emitted again.
-void release_from_island(Run& run, const IslandBody& island_body, const std::vector<ContactPair>& released) {
+void release_from_island(Run& run, const ContactGraph& graph, const IslandBody& island_body,
+                         const std::vector<ContactPair>& released) {
   const BodyId id = island_body.id;
-  const auto pair = std::ranges::find_if(released, [&](const ContactPair& j) { return j.has(id); });
+  const ContactPair* pair = last_to_let_go(graph, id, released);
   set_trajectory(run, id, island_body.state());
-  if (pair != released.end()) {
+  if (pair) {
     record_pair(run, Event::Kind::release, *pair);
     const BodyId other = pair->a == id ? pair->b : pair->a;
     if (Island* island = run.islands.of(other)) island->graph().emit_again(other);
@@ -216,7 +230,8 @@ void begin_step(Run& run, BodyId id) {
   const Island whole = run.islands.take(id);
   for (Island& part : whole.components()) run.islands.insert(std::move(part));
   for (const IslandBody& island_body : whole.graph().bodies()) {
-    if (!island_body.fixed() && !run.islands.of(island_body.id)) release_from_island(run, island_body, released);
+    if (!island_body.fixed() && !run.islands.of(island_body.id))
+      release_from_island(run, whole.graph(), island_body, released);
   }
   for (const IslandBody& island_body : whole.graph().bodies()) {
     Island* const island = island_body.fixed() ? nullptr : run.islands.of(island_body.id);

@@ -10,11 +10,13 @@
 namespace touchstone::fast::simulation {
 namespace {
 
-constexpr int most_halvings = 60;                // of a step, in the search for its end at a corner that comes down
-constexpr int steps_per_halving = 4;             // of these one halves the interval; the others follow the clearance
-constexpr double share_of_moment = 0x1p-10;      // of a step: so long a corner keeps the rate at its start
-constexpr double early_share = 0x1p-3;           // of a step: where corners hardly above others are looked at too
-constexpr double hardly_above = 64;              // times the distance that counts as touching
+constexpr int most_halvings = 60;            // of a step, in the search for its end at a corner that comes down
+constexpr int steps_per_halving = 4;         // of these one halves the interval; the others follow the clearance
+constexpr double share_of_moment = 0x1p-10;  // of a step: so long a corner keeps the rate at its start
+constexpr double early_share = 0x1p-3;       // of a step: where corners hardly above others are looked at too
+constexpr double hardly_above = 64;          // times the distance that counts as touching
+constexpr int cuts_at_end_of_contact = 14;   // halvings of a step: it ends less than h/2¹⁴ after the contact does
+constexpr double lost = 16;                  // times the distance that counts as touching: bodies farther apart
 constexpr double least_share_of_step = 0x1p-20;  // of a step: a step that short is taken even if corners overlap
 constexpr double step_tolerance = 0x1p-10;       // accuracy of a step, relative to the distance that counts as touching
 // Of distances from the origin. A gap is n·(p − q) of two points R x + c: less than 16 roundings of each, twice for the
@@ -133,6 +135,23 @@ class CornerSearch {
   std::vector<std::size_t> coming_;
 };
 
+/// Whether two parts press on each other in the step and are apart after it. The step keeps a corner on the plane of a
+/// face, and a point on the line of an edge, which end: there a part slides off.
+bool slides_off(const ContactGraph& graph, const StepPlan& plan) {
+  auto constraint = plan.constraints.begin();
+  for (const ContactPair& contact_pair : graph.contact_pairs()) {
+    bool presses = false;
+    for (std::size_t i = 0; i < contact_pair.contact_points.size(); ++i, ++constraint)
+      presses = presses || !constraint->contact_point.F_A_W.isZero(0);
+    if (!presses) continue;
+    const std::size_t a = graph.index(contact_pair.a), b = graph.index(contact_pair.b);
+    const double apart =
+        distance(contact_pair, graph.bodies()[a], plan.stepped.after[a], graph.bodies()[b], plan.stepped.after[b]);
+    if (apart > lost * graph.near()) return true;
+  }
+  return false;
+}
+
 std::vector<State> states_of(const ContactGraph& graph) {
   std::vector<State> states;
   for (const IslandBody& island_body : graph.bodies()) states.push_back(island_body.state());
@@ -187,7 +206,23 @@ StepPlan solve_step(const ContactGraph& graph, double h, double longest) {
   return plan;
 }
 
-StepPlan plan_step(const ContactGraph& graph, double h, double longest) {
+/// A step in which a part slides off another ends there.
+StepPlan until_one_slides_off(const ContactGraph& graph, StepPlan plan, double longest) {
+  if (!slides_off(graph, plan)) return plan;
+  double low = 0;
+  for (int k = 0; k < cuts_at_end_of_contact; ++k) {
+    StepPlan shorter = solve_step(graph, (low + plan.h) / 2, longest);
+    if (slides_off(graph, shorter)) {
+      plan = std::move(shorter);
+    } else {
+      low = shorter.h;
+    }
+  }
+  return plan;
+}
+
+/// A step that ends where the first corner comes down.
+StepPlan until_one_comes_down(const ContactGraph& graph, double h, double longest) {
   const double near = graph.near();
   const std::vector<double> before = clearances(graph, states_of(graph));
   StepPlan plan = solve_step(graph, h, longest);
@@ -224,6 +259,10 @@ StepPlan plan_step(const ContactGraph& graph, double h, double longest) {
     }
   }
   return plan;
+}
+
+StepPlan plan_step(const ContactGraph& graph, double h, double longest) {
+  return until_one_slides_off(graph, until_one_comes_down(graph, h, longest), longest);
 }
 
 double deepest(const ContactGraph& graph, const StepPlan& plan) {
