@@ -7,6 +7,7 @@
 #include "oracle/rotation.h"
 #include "oracle/tolerance/impulse.h"
 #include "oracle/tolerance/tolerance.h"
+#include "properties/cases/applied_impulse.h"
 #include "properties/cases/constraint_case.h"
 #include "properties/queries.h"
 #include "properties/transforms/scene.h"
@@ -189,25 +190,6 @@ Finding energy_falls(const Scene& scene, Subject& subject) {
   });
 }
 
-/// N s: ∫ F dt from 0 to `time`, and |F| summed over all changes of F: what a delay of one second changes at most.
-struct Pushed {
-  Vec3 impulse = Vec3::Zero();
-  double changes = 0;
-};
-
-Pushed pushed_until(const Scene& scene, double time) {
-  Pushed sum;
-  std::vector<Vec3> now(scene.bodies.size(), Vec3::Zero());
-  for (const AppliedForce& force : scene.motion->forces) {
-    if (force.time > time) continue;
-    Vec3& before = now[static_cast<std::size_t>(force.body)];
-    sum.impulse += (force.force_W - before) * (time - force.time);
-    sum.changes += (force.force_W - before).norm();
-    before = force.force_W;
-  }
-  return sum;
-}
-
 /// Eight for each granted step: a choice.
 constexpr double roundings = 8 * 1024;
 
@@ -232,8 +214,8 @@ Finding momentum(const Scene& scene, Subject& subject) {
     Finding worst;
     for (std::size_t i = 0; i < said.states.size(); ++i) {
       const double time = scene.motion->sample_times[i];
-      const Pushed pushed = pushed_until(scene, time);
-      const Vec3 gained = time * mass * scene.gravity + pushed.impulse;
+      const AppliedImpulse pushed = applied_until(scene, time);
+      const Vec3 gained = time * mass * scene.gravity + pushed.total;
       Vec3 now = Vec3::Zero();
       double sizes = greatest + gained.norm();
       for (std::size_t k = 0; k < m.size(); ++k) {

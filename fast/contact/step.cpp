@@ -15,6 +15,7 @@ namespace touchstone::fast::contact {
 namespace {
 
 constexpr int most_rounds = 16;
+constexpr int first_corrected = 2;  // round: its rows know by how much the last one missed the gaps
 constexpr int sweeps_of_a_round = 400;
 constexpr double of_recovery = 0x1p-10;  // of `recovery`: smaller changes of velocity count as converged
 constexpr int projection_sweeps = 8;
@@ -243,7 +244,7 @@ Stepped step(const std::vector<StepBody>& step_bodies, std::vector<ContactConstr
       const Nearness after =
           nearness_of(constraint, bodies[constraint.a].after, bodies[constraint.b].after, before[i].nhat_BA_W);
       const double over = after.gap - (before[i].gap + h * least_u_n[i]);
-      if (round > 1 && (over < 0 || !rows[i].P.isZero(0))) missed[i] += over;
+      if (round >= first_corrected && (over < 0 || !rows[i].P.isZero(0))) missed[i] += over;
       const Vec3 guess = round > 0 ? rows[i].P : expected_impulse(constraint.contact_point, h);
       rows[i] = row_of(constraint, before[i], after, bodies);
       rows[i].P = guess;
@@ -260,7 +261,8 @@ Stepped step(const std::vector<StepBody>& step_bodies, std::vector<ContactConstr
     const double changed = change;
     change = 0;
     for (std::size_t i = 0; i < bodies.size(); ++i) change = std::max(change, bodies[i].go(mean[i], free[i], h));
-    if (change <= tolerance || (round > 2 && change > changed / 2)) break;  // or as accurate as the sweeps get
+    const bool is_stuck = round > first_corrected + 1 && change > changed / 2;  // as accurate as the sweeps get
+    if (change <= tolerance || is_stuck) break;
   }
   std::vector<StepBody> moved = step_bodies;
   std::vector<Twist> twists;

@@ -42,6 +42,11 @@ std::string fault_in_event(const Scene& scene, const Event& event, double end) {
   const bool pair = event.kind != Event::Kind::force;
   if (pair != (event.b >= 0) || (pair && event.a >= event.b)) return "not a pair a < b";
   if (event.time < 0 || event.time > end) return "a time beyond the end of the motion";
+  const std::vector<double>& starts = scene.motion->start_times;
+  for (const int body : {event.a, event.b}) {
+    if (body >= 0 && !starts.empty() && event.time < starts[static_cast<std::size_t>(body)])
+      return "a time before the body's start";
+  }
   return {};
 }
 

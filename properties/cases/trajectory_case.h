@@ -13,8 +13,8 @@
 namespace touchstone::properties {
 
 /// What is wrong with the form of a trajectory; "" if nothing. It must have a state for each body at each complete
-/// time; events in the order of (time, a, b), of existing bodies, a < b, not after the end; and exactly one event for
-/// each applied force that begins during the motion, at its time.
+/// time; events in the order of (time, a, b), of existing bodies, a < b, not before the start of either and not after
+/// the end; and exactly one event for each applied force that begins during the motion, at its time.
 std::string fault_in_form(const Scene& scene, const Trajectory& said);
 
 struct TrajectoryCase {
@@ -27,6 +27,10 @@ struct TrajectoryCase {
   const oracle::Dynamics& dynamics;                 ///< likewise
 
   bool is_fixed(std::size_t body) const { return std::holds_alternative<Fixed>(scene.bodies[body].mass); }
+  bool has_started(std::size_t body, double time) const {
+    const std::vector<double>& starts = scene.motion->start_times;
+    return starts.empty() || starts[body] <= time;
+  }
   /// The number of complete sample times.
   std::size_t samples() const { return said.states.size(); }
   double time(std::size_t sample) const { return scene.motion->sample_times[sample]; }

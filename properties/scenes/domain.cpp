@@ -35,6 +35,7 @@ std::vector<Family> all_families() {
                            off_centre_motion_families(),
                            run_families(),
                            driven_run_families(),
+                           stacked_run_families(),
                            table_families()}) {
     all.insert(all.end(), some.begin(), some.end());
   }

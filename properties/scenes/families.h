@@ -32,6 +32,7 @@ std::vector<Family> compound_motion_families();
 std::vector<Family> off_centre_motion_families();
 std::vector<Family> run_families();
 std::vector<Family> driven_run_families();
+std::vector<Family> stacked_run_families();
 std::vector<Family> table_families();
 
 /// What a family is for: pairs of convex bodies are asked about everything, compounds have no depth.

@@ -111,19 +111,21 @@ Scene ties(Random& random) {
   return run(random, std::move(bodies), motion_until(3, 2));
 }
 
-/// Ten to thirty pairs of balls that collide, not always centrally, within 2^-5 s.
+/// Ten to thirty pairs of balls that collide along any axis, not always centrally, within 2^-5 s.
 Scene crowd(Random& random) {
   std::vector<Body> bodies;
   const int pairs = random.between(10, 30);
   for (int n = 0; n < pairs; ++n) {
     const Vec3 middle = 8 * Vec3(n % 2, (n / 2) % 4, n / 8);
     const double impact = 0.5 + std::ldexp(random.below(16), -9);
+    const int axis = random.below(3);
+    const Vec3 along = Vec3::Unit(axis), across = Vec3::Unit((axis + 1) % 3);
     for (const double side : {-1.0, 1.0}) {
       Body ball = at_rest(Sphere{1});
       ball.material = some_material(random);
       const double beside = random.whole(-2, 2) / 8;
-      ball.X_WB.p_WB = middle + Vec3(side * (1 + impact), beside, 0);
-      ball.velocity.v_WBcm = {-side, 0, 0};
+      ball.X_WB.p_WB = middle + side * (1 + impact) * along + beside * across;
+      ball.velocity.v_WBcm = -side * along;
       bodies.push_back(std::move(ball));
     }
   }

@@ -96,8 +96,21 @@ Scene barely_flies(Random& random) {
   return scene;
 }
 
+/// A smooth ball that slides slowly into a smooth box.
+Scene slow_obstacle(Random& random) {
+  const double r = some_radius(random);
+  Scene scene = table_scene(random, r);
+  const double speed = sixteenths(random, 1, 4), h = sixteenths(random, 2, 8);
+  scene.bodies.push_back(plate(Vec3(h, 1, h), {Vec3(r + h + speed / 4, 0, h), {}}, {random.pick({0.5, 0.75}), 0}));
+  for (Body& body : scene.bodies) body.material.friction = 0;
+  scene.bodies[0].velocity.v_WBcm = {speed, 0, 0};
+  scene.motion = sampled_at(1);
+  return scene;
+}
+
 /// A box on the table, in the ball's path.
 Scene obstacle(Random& random) {
+  if (random.one_in(4)) return slow_obstacle(random);
   const double r = some_radius(random);
   Scene scene = table_scene(random, r);
   const Vec3 v{sixteenths(random, 8, 48), random.one_in(2) ? 0 : sixteenths(random, -4, 4), 0};

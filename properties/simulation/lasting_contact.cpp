@@ -8,6 +8,7 @@
 #include "oracle/tolerance/motion.h"
 #include "oracle/tolerance/tolerance.h"
 #include "oracle/truth/truth.h"
+#include "properties/cases/overlap_along.h"
 #include "properties/cases/trajectory_case.h"
 #include "properties/queries.h"
 
@@ -57,7 +58,7 @@ Finding touches_another(const TrajectoryCase& asked, std::size_t sample, std::si
   const std::vector<State>& states = asked.said.states[sample];
   Finding least = judge::outside("no other body");
   for (std::size_t other = 0; other < states.size(); ++other) {
-    if (other == body) continue;
+    if (other == body || !asked.has_started(other, asked.time(sample))) continue;
     const Scene pair = pair_in(asked.scene, states, body, other);
     const Interval apart = oracle::truth::distance(pair).distance;
     const double allowed = gap_of_contact(asked, pair) + asked.distances.of(apart.lo);
@@ -81,10 +82,19 @@ Finding touches_at_release(const TrajectoryCase& asked, const Event& event) {
   pair.bodies[0].X_WB = event.after_a.X_WB;
   pair.bodies[1].X_WB = event.after_b.X_WB;
   const Interval apart = oracle::truth::distance(pair).distance;
-  return judge::at_most(
-      apart.lo, in_ulps_of_place(asked, gap_of_contact(asked, pair) + asked.distances.of(apart.lo)), Defect::phantom,
+  const double gap = gap_of_contact(asked, pair) + asked.distances.of(apart.lo);
+  Finding worst = judge::at_most(
+      apart.lo, in_ulps_of_place(asked, gap), Defect::phantom,
       [&] { return text(event) + ", " + oracle::words::text(apart.lo) + " m apart"; },
       [] { return std::string("two bodies that touch until then"); });
+  const auto is_compound = [](const Body& body) { return std::holds_alternative<Compound>(body.shape); };
+  if (std::ranges::any_of(pair.bodies, is_compound)) return worst;
+  const oracle::Real overlap = overlap_along(event.nhat_BA_W.cast<oracle::Real>(), pair.bodies[0], pair.bodies[1]);
+  worse(worst, judge::at_most(
+                   std::max(0.0, static_cast<double>(overlap)), in_ulps_of_place(asked, gap), Defect::wrong_normal,
+                   [&] { return text(event) + ", n = " + oracle::words::text(event.nhat_BA_W); },
+                   [] { return std::string("a normal whose plane separates the two bodies"); }));
+  return worst;
 }
 
 Finding touches(const Scene& scene, Subject& subject) {

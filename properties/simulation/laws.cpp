@@ -9,6 +9,7 @@
 #include "oracle/tolerance/motion.h"
 #include "oracle/tolerance/tolerance.h"
 #include "oracle/truth/impact.h"
+#include "properties/cases/applied_impulse.h"
 #include "properties/cases/time_of_impact_case.h"
 #include "properties/cases/trajectory_case.h"
 #include "properties/queries.h"
@@ -301,7 +302,7 @@ Finding elastic_energy(const Scene& scene, Subject& subject) {
 
 /// A level table that pushes straight up, and what bounds the bodies on it.
 struct Ice {
-  Real energy = 0;            ///< J: what all free bodies have at the start, above the table's top
+  Real energy = 0;            ///< J: the most that all free bodies ever have, above the table's top
   Real until = 0;             ///< s, from the start: before that no body comes half-way to the edge
   Real to_edge = 0;           ///< m: so far are all from the edge until then
   std::vector<Real> momenta;  ///< kg m/s: no body ever has more
@@ -313,7 +314,8 @@ bool is_level(const Body& body) {
 }
 
 // While all bodies are over the top of the table, nothing pushes them but its top, up, and gravity, down. A body over
-// the top has no less potential energy than at the top, so by its kinetic energy it is never faster than √(2E/m).
+// the top has no less potential energy than at the top, so by its kinetic energy it is never faster than √(2E/m). A
+// force gives it F v, so √E grows no faster than F/√(2m).
 std::optional<Ice> ice_of(const Scene& scene, const std::vector<ImpactBody>& first) {
   const auto table = std::ranges::find_if(scene.bodies, is_fixed);
   const bool one = table != scene.bodies.end() && std::ranges::count_if(scene.bodies, is_fixed) == 1;
@@ -330,6 +332,12 @@ std::optional<Ice> ice_of(const Scene& scene, const std::vector<ImpactBody>& fir
     ice.energy += first[i].mass * (first[i].v_WBcm.squaredNorm() / 2 + g * height) +
                   first[i].spin_energy_twice(first[i].w_WB) / 2;
   }
+  const AppliedImpulse applied = applied_until(scene, end_of(scene));
+  Real root = std::sqrt(ice.energy);
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    if (!first[i].fixed) root += applied.of_bodies[i] / std::sqrt(2 * first[i].mass);
+  }
+  ice.energy = root * root;
   ice.until = ice.to_edge = std::numeric_limits<Real>::infinity();
   ice.momenta.resize(first.size(), 0);
   for (std::size_t i = 0; i < first.size(); ++i) {
@@ -356,13 +364,14 @@ Real sideways(const TrajectoryCase& asked, const Ice& ice) {
   return std::min(0x1p-10L, envelope(asked.scene) / ice.to_edge + 0x1p-30L + rounding);
 }
 
-// What a table without friction does to the bodies on it, up to a time: its impulses add up to gravity's and to the
-// momenta that they stop and give.
-Sum<Real> pressed(const Scene& scene, const std::vector<ImpactBody>& first, const Ice& ice, Real seconds) {
+// What a table without friction does to the bodies on it, up to a time: its impulses add up to those of gravity and of
+// the applied forces and to the momenta that they stop and give.
+Sum<Real> pressed(const Scene& scene, const std::vector<ImpactBody>& first, const Ice& ice,
+                  const AppliedImpulse& applied, Real seconds) {
   Sum<Real> sum{0};  // N s and, about the vertical through the origin, N m s
   for (std::size_t i = 0; i < first.size(); ++i) {
     if (first[i].fixed) continue;
-    const Real impulse = 2 * ice.momenta[i] - scene.gravity.z() * first[i].mass * seconds;
+    const Real impulse = 2 * ice.momenta[i] - scene.gravity.z() * first[i].mass * seconds + applied.of_bodies[i];
     const Real arm = first[i].p_BcmC_W.norm() + seconds * ice.momenta[i] / first[i].mass +
                      tolerance::radius(scene.bodies[i]) + first[i].p_BBcm.norm();
     sum.value += impulse;
@@ -372,12 +381,14 @@ Sum<Real> pressed(const Scene& scene, const std::vector<ImpactBody>& first, cons
 }
 
 // A level table without friction pushes straight up, and gravity pulls straight down: what bodies do to each other
-// there changes neither their horizontal momentum nor their angular momentum about the vertical.
+// there changes neither their horizontal momentum nor their angular momentum about the vertical. Applied forces change
+// the one by their impulses; the other depends on where the bodies were.
 Finding level_momentum(const Scene& scene, Subject& subject) {
   return of_trajectory(scene, subject, [&](const TrajectoryCase& asked) {
     const bool law_loses = scene.motion->law == Law::poisson || frictionless(scene);
-    if (!law_loses || !scene.motion->forces.empty() || !start_at_once(scene)) {
-      return judge::outside("a law or a force that may add energy or momentum");
+    const bool pushed = !scene.motion->forces.empty();
+    if (!law_loses || !start_at_once(scene) || (pushed && !scene.motion->start_times.empty())) {
+      return judge::outside("a law that may add energy, or bodies that start one after the other");
     }
     const std::vector<ImpactBody> first = bodies_at(scene, first_states(scene));
     const std::optional<Ice> ice = ice_of(scene, first);
@@ -396,20 +407,27 @@ Finding level_momentum(const Scene& scene, Subject& subject) {
       if (seconds >= ice->until) break;
       const std::vector<ImpactBody> bodies = bodies_at(scene, asked.said.states[sample]);
       const Point now = level(bodies);
-      const Sum<Real> most = pressed(scene, first, *ice, seconds);
+      const AppliedImpulse applied = applied_until(scene, asked.time(sample));
+      const Sum<Real> most = pressed(scene, first, *ice, applied, seconds);
+      const Point expected = before + Point(applied.total.x(), applied.total.y(), 0);
+      const Real late = asked.stepping ? asked.stepping->step * applied.changes : 0;
       const Real turned = 2 * pose_error(asked, bodies);
-      const auto judged = [&](Real error, Real size, Real off, const char* name) {
+      const auto judged = [&](Real error, Real size, Real off, Real more, const char* name) {
         const double unit = std::max(static_cast<double>(size), 0x1p-900);
         return counted(off * 256 < 1,
                        judge::at_most(
-                           static_cast<double>(error), {static_cast<double>(off * size), unit, name, 0, 0},
+                           static_cast<double>(error), {static_cast<double>(off * size + more), unit, name, 0, 0},
                            Defect::wrong_momentum, [&] { return oracle::words::text(Vec3(now.cast<double>())); },
-                           [&] { return oracle::words::text(Vec3(before.cast<double>())) + ", as at the start"; }));
+                           [&] {
+                             return oracle::words::text(Vec3(expected.cast<double>())) +
+                                    (pushed ? ", by the applied forces" : ", as at the start");
+                           }));
       };
-      if (worse(worst, judged((now - before).head<2>().norm(), most.value, sideways(asked, *ice) + turned,
-                              "impulses of the table")) ||
-          worse(worst, judged(std::abs(now.z() - before.z()), most.size, 0x1p-10L + turned,
-                              "moments of the table's impulses"))) {
+      const Real share = sideways(asked, *ice) + turned;
+      if (worse(worst, judged((now - expected).head<2>().norm(), most.value, share, late, "impulses of the table")))
+        return worst;
+      if (!pushed && worse(worst, judged(std::abs(now.z() - before.z()), most.size, share, 0,
+                                         "moments of the table's impulses"))) {
         return worst;
       }
     }

@@ -11,8 +11,8 @@
 #include "oracle/tolerance/tolerance.h"
 #include "oracle/truth/motion_in_doubles.h"
 #include "oracle/truth/truth.h"
-#include "oracle/truth/world_points.h"
 #include "properties/cases/impact_case.h"
+#include "properties/cases/overlap_along.h"
 #include "properties/cases/simultaneous_impacts.h"
 #include "properties/cases/time_of_impact_case.h"
 #include "properties/cases/trajectory_case.h"
@@ -141,17 +141,6 @@ Finding none_missed(const Scene& scene, Subject& subject) {
       return overlap(pair_case ? -pair_case->deepest(until) : 0);
     });
   });
-}
-
-// m: the overlap of the convex bodies A and B along n, an upper bound on their depth. Negative: their gap along n.
-Real overlap_along(const Point& n, const Body& A, const Body& B) {
-  const auto farthest = [](const Body& body, const Point& d) {
-    const auto* ball = std::get_if<Sphere>(&body.shape);
-    Real most = -std::numeric_limits<Real>::infinity();
-    for (const Point& p : oracle::world_points(body, 0)) most = std::max(most, d.dot(p));
-    return most + (ball != nullptr ? ball->radius : 0);
-  };
-  return farthest(B, n) + farthest(A, -n);
 }
 
 /// For poses accurate to `slack` (m): the two bodies are within the envelope, C is within the envelope of both, the
@@ -431,8 +420,10 @@ Finding solid(const Scene& scene, Subject& subject) {
       const std::vector<State>& states = asked.said.states[sample];
       for (std::size_t i = 0; i < states.size(); ++i) {
         for (std::size_t j = i + 1; j < states.size(); ++j) {
+          const double time = asked.time(sample);
           const bool fixed = asked.is_fixed(i) && asked.is_fixed(j);
-          if (fixed || spheres_apart(scene.bodies[i], states[i], scene.bodies[j], states[j])) continue;
+          if (fixed || !asked.has_started(i, time) || !asked.has_started(j, time)) continue;
+          if (spheres_apart(scene.bodies[i], states[i], scene.bodies[j], states[j])) continue;
           Scene pair;
           pair.bodies = {scene.bodies[i], scene.bodies[j]};
           pair.bodies[0].X_WB = states[i].X_WB;
