@@ -1,5 +1,6 @@
 #include "properties/scenes/pair.h"
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <utility>
 
@@ -89,6 +90,13 @@ Vec3 turned_by_axes(const Quaternion& q, const Vec3& p) {
       entry(2 * (q.x * q.z - q.w * q.y)), entry(2 * (q.y * q.z + q.w * q.x)),
       entry(q.w * q.w - q.x * q.x - q.y * q.y + q.z * q.z);
   return R * p;
+}
+
+Vec3 turned_by(const Quaternion& q, const Vec3& p) {
+  const Vec3 v{q.x, q.y, q.z};
+  const double norm = q.w * q.w + v.squaredNorm();
+  const Vec3 times_norm = (q.w * q.w - v.squaredNorm()) * p + 2 * v.dot(p) * v + 2 * q.w * v.cross(p);
+  return times_norm / norm;
 }
 
 Scene across(Random& random, Polytope below, Polytope above, double gap, const Pose& X, const Quaternion& twist_below,

@@ -42,6 +42,9 @@ Quaternion twist(Random& random);
 /// The point p rotated by a quaternion of axes_quaternion: exact.
 Vec3 turned_by_axes(const Quaternion& q, const Vec3& p);
 
+/// The point p rotated by any quaternion, each coordinate rounded once, if its numbers and those of q are of few bits.
+Vec3 turned_by(const Quaternion& q, const Vec3& p);
+
 /// `below` (in z ≤ 0) and `above` (in z ≥ 0), both in the frame X, with `above` raised by `gap` in its own coordinates:
 /// exact for any rotation. Requires that z + gap is exact for each of its vertices.
 Scene across(Random& random, Polytope below, Polytope above, double gap, const Pose& X,
