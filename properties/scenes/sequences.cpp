@@ -163,6 +163,21 @@ Scene turning(Random& random) {
                            }});
 }
 
+/// Equal boxes that turn by 90° or 180° about their lowest corner: lower ends stay to the bit, upper ends do not.
+Scene falling_over(Random& random) {
+  const Vec3 half{random.whole(1, 2), random.whole(1, 4), random.whole(1, 4)};
+  const auto lying = [half](Random& r, const Vec3& corner) {
+    const Quaternion q = axes_quaternion(r);
+    return Pose{corner + turned_by_axes(q, half).cwiseAbs(), q};
+  };
+  const auto somewhere = [lying](Random& r) { return lying(r, small_vector(r, 4)); };
+  const auto fall = [half, lying](Random& r, const Pose& X_WB) {
+    return lying(r, X_WB.p_WB - turned_by_axes(X_WB.q_WB, half).cwiseAbs());
+  };
+  return sequence(
+      random, {.rests = 2, .shape = [half](Random&) -> Shape { return Box{half}; }, .enter = somewhere, .step = fall});
+}
+
 /// Small steps of random doubles: no ties, and everything is rounded.
 Scene drifting(Random& random) {
   const auto number = [](Random& r) { return 2 * r.unit() - 1; };
@@ -195,6 +210,7 @@ std::vector<Family> sequence_families() {
       {"films.hardly_any", "no body, one, or two", queries, true, hardly_any},
       {"films.line", "equal boxes along one axis", queries, true, along_a_line},
       {"films.turning", "boxes and spheres that turn in place", queries, true, turning},
+      {"films.falling_over", "equal boxes that turn by 90° about their lowest corner", queries, true, falling_over},
       {"films.drifting", "boxes in small steps, every number a random double", queries, false, drifting},
   };
 }
