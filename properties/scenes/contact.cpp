@@ -226,7 +226,20 @@ Scene spin_only(Random& random) {
   return meeting(random, A, fixed_ground(), u, some_contact(random));
 }
 
+/// Parting or approaching by what rounding of v + w × r hides: at C the velocity along the normal is computed as 0.
+Scene hidden_approach(Random& random) {
+  const auto any = [&random] { return 8 * random.unit() - 4; };
+  Arm A = some_stated(random, -1);
+  A.r = {any(), any(), -1 - random.unit()};
+  A.body.velocity.w_WB = {any(), any(), any()};
+  Contact contact = some_contact(random);
+  contact.p_WC.setZero();  // so that the body's place has all bits of r
+  const Vec3 u{random.whole(0, 1), random.whole(0, 1), 0};
+  return meeting(random, A, fixed_ground(), u, contact);
+}
+
 Scene separating(Random& random) {
+  if (random.one_in(4)) return hidden_approach(random);
   const Arm A = some_stated(random, -1), B = some_other(random);
   Vec3 u = some_approach(random);
   u.z() = random.pick({0.0, 0x1p-30, 1.0, 4.0});
@@ -392,7 +405,7 @@ std::vector<Family> contact_families() {
       {"contact.tiny_slip", "slip 2^-8 to 2^-40 of the approach", queries, false, tiny_slip},
       {"contact.on_the_cone", "no slip before, and friction within an ulp of what holds", queries, false, on_the_cone},
       {"contact.spin_only", "nothing moves but by spin", queries, true, spin_only},
-      {"contact.separating", "parting, or at rest along the normal", queries, false, separating},
+      {"contact.separating", "parting, or at rest along the normal but for rounding", queries, false, separating},
       {"contact.mass_ratios", "masses that differ by 2^10 to 2^40", queries, true, mass_ratios},
       {"contact.levers", "arms up to 2^20 times the radius of gyration: K near singular", queries, false, levers},
       {"contact.jamming", "friction that can press the bodies together, often twice", queries, true, jamming},
