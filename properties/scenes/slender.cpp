@@ -1,5 +1,6 @@
 // Needles and plates, up to a ratio of 2^20 (about a million).
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include "properties/scenes/families.h"
@@ -48,6 +49,26 @@ Scene thin_boxes(Random& random) {
   return pair(random, at_rest(Box{half[0]}), at_rest(Box{half[1]}, {p, q}));
 }
 
+/// The point of the box that is farthest along n.
+Vec3 farthest(const Vec3& half, const Vec3& n) {
+  Vec3 corner = half;
+  for (int i = 0; i < 3; ++i) corner[i] = std::copysign(half[i], n[i]);
+  return corner;
+}
+
+/// A needle 2^11 to 2^14 times as long as thick across a box, whose corner is 2^-8 to 2^-20 in its side.
+Scene crossing(Random& random) {
+  const Vec3 needle{1, std::ldexp(1.0, random.between(11, 14)), 1};
+  const Vec3 half{random.whole(1, 4), random.whole(1, 4), random.whole(1, 4)};
+  const Quaternion q = times({0, 1, 2, 3}, small_quaternion(random));  // of many bits
+  const double side = random.sign();
+  const Vec3 n = turned_by(q, {0, 0, side}), along = turned_by(q, {0, 1, 0}), across = turned_by(q, {1, 0, 0});
+  const double deep = std::ldexp(1.0, -random.between(8, 20));
+  const double up = random.whole(-8, 8), beside = 0.25 * random.whole(-3, 3);
+  const Vec3 p = farthest(half, n) + (1 - deep) * n + up * along + beside * across;
+  return pair(random, at_rest(Box{half}), at_rest(Box{needle}, {p, q}));
+}
+
 }  // namespace
 
 std::vector<Family> slender_families() {
@@ -60,6 +81,8 @@ std::vector<Family> slender_families() {
        [](Random& random) { return stretched_contact(random, random.one_in(2) ? plate : plain, needle); }},
       {"slender.boxes", "boxes whose half extents differ by up to 2^20, side by side or turned", convex_pair_queries,
        true, thin_boxes},
+      {"slender.crossing", "a long needle across a box whose corner is 2^-8 to 2^-20 in its side", convex_pair_queries,
+       false, crossing},
   };
 }
 
