@@ -79,6 +79,23 @@ Scene far(Random& random) {
   return scene;
 }
 
+/// Two pairs of balls tie: one near the origin is apart by whole lengths, the other is 2^24 to 2^40 away, and apart by
+/// as much but for the rounding of one of its places.
+Scene tied_far_away(Random& random) {
+  const Vec3 apart = random.pick<Vec3>({{1, 2, 2}, {-2, 1, 2}, {2, 3, 6}, {-6, 2, 3}, {4, 4, -7}, {3, 0, 4}});
+  const double radius = random.pick({0.25, 0.5, 1.0}), other = random.pick({0.25, 0.5, 1.0});
+  const Quaternion q = small_quaternion(random);
+  const double far = std::ldexp(1.0, random.between(24, 36));
+  const Vec3 whole{random.whole(1, 9), random.whole(-9, 9), random.whole(-9, 9)};
+  const auto ball = [](const Vec3& p, double r) { return Part{{p, {}}, Sphere{r}}; };
+  const Vec3 p = far * whole;
+  Compound A{{ball(Vec3::Zero(), radius), ball(p, radius)}};
+  Compound B{{ball({0, 0, -apart.norm()}, other), ball(turned_by(q, p) + apart, other)}};
+  if (random.one_in(2)) std::swap(A.parts[0], A.parts[1]);
+  if (random.one_in(2)) std::swap(B.parts[0], B.parts[1]);
+  return pair(random, at_rest(std::move(A), {Vec3::Zero(), q}), at_rest(std::move(B)));
+}
+
 }  // namespace
 
 std::vector<Family> compound_pair_families() {
@@ -95,6 +112,11 @@ std::vector<Family> compound_pair_families() {
        {"bounds", "broad_phase", "distance"},
        true,
        far},
+      {"compounds.tied_far_away",
+       "one pair of balls near the origin, and one 2^24 to 2^40 away that is as far apart but for rounding",
+       {"bounds", "broad_phase", "distance"},
+       false,
+       tied_far_away},
   };
 }
 
