@@ -36,6 +36,33 @@ Scene grazing(Random& random) {
   return thrown(random, std::move(A), std::move(B), motion_until(2 * touch));
 }
 
+/// Compounds of two balls each. One pair, large in three of four scenes, misses by 2^-45 to 2^-50 of its size: less
+/// than doubles can tell. Later the other pair touches exactly, or overlaps or misses by as little.
+Scene grazing_twice(Random& random) {
+  const double first = random.pick({0.5, 1.0, 1.5}), later = first + random.pick({0.5, 1.0, 2.0});
+  const double speed = random.whole(1, 8);
+  Compound passing, standing;
+  const auto add = [&](double time, double radius, double y, double sign) {
+    const double up = radius * (1 + std::ldexp(sign, -random.between(45, 50)));
+    passing.parts.push_back({{{0, y, up}, {}}, Sphere{radius}});
+    standing.parts.push_back({{{speed * time, y, -radius}, {}}, Sphere{radius}});
+  };
+  double size = dyadic(random, 1, 1, 8, 14), other = dyadic(random, 1, 1, -2, 1);
+  if (random.one_in(4)) std::swap(size, other);
+  add(first, size, 0, 1);
+  const double sign = random.pick({-1.0, 0.0, 0.0, 1.0});
+  add(later, other, 16, sign);
+  Body A = at_rest(std::move(passing)), B = at_rest(std::move(standing));
+  MassProperties about_origin;  // so that little is rounded for the smaller pair
+  about_origin.mass = 1;
+  about_origin.I_BBcm_B = Mat3::Identity();
+  A.mass = B.mass = about_origin;
+  const Vec3 carried = small_vector(random, 4);
+  B.velocity.v_WBcm = carried;
+  A.velocity.v_WBcm = carried + Vec3(speed, 0, 0);
+  return thrown(random, std::move(A), std::move(B), motion_until(2 * later));
+}
+
 /// m/s² downwards, by gravity or by a force: exact, and with dyadic square roots.
 constexpr double fall = 8;
 
@@ -88,6 +115,8 @@ std::vector<Family> tangent_motion_families() {
   return {
       {"flights.tangent", "balls or boxes that touch exactly in passing, or by 2^-31 to 2^-50 do not", queries, false,
        grazing},
+      {"flights.grazing_twice", "a pair of balls of two compounds just misses, and later another touches, or nearly",
+       queries, false, grazing_twice},
       {"flights.turning_points", "parabolas that turn at a contact, just before it or just after", queries, false,
        turning_points},
   };
