@@ -397,9 +397,9 @@ const std::vector<Class>& classes(const std::string& query) {
       {"one body fixed", 0.2}, {"no body fixed", 0.2}, {"binary32", 0.5}};
   static const std::vector<Class> constraint = {{"rolls", 0.2},
                                                 {"slides", 0.1},
-                                                {"flies", 0.2},
+                                                {"flies", 0.15},
                                                 {"slip stops", 0.04},
-                                                {"a contact ends", 0.1},
+                                                {"a contact ends", 0.08},
                                                 {"an impact", 0.1},
                                                 {"two impacts or more", 0.01},
                                                 {"sure to the end", 0.16},
@@ -413,7 +413,7 @@ const std::vector<Class>& classes(const std::string& query) {
                                                             {"one body fixed", 0.08},
                                                             {"spins", 0.2},
                                                             {"a ball", 0.1},
-                                                            {"a polytope", 0.1},
+                                                            {"a polytope", 0.08},
                                                             {"starts of their own", 0.03},
                                                             {"binary32", 0.5}};
   static const std::vector<Class> runs = {{"gravity", 0.15},

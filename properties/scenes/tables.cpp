@@ -110,7 +110,6 @@ Scene slow_obstacle(Random& random) {
 
 /// A box on the table, in the ball's path.
 Scene obstacle(Random& random) {
-  if (random.one_in(4)) return slow_obstacle(random);
   const double r = some_radius(random);
   Scene scene = table_scene(random, r);
   const Vec3 v{sixteenths(random, 8, 48), random.one_in(2) ? 0 : sixteenths(random, -4, 4), 0};
@@ -362,6 +361,7 @@ std::vector<Family> table_families() {
       {"tables.falls", "a ball that rolls off a table onto a floor", queries, false, falls},
       {"tables.barely_flies", "a ball over the edge, v² above g r by a half to 2^-12 of it", queries, false,
        barely_flies},
+      {"tables.slow_obstacle", "a smooth ball that slides slowly into a smooth box", queries, true, slow_obstacle},
       {"tables.obstacle", "a box in the ball's way", queries, false, obstacle},
       {"tables.slope", "a ball that slides or rolls on a tilted table", queries, false, slope},
       {"tables.barely_stays", "a ball that turns just before the upper edge", queries, false, barely_stays},

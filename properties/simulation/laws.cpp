@@ -364,6 +364,11 @@ Real sideways(const TrajectoryCase& asked, const Ice& ice) {
   return std::min(0x1p-10L, envelope(asked.scene) / ice.to_edge + 0x1p-30L + rounding);
 }
 
+// The same of moments. Bodies that turn about all axes in steps lose more of them than of their momentum: a choice.
+Real share_of_moments(const TrajectoryCase& asked, Real of_impulses) {
+  return asked.stepping || !asked.said.events ? of_impulses : std::max(of_impulses, 0x1p-16L);
+}
+
 // What a table without friction does to the bodies on it, up to a time: its impulses add up to those of gravity and of
 // the applied forces and to the momenta that they stop and give.
 Sum<Real> pressed(const Scene& scene, const std::vector<ImpactBody>& first, const Ice& ice,
@@ -426,7 +431,7 @@ Finding level_momentum(const Scene& scene, Subject& subject) {
       const Real share = sideways(asked, *ice) + turned;
       if (worse(worst, judged((now - expected).head<2>().norm(), most.value, share, late, "impulses of the table")))
         return worst;
-      if (!pushed && worse(worst, judged(std::abs(now.z() - before.z()), most.size, share, 0,
+      if (!pushed && worse(worst, judged(std::abs(now.z() - before.z()), most.size, share_of_moments(asked, share), 0,
                                          "moments of the table's impulses"))) {
         return worst;
       }

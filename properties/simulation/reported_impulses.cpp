@@ -158,8 +158,7 @@ Finding hold(const Scene& scene, Subject& subject) {
       const std::vector<Segment> segments = segments_into(timeline, asked.said, e);
       Real bounces = 0;
       for (std::size_t k = 0; sums_up(event) && k < segments.size(); ++k) {
-        const Body& body = scene.bodies[segments[k].body];
-        if (!is_fixed(body) && !std::holds_alternative<Sphere>(body.shape))
+        if (!asked.is_fixed(segments[k].body))
           bounces = std::max(bounces, Pushed(asked, event, segments[k], k == 0).of_bounces());
       }
       const auto friction = [&](int body) { return scene.bodies[static_cast<std::size_t>(body)].material.friction; };

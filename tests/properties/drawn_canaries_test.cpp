@@ -61,7 +61,7 @@ const std::vector<Caught> caught = {
     {"canary.half_a_twist", "simulation.impulses_apply", "runs.solids", 0},
     {"canary.top_leads", "simulation.flights", "runs.tops", 0},
     {"canary.adds_angles", "simulation.turns", "runs.spins", 0},
-    {"canary.starts_anew", "simulation.resumed", "runs.one_impact", 0},
+    {"canary.starts_anew", "simulation.resumed", "runs.apart", 0},
     {"canary.slippery", "simulation.slides", "runs.skims", 0},
     {"canary.grips", "simulation.face_impulse", "runs.on_a_table", 1},
     {"canary.clings", "simulation.supported", "tables.overhangs", 0},

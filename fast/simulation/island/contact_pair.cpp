@@ -39,6 +39,16 @@ Vec3 parting(const contact::Part& A, const State& at_a, const contact::Part& B, 
   return contact::parting(A, B, are_balls ? lin_canny::Proximity{} : proximity_of(A, at_a, B, at_b));
 }
 
+/// Whether a point is in the part, or beside each of its faces by at most `within` (m). True of a ball, which has none.
+bool is_within(const contact::Part& part, const Vec3& p_W, double within) {
+  const lin_canny::Hull& hull = *part.core.hull;
+  const Vec3 p = part.core.in(p_W);
+  for (int f = 0; f < hull.face_count(); ++f) {
+    if (hull.face(f).normal.dot(p) > hull.face(f).height + within) return false;
+  }
+  return true;
+}
+
 contact::Part part_of(const IslandBody& island_body, std::size_t part, const State& state) {
   contact::StepBody there = island_body.step_body;
   there.state = state;
@@ -142,6 +152,17 @@ double distance(const ContactPair& contact_pair, const IslandBody& body_a, const
                 const State& at_b) {
   const contact::Part A = part_of(body_a, contact_pair.part_a, at_a), B = part_of(body_b, contact_pair.part_b, at_b);
   return proximity_of(A, at_a, B, at_b).distance;
+}
+
+bool have_come_apart(const ContactPair& contact_pair, const std::vector<contact::ContactPoint>& contact_points,
+                     const IslandBody& body_a, const State& at_a, const IslandBody& body_b, const State& at_b,
+                     double within) {
+  const contact::Part A = part_of(body_a, contact_pair.part_a, at_a), B = part_of(body_b, contact_pair.part_b, at_b);
+  const auto is_on_both = [&](const contact::ContactPoint& point) {
+    const contact::Nearness near = nearness(point.a, A.body, point.b, B.body, contact_pair.nhat_BA_W);
+    return is_within(A, near.p_WC, within) && is_within(B, near.p_WC - near.gap * near.nhat_BA_W, within);
+  };
+  return std::ranges::none_of(contact_points, is_on_both) && proximity_of(A, at_a, B, at_b).distance > within;
 }
 
 std::vector<double> clearances(const ContactPair& contact_pair, const IslandBody& body_a, const State& at_a,

@@ -62,6 +62,11 @@ ImpactCandidate candidate_at(const ContactPair& contact_pair, const contact::Con
 double distance(const ContactPair& contact_pair, const IslandBody& A, const State& at_a, const IslandBody& B,
                 const State& at_b);
 
+/// Whether the two parts are farther apart than `within` (m), with A and B in the given states, because none of these
+/// contact points is on both any more. Features are planes and lines without ends, so a gap of 0 does not tell.
+bool have_come_apart(const ContactPair& contact_pair, const std::vector<contact::ContactPoint>& contact_points,
+                     const IslandBody& A, const State& at_a, const IslandBody& B, const State& at_b, double within);
+
 /// The separations of all vertices of both parts along the pair's normal (m), with A and B in the given states.
 std::vector<double> clearances(const ContactPair& contact_pair, const IslandBody& A, const State& at_a,
                                const IslandBody& B, const State& at_b, double near);

@@ -135,19 +135,21 @@ class CornerSearch {
   std::vector<std::size_t> coming_;
 };
 
-/// Whether two parts press on each other in the step and are apart after it. The step keeps a corner on the plane of a
-/// face, and a point on the line of an edge, which end: there a part slides off.
+/// Whether two parts press on each other in the step and are apart after it: a part slides off where the face or the
+/// edge that it is on ends.
 bool slides_off(const ContactGraph& graph, const StepPlan& plan) {
   auto constraint = plan.constraints.begin();
   for (const ContactPair& contact_pair : graph.contact_pairs()) {
-    bool presses = false;
-    for (std::size_t i = 0; i < contact_pair.contact_points.size(); ++i, ++constraint)
-      presses = presses || !constraint->contact_point.F_A_W.isZero(0);
-    if (!presses) continue;
+    std::vector<contact::ContactPoint> pressed;
+    for (std::size_t i = 0; i < contact_pair.contact_points.size(); ++i, ++constraint) {
+      if (!constraint->contact_point.F_A_W.isZero(0)) pressed.push_back(constraint->contact_point);
+    }
+    if (pressed.empty()) continue;
     const std::size_t a = graph.index(contact_pair.a), b = graph.index(contact_pair.b);
-    const double apart =
-        distance(contact_pair, graph.bodies()[a], plan.stepped.after[a], graph.bodies()[b], plan.stepped.after[b]);
-    if (apart > lost * graph.near()) return true;
+    const std::vector<State>& after = plan.stepped.after;
+    if (have_come_apart(contact_pair, pressed, graph.bodies()[a], after[a], graph.bodies()[b], after[b],
+                        lost * graph.near()))
+      return true;
   }
   return false;
 }

@@ -84,7 +84,7 @@ Scene plate_leaves(Random& random) {
   return run(std::move(bodies), motion_until(4, 16));
 }
 
-/// Two balls that meet where a third one touches the second, which starts later and is only there from then on.
+/// Two balls that meet where a third one will be, which starts when both have passed that place.
 Scene waits(Random& random) {
   std::vector<Body> bodies(3, at_rest(Sphere{1}));
   const double speed = random.whole(2, 4), meet = random.pick({0.5, 1.0});
@@ -93,10 +93,10 @@ Scene waits(Random& random) {
   bodies[2].X_WB.p_WB = {4, 0, 0};
   bodies[0].velocity.v_WBcm = {speed, 0, 0};
   bodies[1].velocity.v_WBcm = {1, 0, 0};
-  const Material material = some_material(random);
-  for (Body& body : bodies) body.material = material;
-  Motion motion = motion_until(2, 4);
-  motion.start_times = {0, 0, random.pick({6.0, 8.0})};
+  for (Body& body : bodies) body.material = {1, 0};  // the slower ball passes at 1 m/s
+  Motion motion;
+  motion.start_times = {0, 0, 8};
+  motion.sample_times = {8.5, 9};
   Scene scene = run(std::move(bodies), std::move(motion));
   scene.gravity.setZero();
   return turned_somehow(random, std::move(scene));
