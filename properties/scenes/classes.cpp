@@ -413,7 +413,7 @@ const std::vector<Class>& classes(const std::string& query) {
                                                             {"one body fixed", 0.08},
                                                             {"spins", 0.2},
                                                             {"a ball", 0.1},
-                                                            {"a polytope", 0.08},
+                                                            {"a polytope", 0.1},
                                                             {"starts of their own", 0.03},
                                                             {"binary32", 0.5}};
   static const std::vector<Class> runs = {{"gravity", 0.15},
@@ -421,7 +421,7 @@ const std::vector<Class>& classes(const std::string& query) {
                                           {"one body fixed", 0.1},
                                           {"spins", 0.2},
                                           {"a ball", 0.3},
-                                          {"a polytope", 0.1},
+                                          {"a polytope", 0.08},
                                           {"one or two bodies", 0.15},
                                           {"three bodies or more", 0.2},
                                           {"elastic", 0.1},

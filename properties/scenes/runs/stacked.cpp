@@ -95,8 +95,8 @@ Scene waits(Random& random) {
   bodies[1].velocity.v_WBcm = {1, 0, 0};
   for (Body& body : bodies) body.material = {1, 0};  // the slower ball passes at 1 m/s
   Motion motion;
-  motion.start_times = {0, 0, 8};
-  motion.sample_times = {8.5, 9};
+  motion.start_times = {0, 0, 16};
+  motion.sample_times = {16.5, 17};
   Scene scene = run(std::move(bodies), std::move(motion));
   scene.gravity.setZero();
   return turned_somehow(random, std::move(scene));

@@ -107,7 +107,7 @@ const std::vector<Reach> reaches = {
 
 /// A quick run draws so many scenes of each family of a query, or one more (app/trial/effort.h).
 std::uint64_t quick_scenes(const std::string& query) {
-  const std::int64_t cases = query == "simulation" || query == "constraint" ? 60 : 300;
+  const std::int64_t cases = query == "simulation" || query == "constraint" ? 68 : 300;
   const std::int64_t families = std::ranges::count_if(properties::families(), [&](const properties::Family& family) {
     return std::ranges::count(family.queries, query) > 0;
   });
