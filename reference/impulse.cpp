@@ -202,28 +202,38 @@ Float condition(const ImpactProblem<Float>& problem) {
   return trace(problem.K) * trace(problem.K_inverse);
 }
 
+/// ≥ 1: how small the approach is beside the velocity, |u|₁/|u_n|.
+Float grazes(const ImpactProblem<Float>& problem) {
+  const Float fast = abs(problem.u0[0]) + abs(problem.u0[1]) + abs(problem.u0[2]);
+  const Float u_n = -inner(problem.u0, problem.N);
+  return u_n > 0 ? std::max(Float(1), Float(fast / u_n)) : Float(1);
+}
+
 /// For `many` digits: series are cut at 2^-165 and floats have 254 bits; 2^-150 is 45 digits and leaves a factor 2^15
 /// for errors that add up over the steps. For `some`: cut at 2^-84, 106 bits, 2^-75. The second term is the precision
 /// left for an ill-conditioned K. The third is the precision left at the end of Stronge's restitution, where W has
-/// risen by the fraction e² of itself and p by e. All are relative to the energy norm, or to half of |P|_K if that is
-/// larger: only Newton's law can gain energy.
+/// risen by the fraction e² of itself and p by e; where the approach grazes, W is small beside the numbers from which
+/// it is computed, and an error δW is an error δW/u_n of p. All are relative to the energy norm, or to half of |P|_K if
+/// that is larger: only Newton's law can gain energy.
 double stated_error(const ImpactProblem<Float>& problem, const Triple& exact_P, Digits digits) {
   const Three<Float> P = {float_of(exact_P[0]), float_of(exact_P[1]), float_of(exact_P[2])};
   const Float size = std::max(energy_norm(problem), Float(sqrt(std::max(Float(0), inner(P, times(problem.K, P)))) / 2));
   const bool many = digits == Digits::many;
   const Float bits_left = ldexp(Float(1), many ? -240 : -95);
   const bool rises_little = problem.law == Law::stronge && problem.e > 0;
-  const Float relative = ldexp(Float(1), many ? -150 : -75) + condition(problem) * bits_left +
-                         (rises_little ? std::min(Float(bits_left / problem.e), Float(sqrt(bits_left))) : Float(0));
+  const Float relative =
+      ldexp(Float(1), many ? -150 : -75) + condition(problem) * bits_left +
+      (rises_little ? std::min(Float(bits_left * grazes(problem) / problem.e), Float(sqrt(bits_left))) : Float(0));
   return std::max(std::nextafter(static_cast<double>(Float(size * relative)), infinity),
                   std::numeric_limits<double>::denorm_min());
 }
 
-/// Double-doubles are enough for `some` digits if K is not near singular, the approach is not lost beside the slip, and
-/// the restitution is not lost beside the compression.
+/// Double-doubles are enough for `some` digits if K is not near singular, the approach is not lost beside the slip (the
+/// work of Stronge's law sooner than velocities), and the restitution is not lost beside the compression.
 bool two_doubles_do(const ImpactProblem<Float>& problem) {
-  const Float fast = abs(problem.u0[0]) + abs(problem.u0[1]) + abs(problem.u0[2]);
-  return condition(problem) <= 0x1p44 && -inner(problem.u0, problem.N) >= ldexp(fast, -200) &&
+  const Float most = ldexp(Float(1), problem.law == Law::stronge && problem.e > 0 ? 20 : 200);
+  const bool approaches = inner(problem.u0, problem.N) < 0;
+  return condition(problem) <= 0x1p44 && approaches && grazes(problem) <= most &&
          (problem.e == 0 || problem.e >= 0x1p-18);
 }
 
