@@ -100,7 +100,7 @@ Scene barely_flies(Random& random) {
 Scene slow_obstacle(Random& random) {
   const double r = some_radius(random);
   Scene scene = table_scene(random, r);
-  const double speed = sixteenths(random, 1, 4), h = sixteenths(random, 2, 8);
+  const double speed = sixteenths(random, 1, 4) / 4, h = sixteenths(random, 2, 8);
   scene.bodies.push_back(plate(Vec3(h, 1, h), {Vec3(r + h + speed / 4, 0, h), {}}, {random.pick({0.5, 0.75}), 0}));
   for (Body& body : scene.bodies) body.material.friction = 0;
   scene.bodies[0].velocity.v_WBcm = {speed, 0, 0};
