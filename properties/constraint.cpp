@@ -9,6 +9,8 @@
 #include "oracle/tolerance/tolerance.h"
 #include "properties/cases/applied_impulse.h"
 #include "properties/cases/constraint_case.h"
+#include "properties/cases/restitution.h"
+#include "properties/cases/trajectory_case.h"
 #include "properties/queries.h"
 #include "properties/transforms/scene.h"
 
@@ -142,36 +144,12 @@ double energy(const Scene& scene, const std::vector<State>& states) {
   return sum;
 }
 
-bool is_central_ball(const Body& body) {
-  const auto* given = std::get_if<MassProperties>(&body.mass);
-  return std::holds_alternative<Sphere>(body.shape) && (given == nullptr || given->p_BBcm.isZero(0));
-}
-
-/// Newton's rule, by which steps rebound, may add energy where friction acts out of line with the centre of mass.
-bool restitution_may_add_energy(const Scene& scene) {
-  const auto rebound_and_rub = [](const Body& a, const Body& b) {
-    return std::min(a.material.restitution, b.material.restitution) > 0 &&
-           std::min(a.material.friction, b.material.friction) > 0;
-  };
-  const auto off_centre = [](const Body& body) { return !is_fixed(body) && !is_central_ball(body); };
-  for (const Body& a : scene.bodies) {
-    for (const Body& b : scene.bodies) {
-      if (&a != &b && off_centre(a) && rebound_and_rub(a, b)) return true;
-    }
-  }
-  return false;
-}
-
 Finding energy_falls(const Scene& scene, Subject& subject) {
   return of_steps(scene, subject, [&](const Trajectory& said) {
     if (restitution_may_add_energy(scene)) return judge::outside("rebounds with friction of a body that is no ball");
-    for (const Body& body : scene.bodies) {
-      const bool moves = std::holds_alternative<Fixed>(body.mass) && body.velocity != Velocity{};
-      if (moves || !scene.motion->forces.empty())
-        return judge::outside("an applied force or a moving fixed body may do work");
-    }
-    std::vector<State> before;
-    for (const Body& body : scene.bodies) before.push_back({body.X_WB, body.velocity});
+    if (!fixed_bodies_rest(scene) || !scene.motion->forces.empty())
+      return judge::outside("an applied force or a moving fixed body may do work");
+    const std::vector<State> before = first_states(scene);
     const double allowed = tolerance::energy_of_steps(scene);
     double last = energy(scene, before);
     const double rounding = 0x1p-40 * (std::abs(last) + allowed);

@@ -111,6 +111,12 @@ Vec3 response(const ContactRow& row, const Vec3& P, const std::vector<Mobility>&
          (B.inverse_inertia * row.arm_B.cross(P)).cross(row.arm_B);
 }
 
+void remove_normal_velocity(const ContactRow& row, const std::vector<Mobility>& mobilities,
+                            std::vector<Twist>& twists) {
+  const double u_n = row.n.dot(relative_velocity(row, twists));
+  apply_impulse(row, -u_n / row.K_nn * row.n, mobilities, twists);
+}
+
 /// Removes the normal velocity of a contact that slips, by an impulse with friction: that of the step belongs to the
 /// step's normal impulse alone. Less normal impulse means less friction, so this may add energy, but no more than is
 /// left of `work` (J), which friction took in the step; otherwise the impulse is along the normal.
@@ -118,13 +124,13 @@ void project_slip(const ContactRow& row, const Vec3& friction_per_normal, double
                   const std::vector<Mobility>& mobilities, std::vector<Twist>& twists) {
   const Vec3 u = relative_velocity(row, twists), along = row.n + friction_per_normal;
   const Vec3 change = response(row, along, mobilities);
-  const double u_n = row.n.dot(u), impulse = -u_n / row.n.dot(change);
+  const double impulse = -row.n.dot(u) / row.n.dot(change);
   const double added = impulse * along.dot(u + impulse / 2 * change);
   if (!friction_per_normal.isZero(0) && row.n.dot(change) > row.K_nn / 4 && added <= work) {
     work -= std::max(0.0, added);
     apply_impulse(row, impulse * along, mobilities, twists);
   } else {
-    apply_impulse(row, -u_n / row.K_nn * row.n, mobilities, twists);
+    remove_normal_velocity(row, mobilities, twists);
   }
 }
 
@@ -149,8 +155,7 @@ void project_velocities(const std::vector<ContactRow>& at_end, const std::vector
         project_slip(row, friction_per_normal[i], work[i], mobilities, twists);
         continue;
       }
-      const double u_n = row.n.dot(relative_velocity(row, twists));
-      apply_impulse(row, -u_n / row.K_nn * row.n, mobilities, twists);
+      remove_normal_velocity(row, mobilities, twists);
       const Vec3 u = relative_velocity(row, twists);
       apply_impulse(row, -(u - row.n.dot(u) * row.n) / row.K_tt, mobilities, twists);
     }

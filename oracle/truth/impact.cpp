@@ -16,15 +16,15 @@ Matrix cross(const Point& r) {
   return m;
 }
 
-Matrix rotation(const Quaternion& q) {
-  return Eigen::Quaternion<Real>(q.w, q.x, q.y, q.z).normalized().toRotationMatrix();
-}
-
 Point at_contact(const Point& v_WBcm, const Point& w_WB, const ImpactBody& body) {
   return v_WBcm + w_WB.cross(body.p_BcmC_W);
 }
 
 }  // namespace
+
+Matrix rotation_matrix(const Quaternion& q) {
+  return Eigen::Quaternion<Real>(q.w, q.x, q.y, q.z).normalized().toRotationMatrix();
+}
 
 ImpactBody impact_body(const Scene& scene, std::size_t index, const Vec3& p_WC) {
   const Body& body = scene.bodies[index];
@@ -35,7 +35,7 @@ ImpactBody impact_body(const Scene& scene, std::size_t index, const Vec3& p_WC) 
   it.fixed = !mass;
   it.p_BcmC_W = p_WC.cast<Real>() - body.X_WB.p_WB.cast<Real>();
   if (it.fixed) return it;
-  it.R_WB = rotation(body.X_WB.q_WB);
+  it.R_WB = rotation_matrix(body.X_WB.q_WB);
   it.mass = middle(mass->mass);
   it.p_BBcm = Point(middle(mass->p_BBcm[0]), middle(mass->p_BBcm[1]), middle(mass->p_BBcm[2]));
   it.p_BcmC_W -= it.R_WB * it.p_BBcm;

@@ -38,6 +38,9 @@ struct ImpactBody {
   }
 };
 
+/// Of q/|q|.
+Matrix rotation_matrix(const Quaternion& q);
+
 /// A body of a valid scene with its present velocity, and the arm to C.
 ImpactBody impact_body(const Scene& scene, std::size_t body, const Vec3& p_WC);
 

@@ -1,6 +1,5 @@
 #include "properties/cases/applied_impulse.h"
 
-#include <algorithm>
 #include <cstddef>
 
 namespace touchstone::properties {

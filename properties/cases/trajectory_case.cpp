@@ -1,6 +1,5 @@
 #include "properties/cases/trajectory_case.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <tuple>
 #include <utility>
@@ -139,12 +138,28 @@ std::string pose_text(const Pose& pose) {
 
 }  // namespace
 
+std::vector<State> first_states(const Scene& scene) {
+  std::vector<State> states;
+  for (const Body& body : scene.bodies) states.push_back({body.X_WB, body.velocity});
+  return states;
+}
+
+bool fixed_bodies_rest(const Scene& scene) {
+  return std::ranges::all_of(scene.bodies,
+                             [](const Body& body) { return !is_fixed(body) || body.velocity == Velocity{}; });
+}
+
+Scene posed_pair(const Scene& scene, std::size_t i, const Pose& X_Wi, std::size_t k, const Pose& X_Wk) {
+  Scene pair;
+  pair.bodies = {scene.bodies[i], scene.bodies[k]};
+  pair.bodies[0].X_WB = X_Wi;
+  pair.bodies[1].X_WB = X_Wk;
+  return pair;
+}
+
 double displacement(const Body& body, const Pose& said, const Pose& expected) {
-  const auto turn = [](const Quaternion& q) {
-    return Eigen::Quaternion<oracle::Real>(q.w, q.x, q.y, q.z).normalized().toRotationMatrix();
-  };
   const oracle::Real shift = (said.p_WB.cast<oracle::Real>() - expected.p_WB.cast<oracle::Real>()).norm();
-  const oracle::Real turned = (turn(said.q_WB) - turn(expected.q_WB)).norm();
+  const oracle::Real turned = (oracle::rotation_matrix(said.q_WB) - oracle::rotation_matrix(expected.q_WB)).norm();
   return static_cast<double>(shift + turned * tolerance::radius(body));
 }
 

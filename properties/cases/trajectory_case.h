@@ -17,6 +17,13 @@ namespace touchstone::properties {
 /// the end; and exactly one event for each applied force that begins during the motion, at its time.
 std::string fault_in_form(const Scene& scene, const Trajectory& said);
 
+std::vector<State> first_states(const Scene& scene);
+
+bool fixed_bodies_rest(const Scene& scene);
+
+/// Bodies i and k of the scene in these poses.
+Scene posed_pair(const Scene& scene, std::size_t i, const Pose& X_Wi, std::size_t k, const Pose& X_Wk);
+
 struct TrajectoryCase {
   const Scene& scene;
   oracle::Precision precision;

@@ -399,9 +399,7 @@ void set_material(Random& random, std::vector<Body>& bodies) {
 
 /// The bodies on a large table with this friction.
 Scene on_large_table(Random& random, std::vector<Body> bodies, double friction, Motion motion) {
-  Body table = fixed(at_rest(Box{Vec3(256, 256, 2)}, {{0, 0, -2}, {}}));
-  table.material = {1, friction};
-  bodies.push_back(std::move(table));
+  bodies.push_back(large_table({1, friction}));
   Scene scene = run(random, std::move(bodies), std::move(motion), {0, 0, -8});
   scene.motion->law = Law::poisson;
   return scene;
@@ -468,9 +466,7 @@ Scene on_a_carrier(Random& random) {
   carrier.material = upper.material = {e, mu};
   std::vector<Body> bodies = {std::move(upper)};
   if (on_ice) {
-    Body table = fixed(at_rest(Box{Vec3(256, 256, 2)}, {{0, 0, -2}, {}}));
-    table.material = {0, 0};
-    bodies.push_back(std::move(table));
+    bodies.push_back(large_table({0, 0}));
     bodies.push_back(std::move(carrier));
   } else {
     bodies.push_back(fixed(std::move(carrier)));

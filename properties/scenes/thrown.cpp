@@ -62,6 +62,12 @@ Body fixed(Body body) {
   return body;
 }
 
+Body large_table(const Material& material) {
+  Body table = fixed(at_rest(Box{Vec3(256, 256, 2)}, {{0, 0, -2}, {}}));
+  table.material = material;
+  return table;
+}
+
 Body at(Body body, const Vec3& p) {
   body.X_WB.p_WB = p;
   return body;

@@ -25,6 +25,9 @@ Body spun(Random& random, Body body);
 
 Body fixed(Body body);
 
+/// Fixed, 512 m wide, its top at z = 0.
+Body large_table(const Material& material);
+
 Body at(Body body, const Vec3& p);
 Body moving(Body body, const Vec3& v, const Vec3& w = Vec3::Zero());
 

@@ -1,5 +1,4 @@
 // The clause of docs/spec/simulation.md about what a face gives to a body from one sample to the next.
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -11,6 +10,8 @@
 #include "oracle/tolerance/motion.h"
 #include "oracle/tolerance/tolerance.h"
 #include "oracle/truth/impact.h"
+#include "properties/cases/box_face.h"
+#include "properties/cases/restitution.h"
 #include "properties/cases/trajectory_case.h"
 #include "properties/queries.h"
 
@@ -19,7 +20,6 @@ namespace {
 
 using oracle::Defect;
 using oracle::Finding;
-using oracle::Matrix;
 using oracle::Point;
 using oracle::Real;
 using oracle::Subject;
@@ -55,18 +55,13 @@ Reach reach(const TrajectoryCase& asked, std::size_t index, const State& state, 
   return found;
 }
 
-/// Whether a sphere, above the face of the box that it is over, stays over that face's inside; then its normal.
+/// The normal of the face that a sphere is above, if it stays above the inside of that face.
 std::optional<Point> face_under(const Body& box, const Point& centre, Real farthest) {
-  const Quaternion& q = box.X_WB.q_WB;
-  const Matrix R = Eigen::Quaternion<Real>(q.w, q.x, q.y, q.z).normalized().toRotationMatrix();
-  const Point half = std::get<Box>(box.shape).half_extents.cast<Real>();
-  const Point off = R.transpose() * (centre - box.X_WB.p_WB.cast<Real>());
-  for (Eigen::Index axis = 0; axis < 3; ++axis) {
-    const Eigen::Index x = (axis + 1) % 3, y = (axis + 2) % 3;
-    const bool is_over = std::abs(off[x]) + farthest < half[x] && std::abs(off[y]) + farthest < half[y];
-    if (is_over && std::abs(off[axis]) > half[axis]) return Point((off[axis] > 0 ? 1 : -1) * R.col(axis));
-  }
-  return std::nullopt;
+  const std::optional<Face> face = face_below(box, centre);
+  if (!face) return std::nullopt;
+  const Point off = face->in_face(centre - face->middle);
+  const bool is_inside = std::abs(off.x()) + farthest < face->half.x() && std::abs(off.y()) + farthest < face->half.y();
+  return is_inside ? std::optional<Point>(face->R_WF.col(2)) : std::nullopt;
 }
 
 /// Bodies that touch each other may make each other faster than their own energy.
@@ -101,11 +96,6 @@ std::optional<OnlyFace> only_face(const TrajectoryCase& asked, const std::vector
     only = OnlyFace{k, *normal};
   }
   return only;
-}
-
-bool is_round(const Scene& scene, std::size_t body) {
-  const oracle::ImpactBody facts = oracle::impact_body(scene, body, scene.bodies[body].X_WB.p_WB);
-  return std::holds_alternative<Sphere>(scene.bodies[body].shape) && facts.p_BcmC_W.isZero(0);
 }
 
 /// rad: how far a contact's normal may be off in a subject with steps, whose collision detection finds it: a choice.
@@ -161,24 +151,14 @@ Finding judged(const TrajectoryCase& asked, const Span& span, std::size_t index,
       [&] { return "P_n ≥ 0 and |P_t| ≤ " + words::text(friction) + " P_n"; });
 }
 
-bool may_raise_energy(const TrajectoryCase& asked) {
-  const auto bounces = [](const Body& body) { return body.material.restitution > 0 && body.material.friction > 0; };
-  if (!asked.stepping || !std::ranges::any_of(asked.scene.bodies, bounces)) return false;
-  for (std::size_t k = 0; k < asked.scene.bodies.size(); ++k) {
-    if (!asked.is_fixed(k) && !is_round(asked.scene, k)) return true;
-  }
-  return false;
-}
-
 Finding face_impulse(const Scene& scene, Subject& subject) {
   return of_trajectory(scene, subject, [&](const TrajectoryCase& asked) {
     if (!scene.motion->forces.empty() || !scene.motion->start_times.empty())
       return judge::outside("applied forces, or start times");
-    const auto moves = [](const Body& body) { return is_fixed(body) && body.velocity != Velocity{}; };
-    if (std::ranges::any_of(scene.bodies, moves)) return judge::outside("a fixed body that moves");
-    if (may_raise_energy(asked)) return judge::outside("impacts in steps that may raise energy");
-    std::vector<State> start;
-    for (const Body& body : scene.bodies) start.push_back({body.X_WB, body.velocity});
+    if (!fixed_bodies_rest(scene)) return judge::outside("a fixed body that moves");
+    if (asked.stepping && restitution_may_add_energy(scene))
+      return judge::outside("impacts in steps that may raise energy");
+    const std::vector<State> start = first_states(scene);
     Finding worst = judge::outside("no body that only one face can touch between two samples");
     for (std::size_t sample = 0; sample < asked.samples(); ++sample) {
       const Span span{sample == 0 ? 0 : asked.time(sample - 1), asked.time(sample),

@@ -12,6 +12,7 @@
 #include "oracle/truth/impact.h"
 #include "oracle/truth/turn.h"
 #include "oracle/truth/world_points.h"
+#include "properties/cases/box_face.h"
 #include "properties/cases/time_of_impact_case.h"
 #include "properties/cases/trajectory_case.h"
 #include "properties/queries.h"
@@ -29,43 +30,10 @@ namespace judge = oracle::judge;
 namespace tolerance = oracle::tolerance;
 namespace words = oracle::words;
 
-using Plane = Eigen::Matrix<Real, 2, 1>;
-
 constexpr Real infinite = std::numeric_limits<Real>::infinity();
-
-Matrix rotation(const Pose& X) {
-  const Quaternion& q = X.q_WB;
-  return Eigen::Quaternion<Real>(q.w, q.x, q.y, q.z).normalized().toRotationMatrix();
-}
 
 bool moves_by_gravity_alone(const Scene& scene) {
   return scene.motion->forces.empty() && scene.motion->start_times.empty() && !scene.gravity.isZero(0);
-}
-
-/// A face of a box: its middle, and a frame whose z is the outward normal.
-struct Face {
-  Point middle = Point::Zero();      ///< m
-  Matrix R_WF = Matrix::Identity();  ///< columns: two edges, the normal
-  Plane half = Plane::Zero();        ///< m
-  Point in_face(const Point& v) const { return R_WF.transpose() * v; }
-};
-
-/// The face above whose middle part the point lies; none if it is beside the box, or inside.
-std::optional<Face> face_below(const Body& box, const Point& p) {
-  const Matrix R = rotation(box.X_WB);
-  const Point half = std::get<Box>(box.shape).half_extents.cast<Real>(), at = box.X_WB.p_WB.cast<Real>(),
-              off = R.transpose() * (p - at);
-  for (Eigen::Index axis = 0; axis < 3; ++axis) {
-    const Eigen::Index x = (axis + 1) % 3, y = (axis + 2) % 3;
-    if (std::abs(off[axis]) <= half[axis] || std::abs(off[x]) >= half[x] || std::abs(off[y]) >= half[y]) continue;
-    const Real side = off[axis] > 0 ? 1 : -1;
-    Face face;
-    face.middle = at + side * half[axis] * R.col(axis);
-    face.R_WF << R.col(x), side * R.col(y), side * R.col(axis);
-    face.half << half[x], half[y];
-    return face;
-  }
-  return std::nullopt;
 }
 
 /// A ball or box on a face. Vectors are in the face's frame.
@@ -334,7 +302,8 @@ Finding turns_between(const TrajectoryCase& asked, const FaceMotion& motion, con
   const double u = oracle::unit_roundoff(asked.precision), unit = u * static_cast<double>(turned);
   const Real allowed = seconds * spin_freedom(motion, until < motion.slip_ends(), w0, w1, seconds, dv, step) +
                        oracle::turn_error(w0, w1, seconds) + 64 * unit;
-  const Real off = angle_between(oracle::turn(w0, w1, seconds) * rotation(before.X_WB), rotation(after.X_WB));
+  const Real off = angle_between(oracle::turn(w0, w1, seconds) * oracle::rotation_matrix(before.X_WB.q_WB),
+                                 oracle::rotation_matrix(after.X_WB.q_WB));
   return counted(allowed < 0x1p-4L,
                  judge::at_most(
                      static_cast<double>(off),

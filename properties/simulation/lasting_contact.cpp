@@ -34,16 +34,6 @@ bool is_held(const std::vector<Segment>& segments, double time) {
   });
 }
 
-/// The bodies i and k where a sample shows them.
-Scene pair_in(const Scene& scene, const std::vector<State>& states, std::size_t i, std::size_t k) {
-  Scene pair;
-  for (const std::size_t body : {i, k}) {
-    pair.bodies.push_back(scene.bodies[body]);
-    pair.bodies.back().X_WB = states[body].X_WB;
-  }
-  return pair;
-}
-
 /// m: how far two bodies of which at least one moves may be apart although a contact between them lasts.
 double gap_of_contact(const TrajectoryCase& asked, const Scene& pair) {
   double gap = 2 * envelope(asked.scene) + tolerance::distance(pair, asked.precision);
@@ -59,7 +49,7 @@ Finding touches_another(const TrajectoryCase& asked, std::size_t sample, std::si
   Finding least = judge::outside("no other body");
   for (std::size_t other = 0; other < states.size(); ++other) {
     if (other == body || !asked.has_started(other, asked.time(sample))) continue;
-    const Scene pair = pair_in(asked.scene, states, body, other);
+    const Scene pair = posed_pair(asked.scene, body, states[body].X_WB, other, states[other].X_WB);
     const Interval apart = oracle::truth::distance(pair).distance;
     const double allowed = gap_of_contact(asked, pair) + asked.distances.of(apart.lo);
     Finding finding = judge::at_most(
@@ -69,7 +59,7 @@ Finding touches_another(const TrajectoryCase& asked, std::size_t sample, std::si
                  " s, and body " + std::to_string(other) + " is " + oracle::words::text(apart.lo) + " m away";
         },
         [] { return std::string("a body that touches it"); });
-    if (!(apart.lo > envelope(asked.scene))) return finding;
+    if (apart.lo <= envelope(asked.scene)) return finding;
     if (least.outcome == oracle::Outcome::outside || finding.error < least.error) least = std::move(finding);
   }
   return least;
@@ -77,10 +67,8 @@ Finding touches_another(const TrajectoryCase& asked, std::size_t sample, std::si
 
 /// Do the two bodies of a release touch until then?
 Finding touches_at_release(const TrajectoryCase& asked, const Event& event) {
-  Scene pair;
-  for (const int body : {event.a, event.b}) pair.bodies.push_back(asked.scene.bodies[static_cast<std::size_t>(body)]);
-  pair.bodies[0].X_WB = event.after_a.X_WB;
-  pair.bodies[1].X_WB = event.after_b.X_WB;
+  const auto a = static_cast<std::size_t>(event.a), b = static_cast<std::size_t>(event.b);
+  const Scene pair = posed_pair(asked.scene, a, event.after_a.X_WB, b, event.after_b.X_WB);
   const Interval apart = oracle::truth::distance(pair).distance;
   const double gap = gap_of_contact(asked, pair) + asked.distances.of(apart.lo);
   Finding worst = judge::at_most(

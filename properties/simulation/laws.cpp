@@ -46,12 +46,6 @@ std::vector<ImpactBody> bodies_at(const Scene& scene, const std::vector<State>& 
   return bodies;
 }
 
-std::vector<State> first_states(const Scene& scene) {
-  std::vector<State> states;
-  for (const Body& body : scene.bodies) states.push_back({body.X_WB, body.velocity});
-  return states;
-}
-
 bool start_at_once(const Scene& scene) {
   const std::vector<double>& starts = scene.motion->start_times;
   return std::ranges::all_of(starts, [&](double t) { return t == starts.front(); });
@@ -63,11 +57,6 @@ double start_of_all(const Scene& scene) {
 
 bool any_fixed(const Scene& scene) {
   return std::ranges::any_of(scene.bodies, [](const Body& b) { return std::holds_alternative<Fixed>(b.mass); });
-}
-
-bool fixed_rest(const Scene& scene) {
-  return std::ranges::all_of(
-      scene.bodies, [](const Body& b) { return !std::holds_alternative<Fixed>(b.mass) || b.velocity == Velocity{}; });
 }
 
 /// How often velocities were rounded: at each event, and in each step of contact that the subject tells.
@@ -283,7 +272,7 @@ bool elastic(const Scene& scene) {
 Finding energy(const Scene& scene, Subject& subject) {
   return of_trajectory(scene, subject, [&](const TrajectoryCase& asked) {
     const bool law_loses = scene.motion->law == Law::poisson || frictionless(scene);
-    if (!law_loses || !scene.motion->forces.empty() || !fixed_rest(scene) || !start_at_once(scene)) {
+    if (!law_loses || !scene.motion->forces.empty() || !fixed_bodies_rest(scene) || !start_at_once(scene)) {
       return judge::outside("a law, a force or a fixed body that may add energy");
     }
     return energy_between_samples(asked, false);
@@ -293,7 +282,7 @@ Finding energy(const Scene& scene, Subject& subject) {
 Finding elastic_energy(const Scene& scene, Subject& subject) {
   return of_trajectory(scene, subject, [&](const TrajectoryCase& asked) {
     if (!elastic(scene) || !frictionless(scene)) return judge::outside("impacts that lose energy");
-    if (!scene.motion->forces.empty() || !fixed_rest(scene) || !start_at_once(scene)) {
+    if (!scene.motion->forces.empty() || !fixed_bodies_rest(scene) || !start_at_once(scene)) {
       return judge::outside("a force or a fixed body that may add energy");
     }
     return energy_between_samples(asked, true);

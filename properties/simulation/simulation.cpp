@@ -2,7 +2,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 #include "model/limits.h"
@@ -424,10 +423,7 @@ Finding solid(const Scene& scene, Subject& subject) {
           const bool fixed = asked.is_fixed(i) && asked.is_fixed(j);
           if (fixed || !asked.has_started(i, time) || !asked.has_started(j, time)) continue;
           if (spheres_apart(scene.bodies[i], states[i], scene.bodies[j], states[j])) continue;
-          Scene pair;
-          pair.bodies = {scene.bodies[i], scene.bodies[j]};
-          pair.bodies[0].X_WB = states[i].X_WB;
-          pair.bodies[1].X_WB = states[j].X_WB;
+          const Scene pair = posed_pair(scene, i, states[i].X_WB, j, states[j].X_WB);
           const bool overlap = truth::distance(pair).verdict == Verdict::overlapping;
           const double deep = overlap ? judge::margin(pair).lo : 0;
           const double way = asked.stepping ? tolerance::way_of_step(scene, asked.stepping->step) : 0;

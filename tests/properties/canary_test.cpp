@@ -77,7 +77,7 @@ TEST_CASE("the reference and fast keep every property, and each property asks th
       }
       INFO(property.id);
       const bool promises_nothing = property.id.ends_with(".work") && subject->card().work_limits.empty();
-      // The reference follows impacts alone: under its contacts nothing lasts.
+      // The reference reports impacts alone, no contact that lasts.
       const bool has_no_contacts = property.id == "simulation.touches" && subject->card().name == "reference";
       CHECK((held > 0 || promises_nothing || has_no_contacts));
     }

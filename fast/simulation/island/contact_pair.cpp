@@ -154,15 +154,19 @@ double distance(const ContactPair& contact_pair, const IslandBody& body_a, const
   return proximity_of(A, at_a, B, at_b).distance;
 }
 
-bool have_come_apart(const ContactPair& contact_pair, const std::vector<contact::ContactPoint>& contact_points,
+bool have_come_apart(const ContactPair& contact_pair, std::span<const contact::ContactConstraint> constraints,
                      const IslandBody& body_a, const State& at_a, const IslandBody& body_b, const State& at_b,
                      double within) {
+  const auto presses = [](const contact::ContactConstraint& c) { return !c.contact_point.F_A_W.isZero(0); };
+  if (std::ranges::none_of(constraints, presses)) return false;
   const contact::Part A = part_of(body_a, contact_pair.part_a, at_a), B = part_of(body_b, contact_pair.part_b, at_b);
-  const auto is_on_both = [&](const contact::ContactPoint& point) {
-    const contact::Nearness near = nearness(point.a, A.body, point.b, B.body, contact_pair.nhat_BA_W);
+  const auto is_on_both = [&](const contact::ContactConstraint& c) {
+    const contact::Nearness near =
+        nearness(c.contact_point.a, A.body, c.contact_point.b, B.body, contact_pair.nhat_BA_W);
     return is_within(A, near.p_WC, within) && is_within(B, near.p_WC - near.gap * near.nhat_BA_W, within);
   };
-  return std::ranges::none_of(contact_points, is_on_both) && proximity_of(A, at_a, B, at_b).distance > within;
+  const auto holds = [&](const contact::ContactConstraint& c) { return presses(c) && is_on_both(c); };
+  return std::ranges::none_of(constraints, holds) && proximity_of(A, at_a, B, at_b).distance > within;
 }
 
 std::vector<double> clearances(const ContactPair& contact_pair, const IslandBody& body_a, const State& at_a,

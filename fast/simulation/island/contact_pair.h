@@ -1,6 +1,8 @@
 // Two convex parts of bodies in contact, with the contact points at which they touch.
 #pragma once
 
+#include <span>
+
 #include "fast/contact/step.h"
 #include "fast/simulation/impact.h"
 
@@ -62,9 +64,10 @@ ImpactCandidate candidate_at(const ContactPair& contact_pair, const contact::Con
 double distance(const ContactPair& contact_pair, const IslandBody& A, const State& at_a, const IslandBody& B,
                 const State& at_b);
 
-/// Whether the two parts are farther apart than `within` (m), with A and B in the given states, because none of these
-/// contact points is on both any more. Features are planes and lines without ends, so a gap of 0 does not tell.
-bool have_come_apart(const ContactPair& contact_pair, const std::vector<contact::ContactPoint>& contact_points,
+/// Whether the two parts press in a step with these constraints, and are farther apart than `within` (m) after it, with
+/// A and B in the given states, because no contact point that presses is on both any more. Features are planes and
+/// lines without ends, so a gap of 0 does not tell.
+bool have_come_apart(const ContactPair& contact_pair, std::span<const contact::ContactConstraint> constraints,
                      const IslandBody& A, const State& at_a, const IslandBody& B, const State& at_b, double within);
 
 /// The separations of all vertices of both parts along the pair's normal (m), with A and B in the given states.

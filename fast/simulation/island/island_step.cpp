@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include "fast/simulation/prediction/length.h"
@@ -138,16 +139,13 @@ class CornerSearch {
 /// Whether two parts press on each other in the step and are apart after it: a part slides off where the face or the
 /// edge that it is on ends.
 bool slides_off(const ContactGraph& graph, const StepPlan& plan) {
-  auto constraint = plan.constraints.begin();
+  const std::vector<State>& after = plan.stepped.after;
+  std::span<const contact::ContactConstraint> left = plan.constraints;
   for (const ContactPair& contact_pair : graph.contact_pairs()) {
-    std::vector<contact::ContactPoint> pressed;
-    for (std::size_t i = 0; i < contact_pair.contact_points.size(); ++i, ++constraint) {
-      if (!constraint->contact_point.F_A_W.isZero(0)) pressed.push_back(constraint->contact_point);
-    }
-    if (pressed.empty()) continue;
+    const auto of_pair = left.first(contact_pair.contact_points.size());
+    left = left.subspan(of_pair.size());
     const std::size_t a = graph.index(contact_pair.a), b = graph.index(contact_pair.b);
-    const std::vector<State>& after = plan.stepped.after;
-    if (have_come_apart(contact_pair, pressed, graph.bodies()[a], after[a], graph.bodies()[b], after[b],
+    if (have_come_apart(contact_pair, of_pair, graph.bodies()[a], after[a], graph.bodies()[b], after[b],
                         lost * graph.near()))
       return true;
   }

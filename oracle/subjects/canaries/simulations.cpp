@@ -264,20 +264,14 @@ void adds_angles(State& state, const Scene& scene, std::size_t body, double time
   state.X_WB.q_WB = quaternion(turn * rotation(start.X_WB.q_WB));
 }
 
-// Half of the friction. Without events, the law of single impacts does not show it.
-void slippery(Subject& truthful, const Scene& scene, Trajectory& said) {
-  Scene other = scene;
-  for (Body& body : other.bodies) body.material.friction /= 2;
-  with(truthful.simulation(other), [&](const Trajectory& answer) { said = answer; });
-  said.events.reset();
-}
-
-// Twice the friction. Without events, the law of single impacts does not show it.
-void grips(Subject& truthful, const Scene& scene, Trajectory& said) {
-  Scene other = scene;
-  for (Body& body : other.bodies) body.material.friction *= 2;
-  with(truthful.simulation(other), [&](const Trajectory& answer) { said = answer; });
-  said.events.reset();
+// Another friction. Without events, the law of single impacts does not show it.
+Lies with_friction(double factor) {
+  return runs([factor](Subject& truthful, const Scene& scene, Trajectory& said) {
+    Scene other = scene;
+    for (Body& body : other.bodies) body.material.friction *= factor;
+    with(truthful.simulation(other), [&](const Trajectory& answer) { said = answer; });
+    said.events.reset();
+  });
 }
 
 // A body that starts at rest in contact stays there, wherever its centre of mass is.
@@ -494,8 +488,8 @@ std::vector<Canary> canaries_about_simulations() {
             [] { return each_state(adds_angles); }),
       lying("canary.starts_anew", "takes a state at a later time for one at time 0",
             [] { return as_if([](Scene& scene) { scene.motion->start_times.clear(); }); }),
-      lying("canary.slippery", "halves all friction, and reports no events", [] { return runs(slippery); }),
-      lying("canary.grips", "doubles all friction, and reports no events", [] { return runs(grips); }),
+      lying("canary.slippery", "halves all friction, and reports no events", [] { return with_friction(0.5); }),
+      lying("canary.grips", "doubles all friction, and reports no events", [] { return with_friction(2); }),
       lying("canary.clings", "keeps a body that starts in contact where it is, whatever it is on",
             [] { return runs(clings); }),
       lying("canary.one_corner", "lets the first corner that touches take an impact alone",

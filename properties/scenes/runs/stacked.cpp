@@ -20,13 +20,6 @@ Scene run(std::vector<Body> bodies, Motion motion) {
   return scene;
 }
 
-/// A table whose top is at z = 0, without friction.
-Body ice() {
-  Body table = fixed(at_rest(Box{Vec3(256, 256, 2)}, {{0, 0, -2}, {}}));
-  table.material = {0, 0};
-  return table;
-}
-
 /// Boxes on each other, the lowest at z = 0, each over the middle of the one below; rough, of density 1.
 std::vector<Body> stack(Random& random, int count) {
   std::vector<Body> boxes;
@@ -54,7 +47,7 @@ Scene wakes(Random& random) {
   Motion motion = motion_until(1, 8);
   motion.force_bound = 8 * force;
   motion.forces = {{random.pick({0.25, 0.5}), pulled, Vec3(random.sign() * force, 0, 0)}};
-  bodies.push_back(ice());
+  bodies.push_back(large_table({0, 0}));
   return run(std::move(bodies), std::move(motion));
 }
 
@@ -65,7 +58,7 @@ Scene drifts(Random& random) {
   Motion motion = motion_until(1, 8);
   if (random.one_in(2)) motion.envelope = 0x1p-13;
   bodies[2].velocity.v_WBcm = {random.sign() * (motion.envelope ? 0x1p-4 : 0x1p-12) * random.whole(1, 4), 0, 0};
-  bodies.push_back(ice());
+  bodies.push_back(large_table({0, 0}));
   if (random.one_in(2)) std::ranges::reverse(bodies);
   return run(std::move(bodies), std::move(motion));
 }
