@@ -137,6 +137,13 @@ TEST_CASE("manifold: a ball touches with its centre as a point with a radius") {
   CHECK(contact_points(above.part(), edge.part(), z, within).front().b.kind == Kind::line);
 }
 
+TEST_CASE("manifold: a ball beside the end of an edge does not touch it, although it touches the edge's line") {
+  const Posed edge(cube(), Vec3::Zero(), eighth_turn(x));
+  const double height = std::sqrt(2.0);
+  check_places(Posed(Sphere{0.5}, Vec3(1 + within / 2, 0, height + 0.5)), edge, {{1 + within / 2, 0, height}});
+  check_places(Posed(Sphere{0.5}, Vec3(1.125, 0, height + 0.5)), edge, {});
+}
+
 TEST_CASE("manifold: a contact point between two given points is A's point over B's plane") {
   const Posed A(cube(), 3 * z), B(cube(), Vec3::Zero());
   const ContactPoint point = contact_point_between(A.part(), {0.5, 0, 2}, B.part(), {0.25, 0, 1}, z);

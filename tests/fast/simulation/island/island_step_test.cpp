@@ -75,6 +75,17 @@ TEST_CASE("island step: it ends where a ball comes down that falls ever faster, 
   }
 }
 
+// The ball is over the table's side after 1/16 s; then it is on the edge, d beyond it at a height of √(1 − d²) − 1.
+TEST_CASE("island step: a step ends where a ball slides off the table, and not at its end in the air") {
+  const IslandBodies bodies({ball(1, {3.9375, 0, 1}, {1, 0, 0}, {}), table(4)}, g_W);
+  const ContactGraph graph = bodies.graph(0x1p-30, reach);
+  const StepPlan plan = plan_step(graph, 0.125, 0.125);
+  CHECK(solve_step(graph, 0.125, 0.125).h == 0.125);
+  CHECK(plan.h >= 0.0625);
+  CHECK(plan.h < 0.0627);
+  CHECK(plan_step(graph, 0.0625, 0.125).h == 0.0625);
+}
+
 // At the end of the whole step the ball is 0.04 − 0.25 + 5/16 = 0.1 m above the table.
 TEST_CASE("island step: it ends where a ball comes down, although it would be lifted again before the end") {
   const IslandBodies bodies({ball(1, {0, 0, 1.04}, {0, 0, -1}, {}), table()}, -g_W);
