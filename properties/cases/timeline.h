@@ -17,6 +17,8 @@ struct Segment {
   State start;
   bool ballistic = true;  ///< false under a contact, and during impacts that are reported as one completed series
   std::size_t ends_with = static_cast<std::size_t>(-1);  ///< the event's index; none for a body's last segment
+
+  bool is_last() const { return ends_with == static_cast<std::size_t>(-1); }
 };
 
 /// The segments of each body in order, by body. The last one ends with the trajectory.

@@ -27,10 +27,10 @@ namespace tolerance = oracle::tolerance;
 /// 2⁻¹¹ of the radius for each of the two: a choice.
 constexpr double opens_in_a_step = 0x1p-10;
 
-/// Is the body, at this time, strictly between two events of which the first reports a contact that lasts?
+/// Is the body, at this time, after an event that reports a contact that lasts, and before its next event?
 bool is_held(const std::vector<Segment>& segments, double time) {
   return std::ranges::any_of(segments, [time](const Segment& segment) {
-    return !segment.ballistic && segment.from < time && time < segment.until;
+    return !segment.ballistic && segment.from < time && (time < segment.until || segment.is_last());
   });
 }
 

@@ -559,6 +559,20 @@ TEST_CASE("simulation: what has not the form of a trajectory is not judged furth
   CHECK(judged("ordered", said).defect == Defect::inconsistent);
 }
 
+TEST_CASE("simulation: a body has no event before it starts") {
+  tests::FixedSubject subject;
+  Trajectory said = turned_back();
+  const auto ordered = [&](double start) {
+    Scene scene = wall();
+    scene.motion->sample_times = {0.9375, 1};
+    scene.motion->start_times = {start, 0};
+    subject.said_simulation = said;
+    return properties::find("simulation.ordered").check(scene, subject).outcome;
+  };
+  CHECK(ordered(event_of(said).time) == Outcome::holds);
+  CHECK(ordered(event_of(said).time + 0x1p-10) == Outcome::fails);
+}
+
 // Balls 0 to 5 in a row, apart from each other: only the order of the events is judged, not whether they can be.
 TEST_CASE("simulation: events at one time are in order, but for those that begin anew with what others caused") {
   const auto judged_order = [](const std::vector<std::pair<int, int>>& pairs) {
@@ -668,6 +682,63 @@ TEST_CASE("simulation: steps explain friction that begins one of them late, on a
   CHECK(judged_at(0.07, 0.028, oracle::Stepping{1.0 / 64, 1}) == Outcome::holds);
   CHECK(judged_at(0.07, 0.028, oracle::Stepping{1.0 / 64, 2}) == Outcome::fails);
   CHECK(judged_at(0.07, 0.032, oracle::Stepping{1.0 / 64, 1}) == Outcome::fails);
+}
+
+// It slips all the time: what the table gives it is 2.5 m/s up and, with friction 0.5, 1.25 m/s backwards.
+TEST_CASE("simulation: a face gives no more friction than its cone has, and does not pull") {
+  const Scene scene = over_table(ball({0, 0, 0.5}, {8, 0, 0}), 0.25);
+  const auto judged_at = [&](const Vec3& v) {
+    return by_steps("face_impulse", scene, {at({1.84375, 0, 0.5}, v), of_table()}, std::nullopt);
+  };
+  CHECK(judged_at({6.75, 0, 0}) == Outcome::holds);
+  CHECK(judged_at({6.74, 0, 0}) == Outcome::fails);
+  CHECK(judged_at({6.75, -0.2, 0}) == Outcome::fails);
+  CHECK(judged_at({8, 0, -2.5}) == Outcome::holds);  // as if it fell
+  CHECK(judged_at({8, 0, -2.51}) == Outcome::fails);
+  Scene beside = scene;
+  std::get<Box>(beside.bodies[1].shape).half_extents.x() = 1;
+  CHECK(by_steps("face_impulse", beside, {at({1.84375, 0, 0.5}, {6.74, 0, 0}), of_table()}, std::nullopt) ==
+        Outcome::outside);
+}
+
+// A force that acts for half of the second gives it its momentum; m is the ball's mass.
+TEST_CASE("simulation: on ice applied forces alone change the momentum along the table") {
+  Scene scene = over_table(ball({0, 0, 0.5}, {0, 0, 0}), 1);
+  for (Body& body : scene.bodies) body.material = {0, 0};
+  scene.bodies[0].mass = MassProperties{2, Vec3::Zero(), 0.2 * Mat3::Identity()};
+  scene.motion->force_bound = 8;
+  scene.motion->forces = {{0.25, 0, {4, 0, 0}}, {0.75, 0, {0, 0, 0}}};
+  const auto judged_at = [&](double v) {
+    return by_steps("level_momentum", scene, {at({0.5, 0, 0.5}, {v, 0, 0}), of_table()}, std::nullopt);
+  };
+  CHECK(judged_at(1) == Outcome::holds);
+  CHECK(judged_at(0) == Outcome::fails);
+  CHECK(judged_at(-1) == Outcome::fails);
+}
+
+// Its last event is a contact at 0.125 s, or a release at 0.25 s.
+TEST_CASE("simulation: a body under a contact that lasts is touched, and so are those of a release") {
+  const Scene scene = over_table(ball({0, 0, 0.5}, {0, 0, 0}), 0.25);
+  const auto judged_at = [&](Event::Kind kind, double height, double n_z) {
+    Event event;
+    event.kind = kind;
+    event.time = kind == Event::Kind::release ? 0.25 : 0.125;
+    event.b = 1;
+    event.nhat_BA_W = {0, 0, n_z};
+    event.after_a = at({0, 0, height}, {0, 0, 0});
+    event.after_b = of_table();
+    Trajectory said;
+    said.states.push_back({event.after_a, of_table()});
+    said.events.emplace(1, event);
+    tests::FixedSubject subject;
+    subject.said_simulation = said;
+    return properties::find("simulation.touches").check(scene, subject).outcome;
+  };
+  for (const Event::Kind kind : {Event::Kind::contact, Event::Kind::release}) {
+    CHECK(judged_at(kind, 0.5, 1) == Outcome::holds);
+    CHECK(judged_at(kind, 0.5 + 1e-6, 1) == Outcome::fails);
+  }
+  CHECK(judged_at(Event::Kind::release, 0.5, -1) == Outcome::fails);
 }
 
 // After 0.25 s it is at 1.84 m: on a table of 50 m, beyond the edge of one of 1 m.
