@@ -50,6 +50,7 @@ enum class Mark : unsigned char {
   proxy_candidate,    ///< fast/simulation/prediction/hash_grid: a body whose box is compared
   proxy_query,        ///< for a body whose neighbours are asked for
   rest_phase,         ///< fast/simulation/rest: a phase of a contact in closed form that ends
+  shared_normal,      ///< fast/simulation/island/shared_normal: a part that takes over the normal of another one
   step_bounce,        ///< fast/constraint/stepper: contacts solved again, with restitution
   step_force,         ///< an applied force that begins
   step_long,          ///< a step as long as many, in which nothing changes
@@ -73,18 +74,16 @@ enum class Mark : unsigned char {
 
 /// The names, in the order of the enumerators.
 constexpr std::array<const char*, static_cast<std::size_t>(Mark::count_of_marks)> mark_names = {
-    "balance_step",    "centre_step",     "climb",          "climb_step",        "climb_exact",
-    "contact_newton",  "contact_round",   "contact_row",    "contact_sweep",     "depth",
-    "depth_exact",     "depth_step",      "descent",        "descent_step",      "exact_proximity",
-    "exact_step",      "face_scan",       "grid_chain",     "grid_layout",       "grid_long_body",
-    "grid_rebuild",    "grid_unchain",    "grid_update",    "impulse_again",     "impulse_curve",
-    "impulse_phase",   "impulse_scaled",  "impulse_series", "impulse_slide_off", "impact_tied",
-    "impact_together", "island_merge",    "micro_bounces",  "pixel_exact",       "pixel_seen",
-    "plane_step",      "proxy_candidate", "proxy_query",    "rest_phase",        "step_bounce",
-    "step_force",      "step_long",       "step_shift",     "toi_all_normals",   "toi_balls",
-    "toi_doubt",       "toi_parting",     "toi_query",      "toi_search",        "toi_wait",
-    "tumble_step",     "vertex_scan",     "walk",           "walk_in_doubles",   "walk_inside",
-    "walk_restart",    "walk_step"};
+    "balance_step",    "centre_step",    "climb",           "climb_step",     "climb_exact",       "contact_newton",
+    "contact_round",   "contact_row",    "contact_sweep",   "depth",          "depth_exact",       "depth_step",
+    "descent",         "descent_step",   "exact_proximity", "exact_step",     "face_scan",         "grid_chain",
+    "grid_layout",     "grid_long_body", "grid_rebuild",    "grid_unchain",   "grid_update",       "impulse_again",
+    "impulse_curve",   "impulse_phase",  "impulse_scaled",  "impulse_series", "impulse_slide_off", "impact_tied",
+    "impact_together", "island_merge",   "micro_bounces",   "pixel_exact",    "pixel_seen",        "plane_step",
+    "proxy_candidate", "proxy_query",    "rest_phase",      "shared_normal",  "step_bounce",       "step_force",
+    "step_long",       "step_shift",     "toi_all_normals", "toi_balls",      "toi_doubt",         "toi_parting",
+    "toi_query",       "toi_search",     "toi_wait",        "tumble_step",    "vertex_scan",       "walk",
+    "walk_in_doubles", "walk_inside",    "walk_restart",    "walk_step"};
 
 using MarkCounts = std::array<std::uint64_t, static_cast<std::size_t>(Mark::count_of_marks)>;
 

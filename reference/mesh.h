@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "model/shape.h"
 
@@ -13,5 +14,8 @@ namespace touchstone::reference {
 /// line and the column: what read_source refuses (model/source_text.h), another format, not such a mesh, a coordinate
 /// that a double does not hold, fewer than 4 vertices or all in one plane.
 Polytope read_mesh(const std::string& path);
+
+/// The vertices of a mesh in text, which is of the format that `path` tells. Throws as read_mesh does, but for hulls.
+std::vector<Vec3> mesh_vertices(std::string text, const std::string& path);
 
 }  // namespace touchstone::reference

@@ -24,6 +24,11 @@ bool is_round(const motion::RigidBodyModel& model) {
   return model.I_BBcm_B == Mat3(model.I_BBcm_B(0, 0) * Mat3::Identity());
 }
 
+/// Its orientation changes no contact, so that it need not turn by Cayley's map.
+bool is_centred_ball(const motion::RigidBodyModel& model) {
+  return std::holds_alternative<Sphere>(model.shape) && model.p_BBcm.isZero(0) && is_round(model);
+}
+
 Mat3 inverse_inertia(const motion::RigidBodyModel& model) { return model.I_BBcm_B.inverse(); }
 
 /// A body at the beginning of a step, and its pose after the step as of the last iteration.
@@ -50,7 +55,7 @@ struct BodyStep {
   double go(const Twist& mean, const Twist& free, double h) {
     const RigidTransform was = after;
     const bool spins_freely = is_round(*step_body->model) && mean.w == step_body->state.velocity.w_WB;
-    if (step_body->is_fixed() || spins_freely) {
+    if (step_body->is_fixed() || spins_freely || is_centred_ball(*step_body->model)) {
       turn = motion::steady_turn(mean.w, h).q;
     } else {
       turn = {1, h / 2 * mean.w.x(), h / 2 * mean.w.y(), h / 2 * mean.w.z()};
@@ -134,24 +139,41 @@ void project_slip(const ContactRow& row, const Vec3& friction_per_normal, double
   }
 }
 
-/// For each contact that pressed, in turn: removes its normal velocity, and its tangential velocity if it stuck. That
+/// What the end of a step asks of a contact that pressed in it.
+enum class AtEnd { nothing, stick, slip };
+
+/// A contact sticks at the end if it stuck in the mean, or if it slips along its friction then: so slip ended in the
+/// step, and friction would go on to reverse it.
+AtEnd at_end_of(const ContactRow& at_end, const ContactRow& in_step, const std::vector<Twist>& twists) {
+  const double P_n = in_step.n.dot(in_step.P);
+  if (!(P_n > 0)) return AtEnd::nothing;
+  if (sticks(in_step)) return AtEnd::stick;
+  const Vec3 P_t = in_step.P - P_n * in_step.n;
+  const bool has_friction = P_t.norm() > in_step.friction * P_n / 2 && in_step.friction > 0;  // not rounding alone
+  return has_friction && P_t.dot(relative_velocity(at_end, twists)) > 0 ? AtEnd::stick : AtEnd::slip;
+}
+
+/// For each contact that pressed, in turn: removes its normal velocity, and its tangential velocity if it sticks. That
 /// uses the largest eigenvalue of K_tt, so the tangential impulse is under-corrected and never adds energy.
 void project_velocities(const std::vector<ContactRow>& at_end, const std::vector<ContactRow>& in_step,
                         const std::vector<Twist>& mean, const std::vector<Mobility>& mobilities,
                         std::vector<Twist>& twists) {
+  std::vector<AtEnd> kinds;
   std::vector<Vec3> friction_per_normal;
   std::vector<double> work;
-  for (const ContactRow& row : in_step) {
+  for (std::size_t i = 0; i < in_step.size(); ++i) {
+    const ContactRow& row = in_step[i];
     const double P_n = row.n.dot(row.P);
     const Vec3 P_t = row.P - P_n * row.n;
+    kinds.push_back(at_end_of(at_end[i], row, twists));
     friction_per_normal.push_back(P_n > 0 ? Vec3(P_t / P_n) : Vec3::Zero());
     work.push_back(-2 * P_t.dot(relative_velocity(row, mean)));
   }
   for (int sweep = 0; sweep < projection_sweeps; ++sweep) {
     for (std::size_t i = 0; i < at_end.size(); ++i) {
       const ContactRow& row = at_end[i];
-      if (!(in_step[i].n.dot(in_step[i].P) > 0)) continue;
-      if (!sticks(in_step[i])) {
+      if (kinds[i] == AtEnd::nothing) continue;
+      if (kinds[i] == AtEnd::slip) {
         project_slip(row, friction_per_normal[i], work[i], mobilities, twists);
         continue;
       }
@@ -198,6 +220,25 @@ std::vector<ContactRow> rows_at(const std::vector<StepBody>& step_bodies,
     prepare(rows.back(), mobilities);
   }
   return rows;
+}
+
+/// Of each contact, before the projection. `rows`: of the step.
+std::vector<Slip> slips_of(const std::vector<BodyStep>& bodies, const std::vector<Nearness>& before,
+                           const std::vector<ContactRow>& rows, const std::vector<ContactRow>& at_end,
+                           const std::vector<Twist>& twists) {
+  std::vector<Slip> slips;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const BodyStep &A = bodies[index(rows[i].a)], &B = bodies[index(rows[i].b)];
+    const auto velocity = [&](const BodyStep& body) {
+      const Velocity& V = body.step_body->state.velocity;
+      return Vec3(V.v_WBcm + V.w_WB.cross(before[i].p_WC - body.before.centre));
+    };
+    const Vec3 u = velocity(A) - velocity(B), &n = before[i].nhat_BA_W, u_t = u - n.dot(u) * n;
+    const double speed = u_t.norm();
+    const bool presses = rows[i].n.dot(rows[i].P) > 0;
+    slips.push_back(presses && speed > 0 ? Slip{speed, u_t.dot(relative_velocity(at_end[i], twists)) / speed} : Slip{});
+  }
+  return slips;
 }
 
 std::vector<Mobility> mobilities_of(const std::vector<StepBody>& step_bodies) {
@@ -280,8 +321,10 @@ Stepped step(const std::vector<StepBody>& step_bodies, std::vector<ContactConstr
     constraints[i].contact_point.h = h;
   }
   mobilities = mobilities_of(moved);
-  project_velocities(rows_at(moved, constraints, mobilities), rows, mean, mobilities, twists);
+  const std::vector<ContactRow> at_end = rows_at(moved, constraints, mobilities);
   Stepped stepped;
+  stepped.slips = slips_of(bodies, before, rows, at_end, twists);
+  project_velocities(at_end, rows, mean, mobilities, twists);
   stepped.residual = residual_of_step(constraints, bodies, before, least_u_n, rows, mean, h);
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     if (!moved[i].is_fixed()) set_velocity(moved[i].state, twists[i]);

@@ -29,9 +29,15 @@ struct ContactConstraint {
   double friction = 0;
 };
 
+/// How fast a contact slips before a step (m/s), and after it in the same direction, without the projection.
+struct Slip {
+  double before = 0, after = 0;
+};
+
 struct Stepped {
   std::vector<State> after;
   std::vector<Twist> mean;  ///< over the step: takes each body from its pose before to its pose after
+  std::vector<Slip> slips;  ///< of each contact; 0 where it does not press
   double residual = 0;      ///< m; how far the contacts are from what the step solves for
 };
 
@@ -51,11 +57,13 @@ struct Stepped {
 /// arms and impulse, u_n = (φ(after) − φ(before))/h from the true gaps, and min(−φ(before)/h, recovery) as least_u_n:
 /// how far, in m, a point still slips or gaps when it should not. It is not 0, since iterations stop.
 ///
-/// Afterwards the remaining relative velocity at contacts that press (its tangential part only where they stick) is
-/// removed from the velocities by projections, of second order in h. Where a contact slips the impulse of the
-/// projection has the direction of the step's, so that friction stays μ times all of the normal impulse: without that
-/// the error of a body that slides while it turns would be of first order. A projection adds no more energy than
-/// friction at that contact took in the step.
+/// A ball turns by exp(h ω̄) in place of cay(h ω̄): no contact depends on how it is turned.
+///
+/// Afterwards the remaining relative velocity at contacts that press (its tangential part only where they stick, or
+/// where slip has ended) is removed from the velocities by projections, of second order in h. Where a contact slips the
+/// impulse of the projection has the direction of the step's, so that friction stays μ times all of the normal impulse:
+/// without that the error of a body that slides while it turns would be of first order. A projection adds no more
+/// energy than friction at that contact took in the step.
 ///
 /// The contact constraints keep their forces as the next initial guess. Error: of second order in h.
 Stepped step(const std::vector<StepBody>& step_bodies, std::vector<ContactConstraint>& constraints, double h,

@@ -2,6 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
+
+#include "fast/contact/parting.h"
+#include "fast/lin_canny/proximity.h"
 
 namespace touchstone::fast::simulation {
 namespace {
@@ -36,21 +40,48 @@ double time_to_contact(Run& run, BodyId a, BodyId b) {
 
 bool is_convex(const BodyMotion& body) { return body.kind() != Kind::other || body.model().solid.parts().size() == 1; }
 
-/// A time (s) within which two bodies that touch cannot approach by more than a part of `within` (m). Two convex bodies
-/// have a separating plane, so that, apart from rotation, only motion along its normal brings them closer. If one
+/// A plane between two convex parts, and how far they are apart along its normal (m).
+struct PlaneBetween {
+  Vec3 nhat_BA_W;
+  double gap;
+};
+
+/// For each part of one body and each of the other.
+std::vector<PlaneBetween> planes_between(const BodyMotion& a, const BodyMotion& b, double now) {
+  const lin_canny::CachedPose X_WA(a.ballistic().pose(now)), X_WB(b.ballistic().pose(now));
+  std::vector<PlaneBetween> planes;
+  for (const lin_canny::Convex& part_a : a.model().solid.parts()) {
+    for (const lin_canny::Convex& part_b : b.model().solid.parts()) {
+      lin_canny::FeaturePair memory;
+      const contact::Part A = contact::part_of(part_a, X_WA, {}), B = contact::part_of(part_b, X_WB, {});
+      const Vec3 n = contact::parting(A, B, lin_canny::proximity(part_a, X_WA, part_b, X_WB, memory));
+      planes.push_back({n, std::max(0.0, apart(A, B, n))});
+    }
+  }
+  return planes;
+}
+
+/// A time (s) within which two bodies that touch cannot approach by more than a part of `within` (m). Two convex parts
+/// have a separating plane, so that, apart from rotation, only motion along its normal brings them closer. If one body
 /// slides on the other and no force presses them together, they never approach.
 double time_apart(const BodyMotion& a, const BodyMotion& b, const Vec3& nhat_BA_W, double now, double within) {
   const Vec3 u = a.path().velocity(now) - b.path().velocity(now), du_dt = a.path().a - b.path().a;
-  const bool is_plane_between = is_convex(a) && is_convex(b);
-  double speed = is_plane_between ? std::max(-nhat_BA_W.dot(u), 0.0) : u.lpNorm<1>();
-  double acceleration = is_plane_between ? std::max(-nhat_BA_W.dot(du_dt), 0.0) : du_dt.lpNorm<1>();
+  double speed = 0, acceleration = 0;  // of rotation
   for (const BodyMotion* body : {&a, &b}) {
     if (body->fixed() || body->kind() != Kind::other) continue;
     speed += body->ballistic().rate() * body->radius();
     acceleration += body->ballistic().acceleration_per_radius() * body->radius();
   }
-  const double near = within / 16, sum = speed + std::sqrt(speed * speed + 2 * acceleration * near);
-  return sum > 0 ? 2 * near / sum : never;
+  const auto time_along = [&](const PlaneBetween& plane) {
+    const Vec3& n = plane.nhat_BA_W;
+    const double s = speed + std::max(-n.dot(u), 0.0), dv = acceleration + std::max(-n.dot(du_dt), 0.0);
+    const double way = plane.gap + within / 16, sum = s + std::sqrt(s * s + 2 * dv * way);
+    return sum > 0 ? 2 * way / sum : never;
+  };
+  if (is_convex(a) && is_convex(b)) return time_along({nhat_BA_W, 0});
+  double least = never;
+  for (const PlaneBetween& plane : planes_between(a, b, now)) least = std::min(least, time_along(plane));
+  return least;
 }
 
 }  // namespace

@@ -352,6 +352,85 @@ Scene adrift(Random& random) {
   return scene;
 }
 
+/// Where a side of a table is cut: one to `most` places in the quarter around its middle, where bodies start.
+std::vector<double> cuts(Random& random, double half, int most) {
+  std::vector<double> at{-half};
+  int place = random.between(-4, 4);  // sixteenths
+  for (int count = random.between(1, most); count > 0 && place <= 4; --count) {
+    at.push_back(half * place / 16);
+    place += random.between(1, 4);
+  }
+  at.push_back(half);
+  return at;
+}
+
+/// The table in parts, like tiles, that end where it is cut.
+Body in_tiles(Body table, const std::vector<double>& x, const std::vector<double>& y) {
+  const Vec3 half = std::get<Box>(table.shape).half_extents;
+  Compound tiles;
+  for (std::size_t i = 1; i < x.size(); ++i) {
+    for (std::size_t j = 1; j < y.size(); ++j) {
+      const Vec3 middle{(x[i - 1] + x[i]) / 2, (y[j - 1] + y[j]) / 2, 0};
+      tiles.parts.push_back({{middle, {}}, Box{{(x[i] - x[i - 1]) / 2, (y[j] - y[j - 1]) / 2, half.z()}}});
+    }
+  }
+  table.shape = tiles;
+  return table;
+}
+
+std::vector<double> across(Random& random, double half) {
+  return random.one_in(3) ? cuts(random, half, 1) : std::vector<double>{-half, half};
+}
+
+/// A block that slides along a level table, over a seam that is a part of its way ahead.
+Scene block_over_a_seam(Random& random) {
+  const double r = some_radius(random), end = random.pick({0.25, 0.5});
+  Scene scene = table_scene(random, r);
+  scene.bodies[0] = block(Vec3(2 * r, 2 * r, r), {Vec3(0, 0, r), {}}, 1);
+  for (Body& body : scene.bodies) body.material = {0, random.pick({0.0, 0.0625, 0.125, 0.25})};
+  const double vx = sixteenths(random, 8, 24), vy = sixteenths(random, -24, 24);
+  scene.bodies[0].velocity.v_WBcm = {vx, vy, 0};
+  const Vec3 half = std::get<Box>(scene.bodies[1].shape).half_extents;
+  const double seam = 2 * r + vx * end * random.pick({0.125, 0.25, 0.5});
+  scene.bodies[1] = in_tiles(scene.bodies[1], {-half.x(), seam, half.x()}, across(random, half.y()));
+  scene.motion = sampled_at(end);
+  return scene;
+}
+
+/// A ball or a block on a table that is cut at random.
+Scene on_tiles(Random& random) {
+  using Draw = Scene (*)(Random&);
+  Scene scene = random.pick<Draw>({slides, slope, drops, block_slides})(random);
+  for (Body& body : scene.bodies) {
+    if (!std::holds_alternative<Fixed>(body.mass)) continue;
+    const Vec3 half = std::get<Box>(body.shape).half_extents;
+    const std::vector<double> x = cuts(random, half.x(), 3);
+    body = in_tiles(body, x, across(random, half.y()));
+  }
+  return scene;
+}
+
+/// A ball that bounces within the envelope, on its way over a seam: so subjects that know no resting contact may answer
+/// too.
+Scene skims_over_a_seam(Random& random) {
+  Scene scene = table_scene(random, 1);
+  for (Body& body : scene.bodies) body.material = {1, random.pick({0.25, 0.5})};
+  scene.bodies[0].X_WB.p_WB.z() += 0x1p-12;
+  const double speed = random.whole(1, 4);
+  scene.bodies[0].velocity.v_WBcm = {speed, 0, 0};
+  const Vec3 half = std::get<Box>(scene.bodies[1].shape).half_extents;
+  const std::vector<double> x = {-half.x(), speed / 16, half.x()};
+  scene.bodies[1] = in_tiles(scene.bodies[1], x, {-half.y(), half.y()});
+  scene.motion = sampled_at(0.125);
+  scene.motion->envelope = 0x1p-11;
+  return scene;
+}
+
+Scene tiles(Random& random) {
+  using Draw = Scene (*)(Random&);
+  return random.pick<Draw>({block_over_a_seam, block_over_a_seam, on_tiles, skims_over_a_seam})(random);
+}
+
 }  // namespace
 
 std::vector<Family> table_families() {
@@ -376,6 +455,7 @@ std::vector<Family> table_families() {
       {"tables.topples", "a block half over the edge of a table, which tips over it", queries, true, topples},
       {"tables.pushed", "a ball or a block on a table, pushed by forces that begin and change", queries, false, pushed},
       {"tables.adrift", "a ball, perhaps with a block, without a table, pushed by forces", queries, false, adrift},
+      {"tables.tiles", "a ball or a block that slides over the seams of a table", {"simulation"}, false, tiles},
       {"tables.stack", "two or three boxes on each other, the upper up to 100 times as heavy", queries, false, stack},
   };
 }

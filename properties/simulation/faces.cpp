@@ -15,6 +15,7 @@
 #include "properties/cases/box_face.h"
 #include "properties/cases/time_of_impact_case.h"
 #include "properties/cases/trajectory_case.h"
+#include "properties/cases/whole_tables.h"
 #include "properties/queries.h"
 
 namespace touchstone::properties {
@@ -319,8 +320,9 @@ Finding turns_between(const TrajectoryCase& asked, const FaceMotion& motion, con
 
 // The torque on a ball that slides or rolls on a face is constant, so its angular velocity changes evenly. Its
 // orientation follows from that; it is not turned by the sum of angles, unless the axis stays.
-Finding turns(const Scene& scene, Subject& subject) {
-  return of_trajectory(scene, subject, [&](const TrajectoryCase& asked) {
+Finding turns(const Scene& given, Subject& subject) {
+  const Scene scene = with_whole_tables(given);
+  return of_trajectory(given, subject, [&](const TrajectoryCase& asked) {
     if (!moves_by_gravity_alone(scene)) return judge::outside("applied forces, or no gravity");
     Finding worst = judge::outside("no ball that slides or rolls on a fixed face, apart from others");
     for (const FaceMotion& motion : motions_on_faces(scene, asked.precision)) {
@@ -340,8 +342,9 @@ Finding turns(const Scene& scene, Subject& subject) {
 }
 
 // A body that slides on a face slows by friction until its slip ends. Then a ball rolls, and a box rests.
-Finding slides(const Scene& scene, Subject& subject) {
-  return of_trajectory(scene, subject, [&](const TrajectoryCase& asked) {
+Finding slides(const Scene& given, Subject& subject) {
+  const Scene scene = with_whole_tables(given);
+  return of_trajectory(given, subject, [&](const TrajectoryCase& asked) {
     if (!moves_by_gravity_alone(scene)) return judge::outside("applied forces, or no gravity");
     Finding worst = judge::outside("not bodies that slide or roll on a fixed face, apart from each other");
     for (const FaceMotion& motion : motions_on_faces(scene, asked.precision)) {
@@ -487,8 +490,9 @@ Real overhang(const Scene& scene, std::size_t index, const State& from, const St
 }
 
 // The centre of mass of a body that rests is over what it rests on.
-Finding supported(const Scene& scene, Subject& subject) {
-  return of_trajectory(scene, subject, [&](const TrajectoryCase& asked) {
+Finding supported(const Scene& given, Subject& subject) {
+  const Scene scene = with_whole_tables(given);
+  return of_trajectory(given, subject, [&](const TrajectoryCase& asked) {
     const Vec3& g = scene.gravity;
     const bool level = g.x() == 0 && g.y() == 0 && g.z() < 0 && std::ranges::all_of(scene.bodies, [](const Body& body) {
                          return is_fixed(body) ? is_level_box(body) : !std::holds_alternative<Compound>(body.shape);

@@ -12,6 +12,7 @@
 #include "properties/cases/applied_impulse.h"
 #include "properties/cases/time_of_impact_case.h"
 #include "properties/cases/trajectory_case.h"
+#include "properties/cases/whole_tables.h"
 #include "properties/queries.h"
 
 namespace touchstone::properties {
@@ -377,8 +378,9 @@ Sum<Real> pressed(const Scene& scene, const std::vector<ImpactBody>& first, cons
 // A level table without friction pushes straight up, and gravity pulls straight down: what bodies do to each other
 // there changes neither their horizontal momentum nor their angular momentum about the vertical. Applied forces change
 // the one by their impulses; the other depends on where the bodies were.
-Finding level_momentum(const Scene& scene, Subject& subject) {
-  return of_trajectory(scene, subject, [&](const TrajectoryCase& asked) {
+Finding level_momentum(const Scene& given, Subject& subject) {
+  const Scene scene = with_whole_tables(given);
+  return of_trajectory(given, subject, [&](const TrajectoryCase& asked) {
     const bool law_loses = scene.motion->law == Law::poisson || frictionless(scene);
     const bool pushed = !scene.motion->forces.empty();
     if (!law_loses || !start_at_once(scene) || (pushed && !scene.motion->start_times.empty())) {

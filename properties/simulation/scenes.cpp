@@ -11,6 +11,7 @@
 #include "oracle/truth/motion_in_doubles.h"
 #include "properties/cases/time_of_impact_case.h"
 #include "properties/cases/trajectory_case.h"
+#include "properties/cases/whole_tables.h"
 #include "properties/judging/pair_laws.h"
 #include "properties/queries.h"
 #include "properties/transforms/exact_sum.h"
@@ -341,8 +342,9 @@ double way_from_rest(const Scene& scene, const std::optional<oracle::Stepping>& 
 }
 
 // A body at rest stays at its place to within the envelope: it neither sinks nor creeps.
-Finding rests(const Scene& scene, Subject& subject) {
-  return of_trajectory(scene, subject, [&](const TrajectoryCase& asked) {
+Finding rests(const Scene& given, Subject& subject) {
+  const Scene scene = with_whole_tables(given);
+  return of_trajectory(given, subject, [&](const TrajectoryCase& asked) {
     const Body* table = table_of(scene);
     const bool still = table != nullptr && all_rest(scene, *table) && clear_of_each_other(scene);
     if (!still || !scene.motion->forces.empty()) return judge::outside("not bodies at rest on a level table");
@@ -410,8 +412,9 @@ double stepped(const Bounces& ball, Real impacts, Real time, const std::optional
   return static_cast<double>(h * (too_far + n * ((1 + ball.e) * v + ball.g * time) + n * (n - 1) * v));
 }
 
-Finding bounces(const Scene& scene, Subject& subject) {
-  return of_trajectory(scene, subject, [&](const TrajectoryCase& asked) {
+Finding bounces(const Scene& given, Subject& subject) {
+  const Scene scene = with_whole_tables(given);
+  return of_trajectory(given, subject, [&](const TrajectoryCase& asked) {
     const Body* table = table_of(scene);
     const auto moving = std::ranges::find_if(scene.bodies, [](const Body& b) { return !is_fixed(b); });
     const bool one = table != nullptr && scene.bodies.size() == 2 && moving != scene.bodies.end() &&

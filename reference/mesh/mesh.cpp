@@ -51,24 +51,38 @@ void require_finite(const std::vector<Vec3>& vertices) {
   }
 }
 
-}  // namespace
+struct Named {
+  std::string name;         ///< for messages
+  Reader reader = nullptr;  ///< none: the text tells
+};
 
-Polytope read_mesh(const std::string& path) {
-  const bool has_name = path != "-";
-  const std::string name = has_name ? path : "<stdin>";
-  const Reader named = has_name ? reader_for(path) : nullptr;
-  std::string text = read_text(path);
+Named named(const std::string& path) { return path == "-" ? Named{"<stdin>"} : Named{path, reader_for(path)}; }
+
+/// What `made_of` makes of the vertices; errors name the mesh.
+template <class MadeOf>
+auto from_vertices(std::string text, const Named& mesh, const MadeOf& made_of) {
   try {
     if (!is_binary_stl(text)) text = without_byte_order_mark(std::move(text));
-    const Reader vertices_of = named ? named : reader_of(text);
+    const Reader vertices_of = mesh.reader ? mesh.reader : reader_of(text);
     const std::vector<Vec3> vertices = vertices_of(text);
     require_finite(vertices);
-    return convex_hull(vertices);
+    return made_of(vertices);
   } catch (const MeshError& error) {
-    throw InputError(error.offset ? name + ':' + line_and_column(text, *error.offset) : name, error.what());
+    throw InputError(error.offset ? mesh.name + ':' + line_and_column(text, *error.offset) : mesh.name, error.what());
   } catch (const InputError& error) {
-    throw InputError(name, error.what());
+    throw InputError(mesh.name, error.what());
   }
+}
+
+}  // namespace
+
+std::vector<Vec3> mesh_vertices(std::string text, const std::string& path) {
+  return from_vertices(std::move(text), named(path), [](const std::vector<Vec3>& vertices) { return vertices; });
+}
+
+Polytope read_mesh(const std::string& path) {
+  const Named mesh = named(path);
+  return from_vertices(read_text(path), mesh, convex_hull);
 }
 
 }  // namespace touchstone::reference

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <map>
 #include <string>
 #include <string_view>
@@ -20,7 +21,14 @@ using namespace touchstone;
 
 namespace {
 
+constexpr std::size_t whole_one_of = 256;  // texts of meshes, by their hash: an exact hull takes longer than a text
+
+/// The vertices of every text; of some also the file and the hull, as `read_mesh` does it.
 void mesh(std::string_view text, const std::string& ending) {
+  if (std::hash<std::string_view>{}(text) % whole_one_of != 0) {
+    reference::mesh_vertices(std::string(text), "mesh" + ending);
+    return;
+  }
   static const std::string path =
       (std::filesystem::temp_directory_path() / ("touchstone_fuzz_" + std::to_string(getpid()) + ending)).string();
   std::ofstream(path, std::ios::binary) << text;

@@ -64,6 +64,7 @@ const std::vector<Caught> caught = {
     {"canary.starts_anew", "simulation.resumed", "runs.apart", 0},
     {"canary.slippery", "simulation.slides", "runs.skims", 0},
     {"canary.grips", "simulation.face_impulse", "runs.on_a_table", 1},
+    {"canary.trips", "simulation.slides", "tables.tiles", 0},
     {"canary.clings", "simulation.supported", "tables.overhangs", 0},
     {"canary.last_sample", "simulation.flights", "runs.ties", 0},
     {"canary.one_corner", "simulation.bounces", "runs.falls_flat", 0},

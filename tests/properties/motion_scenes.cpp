@@ -131,6 +131,12 @@ std::vector<Scene> build_runs() {
                             with(moving(body(Sphere{1}, {0, 0, 1 + 0x1p-18}), {3, 0.5, 0}), 1, 1)},
                            {0.03125, 0.0625}, down);
   carried.motion->envelope = 0x1p-17;
+  const Compound tiles{{{{{-4, 0, 0}, {}}, Box{{4, 8, 1}}}, {{{4, 0, 0}, {}}, Box{{4, 8, 1}}}}};
+  Scene over_a_seam = scene_of("a ball that slides over the seam of a floor, in bounces within the envelope",
+                               {with(unmoved(body(tiles, {0, 0, -1})), 1, 0.25),
+                                with(moving(body(Sphere{1}, {-0x1p-5, 0, 1 + 0x1p-12}), {2, 0, 0}), 1, 1)},
+                               {0.03125, 0.0625}, down);
+  over_a_seam.motion->envelope = 0x1p-11;
   return {
       scene_of("balls that rub",
                {with(moving(body(Sphere{1}, {0, 0, 0}), {3, 0, 0}, {0, 0, 4}), 0.5, 0.25),
@@ -178,6 +184,7 @@ std::vector<Scene> build_runs() {
                {with(floor_box, 1, 0), with(moving(body(as_polytope(cube), {0, 0, 2}), {0, 0, -2}), 0.5, 0)},
                {0.25, 0.75}, still),
       carried,
+      over_a_seam,
       scene_of("a ball from 2^24 radii away", {at(0, 0, 0), moving(at(0x1p24, 1, 0), {-0x1p25, 0, 0})}, {0.25, 1},
                still),
   };

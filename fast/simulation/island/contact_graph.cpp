@@ -1,14 +1,23 @@
 #include "fast/simulation/island/contact_graph.h"
 
 #include <algorithm>
+#include <span>
 #include <tuple>
 
+#include "fast/simulation/island/shared_normal.h"
 #include "fast/simulation/prediction/length.h"
 
 namespace touchstone::fast::simulation {
 namespace {
 
 constexpr double overlap_tolerance = 0x1p-10;  // of `near`: contact steps are as accurate as that (island_step.cpp)
+
+/// Of sorted pairs those of the same two bodies as the pair at `first`, which is the first of them.
+std::span<ContactPair> of_same_bodies(std::vector<ContactPair>& pairs, std::size_t first) {
+  std::size_t end = first;
+  while (end < pairs.size() && pairs[end].a == pairs[first].a && pairs[end].b == pairs[first].b) ++end;
+  return {pairs.data() + first, end - first};
+}
 
 void sort(std::vector<ContactPair>& pairs) {
   std::ranges::stable_sort(pairs, {}, [](const ContactPair& j) { return std::tuple(j.a, j.b, j.part_a, j.part_b); });
@@ -69,7 +78,11 @@ void ContactGraph::link(BodyId a, BodyId b, double reach) {
       if (update(contact_pair, A, B, near_, reach)) contact_pairs_.push_back(std::move(contact_pair));
     }
   }
-  if (contact_pairs_.size() > before) sort(contact_pairs_);
+  if (contact_pairs_.size() == before) return;
+  sort(contact_pairs_);
+  std::size_t first = 0;
+  while (contact_pairs_[first].a != a || contact_pairs_[first].b != b) ++first;
+  share_normals(of_same_bodies(contact_pairs_, first), A, B, near_);
 }
 
 void ContactGraph::link_parts(double h) {
@@ -92,12 +105,20 @@ std::vector<ContactPair> ContactGraph::take_out_separating(const std::function<d
       out.push_back(before);
       continue;
     }
+    near.push_back(contact_pair);
+  }
+  for (std::size_t i = 0; i < near.size();) {
+    const std::span<ContactPair> of_bodies = of_same_bodies(near, i);
+    share_normals(of_bodies, bodies_[index(near[i].a)], bodies_[index(near[i].b)], near_);
+    i += of_bodies.size();
+  }
+  for (const ContactPair& contact_pair : near) {
+    const std::size_t a = index(contact_pair.a), b = index(contact_pair.b);
     for (const contact::ContactPoint& contact_point : contact_pair.contact_points) {
       const ImpactCandidate at = candidate_at(contact_pair, contact_point, bodies_[a], bodies_[b]);
       if (at.u_n <= release_speed(contact_pair.a, contact_pair.b) || at.touch.gap < -near_ * overlap_tolerance)
         held[a] = held[b] = true;
     }
-    near.push_back(contact_pair);
   }
   const auto holds = [&](const ContactPair& contact_pair) {
     return held[index(contact_pair.a)] && held[index(contact_pair.b)];

@@ -49,19 +49,20 @@ bool is_within(const contact::Part& part, const Vec3& p_W, double within) {
   return true;
 }
 
-contact::Part part_of(const IslandBody& island_body, std::size_t part, const State& state) {
-  contact::StepBody there = island_body.step_body;
-  there.state = state;
-  return contact::part_of(island_body.body->model().solid.parts()[part], lin_canny::CachedPose(state.X_WB),
-                          there.transform());
+Vec3 normal_at(const contact::ContactPoint& contact_point, const contact::Part& A, const contact::Part& B,
+               const Vec3& about) {
+  return nearness(contact_point.a, A.body, contact_point.b, B.body, about).nhat_BA_W;
 }
 
 Vec3 normal(const ContactPair& contact_pair, const contact::Part& A, const State& at_a, const contact::Part& B,
             const State& at_b, double near) {
+  if (contact_pair.shared) {
+    const Vec3 n = normal_at(*contact_pair.shared, A, B, contact_pair.nhat_BA_W);
+    if (apart(A, B, n) >= -near / 4) return n;
+  }
   if (contact_pair.contact_points.empty()) return parting(A, at_a, B, at_b);
-  const contact::ContactPoint& contact_point = contact_pair.contact_points.front();
   const Vec3 n = separating_direction(
-      A, B, nearness(contact_point.a, A.body, contact_point.b, B.body, contact_pair.nhat_BA_W).nhat_BA_W, tied * near);
+      A, B, normal_at(contact_pair.contact_points.front(), A, B, contact_pair.nhat_BA_W), tied * near);
   const double wide = apart(A, B, n);
   if (wide >= -near / 4) return n;
   const Vec3 other = parting(A, at_a, B, at_b);
@@ -82,6 +83,20 @@ std::optional<Vec3> middle_of_segment(const std::vector<Vec3>& points, double wi
 
 }  // namespace
 
+contact::Part part_of(const IslandBody& island_body, std::size_t part, const State& state) {
+  contact::StepBody there = island_body.step_body;
+  there.state = state;
+  return contact::part_of(island_body.body->model().solid.parts()[part], lin_canny::CachedPose(state.X_WB),
+                          there.transform());
+}
+
+std::vector<contact::ContactPoint> points_along(const contact::Part& A, const contact::Part& B, const Vec3& n,
+                                                double near) {
+  const double gap = apart(A, B, n);
+  if (gap > near) return {};
+  return contact::contact_points(A, B, n, near + std::max(0.0, -gap));
+}
+
 double speed_bound(const IslandBody& island_body, double h) {
   const Velocity& V = island_body.state().velocity;
   return length(V.v_WBcm) + length(V.w_WB) * island_body.body->radius() +
@@ -91,12 +106,11 @@ double speed_bound(const IslandBody& island_body, double h) {
 bool update(ContactPair& contact_pair, const IslandBody& body_a, const IslandBody& body_b, double near, double reach) {
   const State &at_a = body_a.state(), &at_b = body_b.state();
   const contact::Part A = part_of(body_a, contact_pair.part_a, at_a), B = part_of(body_b, contact_pair.part_b, at_b);
+  contact_pair.shared.reset();
   contact_pair.nhat_BA_W = normal(contact_pair, A, at_a, B, at_b, near);
   const double gap = apart(A, B, contact_pair.nhat_BA_W);
   if (gap > reach) return false;
-  std::vector<contact::ContactPoint> contact_points;
-  // If the parts overlap a little, all corners in the overlap become contact points.
-  if (gap <= near) contact_points = contact::contact_points(A, B, contact_pair.nhat_BA_W, near + std::max(0.0, -gap));
+  std::vector<contact::ContactPoint> contact_points = points_along(A, B, contact_pair.nhat_BA_W, near);
   if (gap <= near && contact_points.empty()) {
     const lin_canny::Proximity found = proximity_of(A, at_a, B, at_b);
     contact_pair.nhat_BA_W = contact::parting(A, B, found);
@@ -113,14 +127,12 @@ bool update(ContactPair& contact_pair, const IslandBody& body_a, const IslandBod
     contact_points[i].h = contact_pair.contact_points[i].h;
   }
   contact_pair.contact_points = std::move(contact_points);
-  contact_pair.touched = contact_pair.touched || !contact_pair.contact_points.empty();
-  if (!contact_pair.contact_points.empty())
-    contact_pair.p_WC = candidate_at(contact_pair, contact_pair.contact_points.front(), body_a, body_b).touch.p_WC;
   return true;
 }
 
 void choose_normal_of_approach(ContactPair& contact_pair, const IslandBody& body_a, const IslandBody& body_b,
                                double near) {
+  if (contact_pair.shared) return;
   std::vector<Vec3> points;
   for (const contact::ContactPoint& point : contact_pair.contact_points)
     points.push_back(candidate_at(contact_pair, point, body_a, body_b).touch.p_WC);

@@ -1,6 +1,7 @@
 // Two convex parts of bodies in contact, with the contact points at which they touch.
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include "fast/contact/step.h"
@@ -28,6 +29,8 @@ struct ContactPair {
   Vec3 nhat_BA_W = Vec3::Zero();
   Vec3 p_WC = Vec3::Zero();  ///< of its first contact point
   std::vector<contact::ContactPoint> contact_points = {};
+  /// A contact point of other parts of the two bodies, whose normal is this pair's too; see shared_normal.h.
+  std::optional<contact::ContactPoint> shared = {};
   bool emitted = false;  ///< its contact event has been emitted
   bool touched = false;  ///< has had a contact point; otherwise the pair is only near
 
@@ -44,16 +47,26 @@ struct ImpactCandidate {
 /// The contact points of two convex parts, or of two bodies that touch in one point. All have one normal.
 using PairPoints = std::vector<ImpactCandidate>;
 
+/// A part of a body in a given state.
+contact::Part part_of(const IslandBody& island_body, std::size_t part, const State& state);
+
+/// The contact points along n of parts that are at most `near` (m) apart along it. If they overlap a little, all
+/// corners in the overlap are contact points.
+std::vector<contact::ContactPoint> points_along(const contact::Part& A, const contact::Part& B, const Vec3& n,
+                                                double near);
+
 /// Recomputes the normal and the contact points from the current states of A and B. Parts touch up to a distance of
 /// `near` (m). Returns false, and leaves the contact points as they are, if they are farther apart than `reach` (m).
 ///
 /// The normal is that of the first contact point's features, if the pair has contact points, since the bodies have not
 /// moved far. If it says that the parts overlap, other features may separate them by now, as when the end of an edge
 /// hangs over the side of a face: then all normals of the separating-axis theorem are tested.
+///
+/// It is not the pair's last word: shared_normal.h follows.
 bool update(ContactPair& contact_pair, const IslandBody& A, const IslandBody& B, double near, double reach);
 
-/// For two parts that come together: if many normals separate them, gives the pair the one of approach_normal.h at the
-/// middle of its contact points, with the contact points along it.
+/// For two parts that come together and share no normal with others: if many normals separate them, gives the pair the
+/// one of approach_normal.h at the middle of its contact points, with the contact points along it.
 void choose_normal_of_approach(ContactPair& contact_pair, const IslandBody& A, const IslandBody& B, double near);
 
 /// The contact point at the current states of A and B.

@@ -73,6 +73,14 @@ Lies each_state(const std::function<void(State&, const Scene&, std::size_t body,
   });
 }
 
+// As if the sides of the parts that it slides over stopped a body.
+void trips(State& state, const Scene& scene, std::size_t body, double) {
+  const auto is_fixed = [](const Body& of) { return std::holds_alternative<Fixed>(of.mass); };
+  const bool has_seams = std::ranges::any_of(
+      scene.bodies, [&](const Body& of) { return is_fixed(of) && std::holds_alternative<Compound>(of.shape); });
+  if (has_seams && !is_fixed(scene.bodies[body])) state.velocity = {};
+}
+
 // Drops the second event: it is missed, and the bodies keep their ballistic motion.
 void not_keyed_again(Subject&, const Scene&, Trajectory& said) {
   if (said.events && said.events->size() > 1) said.events->erase(said.events->begin() + 1);
@@ -428,6 +436,7 @@ std::vector<Canary> canaries_about_simulations() {
   return {
       lying("canary.not_keyed_again", "does not notice the second event", [] { return runs(not_keyed_again); }),
       lying("canary.ghosts", "lets bodies pass through each other", [] { return runs(ghosts); }),
+      lying("canary.trips", "stops bodies on tables of several parts", [] { return each_state(trips); }),
       lying("canary.far_ones_pass", "lets two bodies pass that start more than 64 sizes apart",
             [] { return runs(far_ones_pass); }),
       lying("canary.stale_event", "runs an event that has become void", [] { return runs(stale_event); }),

@@ -81,6 +81,27 @@ TEST_CASE("step: a ball that slides loses mu g h of its speed, and starts to spi
   CHECK(done.residual <= tolerance);
 }
 
+// Slip is gone after v/(7/2 μ g): 0.29 and 0.73 of the step. The ball then rolls at 5/7 of v; not with slip reversed.
+TEST_CASE("step: a ball whose slip ends in the step rolls after it") {
+  const double mu = 0.25;
+  for (const double v : {0.04, 0.1}) {
+    BallOnFloor scene({Vec3(v, 0, 0), Vec3::Zero()}, mu);
+    const Stepped done = scene.stepped();
+    CHECK(done.after[0].velocity.v_WBcm.x() == Approx(5 * v / 7));
+    CHECK(done.after[0].velocity.w_WB.y() == Approx(5 * v / 7));
+    CHECK(std::abs(done.after[0].X_WB.p_WB.x() - 5 * v * h / 7) < v * h / 4);
+  }
+}
+
+TEST_CASE("step: without friction a ball keeps its speed and its spin") {
+  for (const double v : {-1.0, -0x1p-20, 0x1p-20, 1.0}) {
+    BallOnFloor scene({Vec3(v, v / 3, 0), Vec3(0, 2 * v, 1)}, 0);
+    const Stepped done = scene.stepped();
+    CHECK(done.after[0].velocity.v_WBcm.x() == Approx(v).epsilon(1e-14));
+    CHECK(done.after[0].velocity.w_WB.y() == Approx(2 * v).epsilon(1e-14));
+  }
+}
+
 TEST_CASE("step: a ball that rolls goes on rolling") {
   BallOnFloor scene({Vec3(4, 0, 0), Vec3(0, 4, 0)}, 0.25);
   const Stepped done = scene.stepped();

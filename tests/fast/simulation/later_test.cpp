@@ -60,6 +60,25 @@ TEST_CASE("later: a body that slides along a face without any force is not queri
   }
 }
 
+TEST_CASE("later: nor is one that slides along a floor and a wall that are one body, with a part far away") {
+  Body fixed = table();
+  fixed.X_WB = {};
+  fixed.shape = Compound{
+      {{{{0, 0, -1}, {}}, Box{{8, 8, 1}}}, {{{0, 2, 4}, {}}, Box{{8, 1, 4}}}, {{{-9, 0, 0}, {}}, Box{{1, 1, 4}}}}};
+  Body slider = brick({1, 1, 1}, {0, 0, 1}, {});
+  slider.velocity.v_WBcm = {3, 0, 0};
+  const auto next_of = [&fixed](const Body& moving) -> double {
+    const Scene scene = moving_scene({moving, fixed}, still, {4});
+    Run run(scene, {.frame = 4});
+    run.schedule.begin_frame();
+    schedule_later(run, 0, 1, {0, still, {0, 0, 1}});
+    return run.schedule.next() ? run.schedule.next()->time : never;
+  };
+  CHECK(next_of(slider) == never);
+  slider.velocity.v_WBcm = {-3, 0, 0};  // the part at its left is 7 m away
+  CHECK(next_of(slider) == Approx(7.0 / 3));
+}
+
 TEST_CASE("later: a body in an island gets shorter steps instead, and the pair remembers that it separated") {
   const Scene scene =
       moving_scene({table(), ball(1, {0, 0, 1}, {1, 0, 0}, {}), brick({1, 1, 1}, {2, 0, 3}, {})}, still, {4});

@@ -114,7 +114,7 @@ TEST_CASE("pile: a stack that a ball strikes takes steps of usual length, and no
     const Simulated done = simulate(scene);
     REQUIRE(!done.stopped);
     CHECK(done.statistics.contact_steps < 250);
-    CHECK(done.statistics.deepest < envelope);
+    CHECK(done.statistics.deepest < 1e-9);  // of a side: what piles must keep
   }
 }
 

@@ -85,6 +85,7 @@ const std::vector<Reach> reaches = {
     {Mark::proxy_candidate, "simulation", "runs.balls"},
     {Mark::proxy_query, "simulation", "runs.balls"},
     {Mark::rest_phase, "simulation", "tables.slides"},
+    {Mark::shared_normal, "simulation", "tables.tiles"},
     {Mark::step_bounce, "constraint", "tables.drops"},
     {Mark::step_force, "constraint", "tables.pushed"},
     {Mark::step_long, "constraint", "tables.slides"},
