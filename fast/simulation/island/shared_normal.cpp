@@ -56,14 +56,14 @@ void take_over(std::span<ContactPair> pairs, const IslandBody& body_a, const Isl
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     for (std::size_t j = 0; j < pairs.size(); ++j) by[k].push_back(sharing.apart_by(k, j));
   }
-  const auto keeps_its_own = [&by](std::size_t j) {
-    return std::ranges::none_of(by[j], [](const std::optional<double>& wide) { return wide.has_value(); });
-  };
+  std::vector<bool> keeps_its_own;
+  for (const std::vector<std::optional<double>>& by_others : by)
+    keeps_its_own.push_back(std::ranges::none_of(by_others, &std::optional<double>::has_value));
   const std::vector<ContactPair> own(pairs.begin(), pairs.end());
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     std::optional<std::size_t> giver;
     for (std::size_t j = 0; j < pairs.size(); ++j) {
-      if (by[k][j] && keeps_its_own(j) && (!giver || *by[k][j] > *by[k][*giver])) giver = j;
+      if (by[k][j] && keeps_its_own[j] && (!giver || *by[k][j] > *by[k][*giver])) giver = j;
     }
     if (!giver) continue;
     mark(Mark::shared_normal);
