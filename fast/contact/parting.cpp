@@ -59,4 +59,10 @@ Vec3 parting(const Part& A, const Part& B, const lin_canny::Proximity& near) {
   return n;
 }
 
+Vec3 parting(const Part& A, const lin_canny::CachedPose& X_WA, const Part& B, const lin_canny::CachedPose& X_WB) {
+  if (A.is_ball() && B.is_ball()) return parting(A, B, {});
+  lin_canny::FeaturePair memory;
+  return parting(A, B, lin_canny::proximity(*A.convex, X_WA, *B.convex, X_WB, memory));
+}
+
 }  // namespace touchstone::fast::contact

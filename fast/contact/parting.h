@@ -24,4 +24,8 @@ std::vector<Vec3> faces_along(const Part& A, const Part& B, const Vec3& nhat_BA_
 /// well.
 Vec3 parting(const Part& A, const Part& B, const lin_canny::Proximity& near);
 
+/// The same of parts whose closest points are not known yet, at the poses of their bodies. Of two balls the centres
+/// tell.
+Vec3 parting(const Part& A, const lin_canny::CachedPose& X_WA, const Part& B, const lin_canny::CachedPose& X_WB);
+
 }  // namespace touchstone::fast::contact

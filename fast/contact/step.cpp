@@ -139,18 +139,23 @@ void project_slip(const ContactRow& row, const Vec3& friction_per_normal, double
   }
 }
 
-/// What the end of a step asks of a contact that pressed in it.
-enum class AtEnd { nothing, stick, slip };
+/// What the end of a step does to a contact that pressed in it.
+struct AtEnd {
+  const ContactRow* row = nullptr;
+  bool sticks = false;
+  Vec3 friction_per_normal = Vec3::Zero();
+  double work = 0;  ///< J, that friction took in the step
+};
 
 /// A contact sticks at the end if it stuck in the mean, or if it slips along its friction then: so slip ended in the
 /// step, and friction would go on to reverse it.
-AtEnd at_end_of(const ContactRow& at_end, const ContactRow& in_step, const std::vector<Twist>& twists) {
+AtEnd at_end_of(const ContactRow& at_end, const ContactRow& in_step, const std::vector<Twist>& mean,
+                const std::vector<Twist>& twists) {
   const double P_n = in_step.n.dot(in_step.P);
-  if (!(P_n > 0)) return AtEnd::nothing;
-  if (sticks(in_step)) return AtEnd::stick;
   const Vec3 P_t = in_step.P - P_n * in_step.n;
   const bool has_friction = P_t.norm() > in_step.friction * P_n / 2 && in_step.friction > 0;  // not rounding alone
-  return has_friction && P_t.dot(relative_velocity(at_end, twists)) > 0 ? AtEnd::stick : AtEnd::slip;
+  const bool is_reversed = has_friction && P_t.dot(relative_velocity(at_end, twists)) > 0;
+  return {&at_end, sticks(in_step) || is_reversed, P_t / P_n, -2 * P_t.dot(relative_velocity(in_step, mean))};
 }
 
 /// For each contact that pressed, in turn: removes its normal velocity, and its tangential velocity if it sticks. That
@@ -158,23 +163,15 @@ AtEnd at_end_of(const ContactRow& at_end, const ContactRow& in_step, const std::
 void project_velocities(const std::vector<ContactRow>& at_end, const std::vector<ContactRow>& in_step,
                         const std::vector<Twist>& mean, const std::vector<Mobility>& mobilities,
                         std::vector<Twist>& twists) {
-  std::vector<AtEnd> kinds;
-  std::vector<Vec3> friction_per_normal;
-  std::vector<double> work;
+  std::vector<AtEnd> contacts;
   for (std::size_t i = 0; i < in_step.size(); ++i) {
-    const ContactRow& row = in_step[i];
-    const double P_n = row.n.dot(row.P);
-    const Vec3 P_t = row.P - P_n * row.n;
-    kinds.push_back(at_end_of(at_end[i], row, twists));
-    friction_per_normal.push_back(P_n > 0 ? Vec3(P_t / P_n) : Vec3::Zero());
-    work.push_back(-2 * P_t.dot(relative_velocity(row, mean)));
+    if (in_step[i].n.dot(in_step[i].P) > 0) contacts.push_back(at_end_of(at_end[i], in_step[i], mean, twists));
   }
   for (int sweep = 0; sweep < projection_sweeps; ++sweep) {
-    for (std::size_t i = 0; i < at_end.size(); ++i) {
-      const ContactRow& row = at_end[i];
-      if (kinds[i] == AtEnd::nothing) continue;
-      if (kinds[i] == AtEnd::slip) {
-        project_slip(row, friction_per_normal[i], work[i], mobilities, twists);
+    for (AtEnd& contact : contacts) {
+      const ContactRow& row = *contact.row;
+      if (!contact.sticks) {
+        project_slip(row, contact.friction_per_normal, contact.work, mobilities, twists);
         continue;
       }
       remove_normal_velocity(row, mobilities, twists);

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "fast/contact/parting.h"
-#include "fast/lin_canny/proximity.h"
 
 namespace touchstone::fast::simulation {
 namespace {
@@ -52,9 +51,8 @@ std::vector<PlaneBetween> planes_between(const BodyMotion& a, const BodyMotion& 
   std::vector<PlaneBetween> planes;
   for (const lin_canny::Convex& part_a : a.model().solid.parts()) {
     for (const lin_canny::Convex& part_b : b.model().solid.parts()) {
-      lin_canny::FeaturePair memory;
       const contact::Part A = contact::part_of(part_a, X_WA, {}), B = contact::part_of(part_b, X_WB, {});
-      const Vec3 n = contact::parting(A, B, lin_canny::proximity(part_a, X_WA, part_b, X_WB, memory));
+      const Vec3 n = contact::parting(A, X_WA, B, X_WB);
       planes.push_back({n, std::max(0.0, apart(A, B, n))});
     }
   }

@@ -26,8 +26,7 @@ std::optional<Extent> extent_of(const Part& part) {
   return Extent{part.X_BP.p_WB - box->half_extents, part.X_BP.p_WB + box->half_extents};
 }
 
-/// In the compound's frame.
-std::optional<Extent> box_filled_by(const Compound& compound) {
+std::optional<Box> box_filled_by(const Compound& compound) {
   std::vector<Extent> parts;
   Extent around{Vec3::Constant(std::numeric_limits<double>::infinity()),
                 Vec3::Constant(-std::numeric_limits<double>::infinity())};
@@ -42,7 +41,9 @@ std::optional<Extent> box_filled_by(const Compound& compound) {
     around = {around.lo.cwiseMin(extent->lo), around.hi.cwiseMax(extent->hi)};
     volume += extent->volume();
   }
-  return std::abs(volume - around.volume()) <= filled * volume ? std::optional(around) : std::nullopt;
+  const bool is_in_the_middle = (around.lo + around.hi).isZero(0);
+  if (!is_in_the_middle || std::abs(volume - around.volume()) > filled * volume) return std::nullopt;
+  return Box{(around.hi - around.lo) / 2};
 }
 
 }  // namespace
@@ -51,11 +52,8 @@ Scene with_whole_tables(const Scene& scene) {
   Scene whole = scene;
   for (Body& body : whole.bodies) {
     const auto* compound = std::get_if<Compound>(&body.shape);
-    if (compound == nullptr || !std::holds_alternative<Fixed>(body.mass)) continue;
-    const std::optional<Extent> extent = box_filled_by(*compound);
-    const Vec3 middle = extent ? Vec3((extent->lo + extent->hi) / 2) : Vec3(Vec3::Zero());
-    if (!extent || !middle.isZero(0)) continue;
-    body.shape = Box{(extent->hi - extent->lo) / 2};
+    const std::optional<Box> box = compound && is_fixed(body) ? box_filled_by(*compound) : std::nullopt;
+    if (box) body.shape = *box;
   }
   return whole;
 }

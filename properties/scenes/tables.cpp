@@ -402,7 +402,7 @@ Scene on_tiles(Random& random) {
   using Draw = Scene (*)(Random&);
   Scene scene = random.pick<Draw>({slides, slope, drops, block_slides})(random);
   for (Body& body : scene.bodies) {
-    if (!std::holds_alternative<Fixed>(body.mass)) continue;
+    if (!is_fixed(body)) continue;
     const Vec3 half = std::get<Box>(body.shape).half_extents;
     const std::vector<double> x = cuts(random, half.x(), 3);
     body = in_tiles(body, x, across(random, half.y()));

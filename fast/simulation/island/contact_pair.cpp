@@ -35,8 +35,7 @@ lin_canny::Proximity proximity_of(const contact::Part& A, const State& at_a, con
 }
 
 Vec3 parting(const contact::Part& A, const State& at_a, const contact::Part& B, const State& at_b) {
-  const bool are_balls = A.is_ball() && B.is_ball();  // whose centres give the normal
-  return contact::parting(A, B, are_balls ? lin_canny::Proximity{} : proximity_of(A, at_a, B, at_b));
+  return contact::parting(A, lin_canny::CachedPose(at_a.X_WB), B, lin_canny::CachedPose(at_b.X_WB));
 }
 
 /// Whether a point is in the part, or beside each of its faces by at most `within` (m). True of a ball, which has none.
@@ -58,13 +57,13 @@ Vec3 normal(const ContactPair& contact_pair, const contact::Part& A, const State
             const State& at_b, double near) {
   if (contact_pair.shared) {
     const Vec3 n = normal_at(*contact_pair.shared, A, B, contact_pair.nhat_BA_W);
-    if (apart(A, B, n) >= -near / 4) return n;
+    if (separates(apart(A, B, n), near)) return n;
   }
   if (contact_pair.contact_points.empty()) return parting(A, at_a, B, at_b);
   const Vec3 n = separating_direction(
       A, B, normal_at(contact_pair.contact_points.front(), A, B, contact_pair.nhat_BA_W), tied * near);
   const double wide = apart(A, B, n);
-  if (wide >= -near / 4) return n;
+  if (separates(wide, near)) return n;
   const Vec3 other = parting(A, at_a, B, at_b);
   return apart(A, B, other) > wide ? other : n;
 }

@@ -50,6 +50,9 @@ using PairPoints = std::vector<ImpactCandidate>;
 /// A part of a body in a given state.
 contact::Part part_of(const IslandBody& island_body, std::size_t part, const State& state);
 
+/// Whether a normal separates parts that are so far apart along it: they may overlap by a quarter of `near` (m).
+inline bool separates(double apart, double near) { return apart >= -near / 4; }
+
 /// The contact points along n of parts that are at most `near` (m) apart along it. If they overlap a little, all
 /// corners in the overlap are contact points.
 std::vector<contact::ContactPoint> points_along(const contact::Part& A, const contact::Part& B, const Vec3& n,

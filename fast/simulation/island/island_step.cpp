@@ -18,9 +18,9 @@ constexpr double early_share = 0x1p-3;       // of a step: where corners hardly 
 constexpr double hardly_above = 64;          // times the distance that counts as touching
 constexpr int cuts_at_end_of_contact = 14;   // halvings of a step: it ends less than h/2¹⁴ after the contact does
 constexpr int most_slip_cuts = 8;            // of a step, in the search for the end of slip
-constexpr double share_of_rebound = 0x1p-4;
-constexpr int few_bodies = 2;
-constexpr double lost = 16;                      // times the distance that counts as touching: bodies farther apart
+constexpr double share_of_rebound = 0x1p-4;  // the speed at which a body leaves what counts as touching and comes back
+constexpr int few_bodies = 2;                // that move: so many are followed to the end of slip
+constexpr double lost = 16;                  // times the distance that counts as touching: bodies farther apart
 constexpr double least_share_of_step = 0x1p-20;  // of a step: a step that short is taken even if corners overlap
 constexpr double step_tolerance = 0x1p-10;       // accuracy of a step, relative to the distance that counts as touching
 // Of distances from the origin. A gap is n·(p − q) of two points R x + c: less than 16 roundings of each, twice for the
@@ -224,8 +224,7 @@ StepPlan until_one_slides_off(const ContactGraph& graph, StepPlan plan, double l
   return plan;
 }
 
-/// m/s: slip that a step need not end for, whatever its friction: a part of the speed at which a body leaves `near` and
-/// comes back.
+/// m/s: slip that a step need not end for.
 double negligible_slip(const ContactGraph& graph, double h) {
   double greatest = 0;
   for (const IslandBody& island_body : graph.bodies())
@@ -244,8 +243,8 @@ double slip_ends(const StepPlan& plan, double negligible) {
 }
 
 /// A step that ends where the first contact stops slipping: friction has another direction then, or holds. In a pile
-/// slip ends somewhere in nearly each step, which would make six times as many of them as are needed to keep depths and
-/// energy, so only few bodies are followed that closely.
+/// slip ends somewhere in nearly each step, and a heap would take six times as long, so only few bodies are followed
+/// that closely.
 StepPlan until_slip_ends(const ContactGraph& graph, StepPlan plan, double longest) {
   const auto moving = std::ranges::count_if(graph.bodies(), [](const IslandBody& body) { return !body.fixed(); });
   if (moving > few_bodies) return plan;

@@ -28,7 +28,7 @@ class Sharing {
   std::optional<double> apart_by(std::size_t k, std::size_t j) const {
     if (j == k || pairs_[j].contact_points.empty() || !may_take(k, j)) return {};
     const double wide = apart(A_[k], B_[k], pairs_[j].nhat_BA_W);
-    return wide >= -near_ / 4 ? std::optional(wide) : std::nullopt;
+    return separates(wide, near_) ? std::optional(wide) : std::nullopt;
   }
   std::vector<contact::ContactPoint> points(std::size_t k, const Vec3& n) const {
     return points_along(A_[k], B_[k], n, near_);
@@ -38,7 +38,7 @@ class Sharing {
   bool may_take(std::size_t k, std::size_t j) const {
     const Vec3 &own = pairs_[k].nhat_BA_W, &other = pairs_[j].nhat_BA_W;
     if ((own - other).norm() <= same_direction) return false;
-    return apart(A_[j], B_[j], own) < -near_ / 4 || (is_of_face(j, other) && !is_of_face(k, own));
+    return !separates(apart(A_[j], B_[j], own), near_) || (is_of_face(j, other) && !is_of_face(k, own));
   }
   bool is_of_face(std::size_t k, const Vec3& n) const {
     return contact::supporting_face(A_[k].core, -n).cosine > is_normal ||

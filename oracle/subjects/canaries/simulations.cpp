@@ -75,9 +75,8 @@ Lies each_state(const std::function<void(State&, const Scene&, std::size_t body,
 
 // As if the sides of the parts that it slides over stopped a body.
 void trips(State& state, const Scene& scene, std::size_t body, double) {
-  const auto is_fixed = [](const Body& of) { return std::holds_alternative<Fixed>(of.mass); };
   const bool has_seams = std::ranges::any_of(
-      scene.bodies, [&](const Body& of) { return is_fixed(of) && std::holds_alternative<Compound>(of.shape); });
+      scene.bodies, [](const Body& of) { return is_fixed(of) && std::holds_alternative<Compound>(of.shape); });
   if (has_seams && !is_fixed(scene.bodies[body])) state.velocity = {};
 }
 

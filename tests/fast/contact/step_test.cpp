@@ -93,6 +93,14 @@ TEST_CASE("step: a ball whose slip ends in the step rolls after it") {
   }
 }
 
+// By Cayley's map it would be h³|w|³/12 = 1e-3 rad less.
+TEST_CASE("step: a ball that slides turns by the whole angle of its mean angular velocity") {
+  BallOnFloor scene({Vec3(4, 0, 0), Vec3(0, 15, 0)}, 0.25);
+  const Stepped done = scene.stepped();
+  const Quaternion& q = done.after[0].X_WB.q_WB;
+  CHECK(2 * std::atan2(q.y, q.w) == Approx(h * done.mean[0].w.y()).epsilon(1e-12));
+}
+
 TEST_CASE("step: without friction a ball keeps its speed and its spin") {
   for (const double v : {-1.0, -0x1p-20, 0x1p-20, 1.0}) {
     BallOnFloor scene({Vec3(v, v / 3, 0), Vec3(0, 2 * v, 1)}, 0);

@@ -86,6 +86,21 @@ TEST_CASE("island step: a step ends where a ball slides off the table, and not a
   CHECK(plan_step(graph, 0.0625, 0.125).h == 0.0625);
 }
 
+// μ g = 2.5: slip of 0.25 m/s at the contact point falls at 7/2 of that, and ends after 0.25/8.75 s.
+TEST_CASE(
+    "island step: a step ends where the slip of a ball does, and so does that of a second one, but not of a third") {
+  const auto planned = [](int count) {
+    std::vector<Body> bodies;
+    for (int i = 0; i < count; ++i) bodies.push_back(ball(1, {4.0 * i - 4, 0, 1}, {0.25, 0, 0}, {0, 0.25}));
+    bodies.push_back(table());
+    return plan_step(IslandBodies(bodies, g_W).graph(0x1p-30, reach), 0.0625, 0.0625);
+  };
+  CHECK(planned(1).h == Approx(0.25 / 8.75).epsilon(1e-6));
+  CHECK(planned(2).h == Approx(0.25 / 8.75).epsilon(1e-6));
+  CHECK(planned(3).h == 0.0625);
+  CHECK(planned(1).stepped.after[0].velocity.w_WB.y() == Approx(0.25 * 5 / 7));
+}
+
 // At the end of the whole step the ball is 0.04 − 0.25 + 5/16 = 0.1 m above the table.
 TEST_CASE("island step: it ends where a ball comes down, although it would be lifted again before the end") {
   const IslandBodies bodies({ball(1, {0, 0, 1.04}, {0, 0, -1}, {}), table()}, -g_W);
