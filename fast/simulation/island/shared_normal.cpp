@@ -5,14 +5,12 @@
 #include <vector>
 
 #include "fast/contact/parting.h"
-#include "fast/contact/support.h"
 #include "fast/mark.h"
 
 namespace touchstone::fast::simulation {
 namespace {
 
 constexpr double same_direction = 0x1p-40;  // difference of normals that are those of one face, up to rounding
-constexpr double is_normal = 1 - 0x1p-50;   // cosine
 
 class Sharing {
  public:
@@ -38,13 +36,8 @@ class Sharing {
   bool may_take(std::size_t k, std::size_t j) const {
     const Vec3 &own = pairs_[k].nhat_BA_W, &other = pairs_[j].nhat_BA_W;
     if ((own - other).norm() <= same_direction) return false;
-    return !separates(apart(A_[j], B_[j], own), near_) || (is_of_face(j, other) && !is_of_face(k, own));
+    return !separates(apart(A_[j], B_[j], own), near_);
   }
-  bool is_of_face(std::size_t k, const Vec3& n) const {
-    return contact::supporting_face(A_[k].core, -n).cosine > is_normal ||
-           contact::supporting_face(B_[k].core, n).cosine > is_normal;
-  }
-
   std::span<const ContactPair> pairs_;
   std::vector<contact::Part> A_, B_;
   double near_;

@@ -12,10 +12,8 @@ namespace touchstone::fast::simulation {
 /// A body that slides over parts of another, whose faces are in one plane, comes to the next part from its side. Taken
 /// by itself that part is separated from it by its side too, and would stop it; but the side is inside the other body.
 /// The face is not, so its normal is that of the next part as well. A pair takes the normal of another one that touches
-/// if the two parts are apart along it (or overlap by at most a quarter of `near`), and
-/// - its own normal does not separate the other pair: the side of a tile that begins where the last one ends; or
-/// - it does, but is not that of a face, and the other one is: the edge of a tile, seen from a ball above the last one.
-/// Of several pairs that take over no normal themselves it takes that along which its parts are farthest apart.
+/// if that separates its own parts, and its own normal does not separate those of the other pair. Of several pairs that
+/// take over no normal themselves it takes that along which its parts are farthest apart.
 ///
 /// Literature knows the wrong impact as that at an internal edge, or ghost collision.
 void share_normals(std::span<ContactPair> pairs, const IslandBody& A, const IslandBody& B, double near);

@@ -64,7 +64,7 @@ TEST_CASE("later: nor is one that slides along a floor and a wall that are one b
   Body fixed = table();
   fixed.X_WB = {};
   fixed.shape = Compound{
-      {{{{0, 0, -1}, {}}, Box{{8, 8, 1}}}, {{{0, 2, 4}, {}}, Box{{8, 1, 4}}}, {{{-9, 0, 0}, {}}, Box{{1, 1, 4}}}}};
+      {{{{0, 0, -1}, {}}, Box{{8, 8, 1}}}, {{{-9, 0, 0}, {}}, Box{{1, 1, 4}}}, {{{0, 2, 4}, {}}, Box{{8, 1, 4}}}}};
   Body slider = brick({1, 1, 1}, {0, 0, 1}, {});
   slider.velocity.v_WBcm = {3, 0, 0};
   const auto next_of = [&fixed](const Body& moving) -> double {

@@ -52,9 +52,13 @@ TEST_CASE("shared normal: a brick whose corner is over the corner of four tiles 
   for (const double x : {-4.0, 4.0}) {
     for (const double y : {-4.0, 4.0}) tiles.push_back(box_part({4, 4, 1}, {x, y, -1}));
   }
-  const ContactGraph graph = graph_of(brick({1, 1, 1}, {-1, -1, 1}, {}), compound(tiles));
-  REQUIRE(graph.contact_pairs().size() == 4);
-  for (const ContactPair& pair : graph.contact_pairs()) CHECK(pair.nhat_BA_W == up);
+  for (const double x : {-1.0, 1.0}) {
+    for (const double y : {-1.0, 1.0}) {
+      const ContactGraph graph = graph_of(brick({1, 1, 1}, {x, y, 1}, {}), compound(tiles));
+      REQUIRE(graph.contact_pairs().size() == 4);
+      for (const ContactPair& pair : graph.contact_pairs()) CHECK(pair.nhat_BA_W == up);
+    }
+  }
 }
 
 TEST_CASE("shared normal: a tile that is higher stops the brick, and so does a wall") {
