@@ -51,7 +51,9 @@ struct Stepped {
 /// where r is the mean of the contact's arms before and after. By Cayley's map R'x − Rx = h ω̄ × (R'x + Rx)/2, so the
 /// relative displacement of the contact's points is exactly h u, and kinetic energy grows by P·u alone (Simo & Wong
 /// 1991), which is not above 0: a step never adds energy, however long it is. Solved by iteration until nothing moves
-/// by more than `tolerance` (m). Bodies that already overlap are moved apart no faster than `recovery` (m/s).
+/// by more than `tolerance` (m). Where φ(after) − φ(before) is not h u_n, since features move along curves, the contact
+/// point is moved until it is (Gonzalez 1996), unless it is smooth. Bodies that already overlap are moved apart no
+/// faster than `recovery` (m/s).
 ///
 /// The residual of the step is h times the greatest residual of a contact (solver.h), with the contact's last normal,
 /// arms and impulse, u_n = (φ(after) − φ(before))/h from the true gaps, and min(−φ(before)/h, recovery) as least_u_n:
