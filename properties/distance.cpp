@@ -133,8 +133,8 @@ Finding features(const Scene& scene, Subject& subject) {
     const reference::DistanceTruth& exact = truth::distance(scene);
     if (exact.verdict == Verdict::overlapping) return judge::outside("overlapping bodies have no closest features");
     if (!said.feature_A || !said.feature_B) return judge::silent("closest features");
-    if (holds_all(*said.feature_A, exact.feature_A) && holds_all(*said.feature_B, exact.feature_B))
-      return judge::holds();
+    const bool names_all = holds_all(*said.feature_A, exact.feature_A) && holds_all(*said.feature_B, exact.feature_B);
+    if (names_all && said.feature_A->vertices.size() < 3 && said.feature_B->vertices.size() < 3) return judge::holds();
     const auto observed = [&] { return words::text(*said.feature_A) + " and " + words::text(*said.feature_B); };
     const auto expected = [&] {
       return "a pair among " + words::text(exact.feature_A) + " and " + words::text(exact.feature_B);
@@ -145,11 +145,13 @@ Finding features(const Scene& scene, Subject& subject) {
       return core_radius(scene.bodies[0], a.part) + core_radius(scene.bodies[1], b.part);
     };
     const double thicker = radii(*said.feature_A, *said.feature_B) - radii(exact.feature_A, exact.feature_B);
+    const double farther = names_all ? 0 : *gap - exact.core_squared.sqrt_enclosure().lo - thicker;
+    const double off_face = std::max(oracle::off_one_face(scene.bodies[0], *said.feature_A),
+                                     oracle::off_one_face(scene.bodies[1], *said.feature_B));
     const double allowed = tolerance::distance(scene, subject.card().precision);
-    return judge::explained(
-        judge::at_most(*gap - exact.core_squared.sqrt_enclosure().lo - thicker,
-                       judge::in_ulps(scene, subject.card(), allowed), Defect::wrong_feature, observed, expected),
-        scene);
+    return judge::explained(judge::at_most(std::max(farther, off_face), judge::in_ulps(scene, subject.card(), allowed),
+                                           Defect::wrong_feature, observed, expected),
+                            scene);
   });
 }
 

@@ -84,4 +84,27 @@ std::optional<double> feature_gap(const Body& A, const Feature& feature_A, const
   return static_cast<double>(std::min({between_segments(a, b), to_triangles(a, b), to_triangles(b, a)}));
 }
 
+double off_one_face(const Body& body, const Feature& feature) {
+  const Points points = claimed(body, feature), all = world_points(body, feature.part);
+  Point normal = Point::Zero(), along = Point::Zero();
+  for (std::size_t i = 0; i < points.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      if ((points[j] - points[i]).squaredNorm() > along.squaredNorm()) along = points[j] - points[i];
+      for (std::size_t k = 0; k < j; ++k) {
+        const Point n = (points[j] - points[i]).cross(points[k] - points[i]);
+        if (n.squaredNorm() > normal.squaredNorm()) normal = n;
+      }
+    }
+  if (!(normal.squaredNorm() > 0)) return 0;
+  const Real off_line = normal.norm() / along.norm();  // the height of the widest triangle, about
+  normal.normalize();
+  Real off = 0, above = 0, below = 0;
+  for (const Point& p : points) off = std::max(off, std::abs(normal.dot(p - points[0])));
+  for (const Point& p : all) {
+    above = std::max(above, normal.dot(p - points[0]));
+    below = std::max(below, normal.dot(points[0] - p));
+  }
+  return static_cast<double>(std::min(off_line, std::max(off, std::min(above, below))));
+}
+
 }  // namespace touchstone::oracle

@@ -18,4 +18,10 @@ namespace touchstone::oracle {
 /// points of the hulls, so the gap is never too small by more than that.
 std::optional<double> feature_gap(const Body& A, const Feature& feature_A, const Body& B, const Feature& feature_B);
 
+/// How far the claimed vertices are from being those of one face of their part (m): the greatest distance of one of
+/// them from the plane through three of them, or of another vertex of the part beyond that plane; of all such planes
+/// the widest triangle's. No more than about the height of that triangle, for vertices that are nearly on one line; 0 if
+/// they are fewer than three. Requires vertices that exist.
+double off_one_face(const Body& body, const Feature& feature);
+
 }  // namespace touchstone::oracle

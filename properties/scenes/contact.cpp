@@ -75,6 +75,17 @@ Body with_spin(Random& random, Body body) {
   return body;
 }
 
+/// A fixed body at rest, or one that moves and turns.
+Arm some_ground(Random& random) {
+  Arm ground = fixed_ground();
+  if (random.one_in(2)) return ground;
+  ground.body = with_spin(random, std::move(ground.body));
+  ground.body.velocity.v_WBcm = small_vector(random, 4);
+  const double x = random.whole(-8, 8), y = random.whole(-8, 8);
+  ground.r = {x, y, 1};
+  return ground;
+}
+
 Arm ball(Random& random, double towards) {
   const double radius = random.whole(1, 4);
   Body body = with_spin(random, at_rest(Sphere{radius}));
@@ -119,7 +130,7 @@ Arm some_stated(Random& random, double towards) {
 }
 
 Arm some_other(Random& random) {
-  if (random.one_in(2)) return fixed_ground();
+  if (random.one_in(2)) return some_ground(random);
   Arm other = some_stated(random, 1);
   other.body.velocity.v_WBcm = small_vector(random, 4);
   return other;
@@ -127,7 +138,7 @@ Arm some_other(Random& random) {
 
 Scene spheres(Random& random) {
   Arm A = ball(random, -1), B = ball(random, 1);
-  if (random.one_in(2)) B = fixed_ground();
+  if (random.one_in(2)) B = some_ground(random);
   const Vec3 u = some_approach(random);
   return meeting(random, A, B, u, some_contact(random));
 }
@@ -135,7 +146,7 @@ Scene spheres(Random& random) {
 Scene boxes(Random& random) {
   Arm A = box(random, -1), B = box(random, 1);
   B.body.velocity.v_WBcm = small_vector(random, 4);
-  if (random.one_in(2)) B = fixed_ground();
+  if (random.one_in(2)) B = some_ground(random);
   const Vec3 u = some_approach(random);
   return meeting(random, A, B, u, some_contact(random));
 }

@@ -282,6 +282,16 @@ std::vector<Body> row(Random& random) {
   return bodies;
 }
 
+/// Two or three balls that are hardly apart in a row, hit from both sides at one time by balls of other masses.
+std::vector<Body> nearly_touching(Random& random) {
+  const int count = random.between(2, 3);
+  const double pitch = 2 + std::ldexp(1.0, -random.between(30, 34)), last = (count - 1) * pitch;
+  std::vector<Body> bodies = {of_mass(ball_at({-3, 0, 0}, {2, 0, 0}), random.whole(1, 3))};
+  for (int n = 0; n < count; ++n) bodies.push_back(of_mass(ball_at({n * pitch, 0, 0}, Vec3::Zero()), 1));
+  bodies.push_back(of_mass(ball_at({last + 3, 0, 0}, {-2, 0, 0}), random.whole(1, 3)));
+  return bodies;
+}
+
 /// A ball that hits two at once: normals (4/5, ±3/5).
 std::vector<Body> symmetric_break(Random& random) {
   const double speed = random.whole(1, 4);
@@ -339,12 +349,14 @@ Scene at_one_time(Random& random, Bodies kind) {
   const double e = random.pick({0.0, 0.5, 1.0}), mu = random.pick({0.0, 0.0, 0.5}), mass = random.pick({1.0, 4.0});
   for (Body& body : bodies) {
     body.material = {e, mu};
-    if (!std::holds_alternative<Fixed>(body.mass)) body = of_mass(std::move(body), mass);
+    if (std::holds_alternative<Density>(body.mass)) body = of_mass(std::move(body), mass);
   }
   return run(random, std::move(bodies), motion_until(1.25, 5));
 }
 
-Scene together(Random& random) { return at_one_time(random, random.pick<Bodies>({symmetric_break, wedge, pillars})); }
+Scene together(Random& random) {
+  return at_one_time(random, random.pick<Bodies>({symmetric_break, wedge, pillars, nearly_touching}));
+}
 
 Scene touching(Random& random) { return at_one_time(random, random.pick<Bodies>({row, polytope_lands})); }
 
@@ -512,9 +524,17 @@ Scene edge_on_edge(Random& random) {
   return turned_somehow(random, run(random, {std::move(below), std::move(above)}, motion_until(1, 4)));
 }
 
+/// A box that falls on one of its corners, turning.
+std::vector<Body> spinning(Random& random) {
+  Body box = at_rest(Box{Vec3{random.whole(2, 4), random.whole(2, 3), random.whole(1, 2)} / 4});
+  box.X_WB = {{0, 0, 1.5}, small_quaternion(random)};
+  box.velocity.w_WB = Vec3{random.whole(-2, 2), random.whole(-2, 2), random.whole(2, 4)};
+  return {std::move(box)};
+}
+
 /// Bodies on a level table without friction, which may rub on each other.
 Scene on_ice(Random& random) {
-  std::vector<Body> bodies = random.pick<Bodies>({sliders, on_another, dropped})(random);
+  std::vector<Body> bodies = random.pick<Bodies>({sliders, on_another, dropped, spinning})(random);
   set_material(random, bodies);
   return on_large_table(random, std::move(bodies), 0, motion_until(2, 4));
 }

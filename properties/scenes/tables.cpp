@@ -339,16 +339,33 @@ Scene adrift(Random& random) {
     scene.bodies[1].material.restitution = random.pick({0.0, 0.5});
   }
   if (random.one_in(3)) scene.gravity.setZero();
-  scene.motion = sampled_at(0.5);
+  const double longer = random.pick({1.0, 1.0, 8.0});
+  scene.motion = sampled_at(0.5 * longer);
   if (random.one_in(3)) return scene;
   const double volume = 8 * r * r * r;
   scene.motion->force_bound = 64 * volume;
-  double time = random.pick({0.0, 0.0625, 0.1});
+  double time = longer * random.pick({0.0, 0.0625, 0.1});
   for (int i = random.between(1, 3); i > 0; --i) {
     const Vec3 force{random.whole(-16, 16), random.whole(-1, 1), random.whole(-4, 4)};
     scene.motion->forces.push_back({time, random.below(static_cast<int>(scene.bodies.size())), volume * force});
-    time += sixteenths(random, 1, 2);
+    time += longer * sixteenths(random, 1, 2);
   }
+  return scene;
+}
+
+/// A ball with its centre of mass off its middle falls on a table or on a fixed ball.
+Scene eccentric(Random& random) {
+  const double r = some_radius(random), m = random.pick({0.5, 1.0, 4.0});
+  Scene scene = table_scene(random, r);
+  const Vec3 off = r * random.pick<Vec3>({{0, 0, 0.875}, {0, 0, -0.75}, {0.5, 0, 0.5}, {0, -0.75, 0}});
+  scene.bodies[0].mass = MassProperties{m, off, Mat3(random.pick({0.125, 0.25}) * m * r * r * Mat3::Identity())};
+  scene.bodies[0].X_WB.p_WB.z() += r * random.whole(1, 8);
+  if (random.one_in(2)) scene.bodies[0].velocity.v_WBcm.x() = sixteenths(random, -8, 8);
+  if (random.one_in(2)) {
+    scene.bodies[1].shape = Sphere{1};
+    scene.bodies[1].X_WB.p_WB = {0, 0, -1};
+  }
+  scene.motion = sampled_at(random.pick({0.25, 0.5, 1.0}));
   return scene;
 }
 
@@ -455,6 +472,8 @@ std::vector<Family> table_families() {
       {"tables.topples", "a block half over the edge of a table, which tips over it", queries, true, topples},
       {"tables.pushed", "a ball or a block on a table, pushed by forces that begin and change", queries, false, pushed},
       {"tables.adrift", "a ball, perhaps with a block, without a table, pushed by forces", queries, false, adrift},
+      {"tables.eccentric", "a ball with its centre of mass off its middle falls on a table or a ball", queries, false,
+       eccentric},
       {"tables.tiles", "a ball or a block that slides over the seams of a table", {"simulation"}, false, tiles},
       {"tables.stack", "two or three boxes on each other, the upper up to 100 times as heavy", queries, false, stack},
   };

@@ -242,8 +242,9 @@ class Piece : public Phase<T> {
     ImpactState<T> lo = from;
     ImpactState<T> hi = end_;
     if (from.U < 0 && end_.U > 0) lo = *when_U(T(0), from);
-    if (from.U > 0 && end_.U < 0) hi = top_of_W(from);
-    if (hi.W < c || hi.U < 0 || lo.W >= c) return {};
+    const bool has_top = from.U > 0 && end_.U < 0;
+    if (has_top) hi = top_of_W(from);  // where U is 0, but for rounding
+    if (hi.W < c || (hi.U < 0 && !has_top) || lo.W >= c) return {};
     return impact_state(zero_between(lo.at, hi.at, [&](const T& tau) {
       const ImpactState<T> m = impact_state(tau);
       return std::pair(T(m.W - c), T(m.U * value(series_->s, tau)));

@@ -8,6 +8,7 @@
 
 #include "model/answers.h"
 #include "reference/time_of_impact/closest.h"
+#include "reference/time_of_impact/common_face.h"
 #include "reference/time_of_impact/initial_contact.h"
 #include "reference/time_of_impact/moving_core.h"
 #include "reference/time_of_impact/moving_plane.h"
@@ -214,11 +215,35 @@ class Encounter {
            reaches_into(B_, w.body_B, members(contact, &VertexPair::second), A_, w.body_A);
   }
 
+  /// The middle of what parallel faces of the two cores have in common at lo; empty if there are none. The closest
+  /// points of such faces may be anywhere in it, also at its border, where no enclosure tells inside from outside.
+  WeightedVertices<P> middle_of_face(const Found<P>& found) const {
+    if (A_.is_point() || B_.is_point()) return {};
+    const Pairing<Tier> at_lo = pairing_at(found.lo);
+    return middle_of_common_face(A_.faces(), at_lo.A.around, B_.faces(), at_lo.B.around, found.nhat_BA);
+  }
+
+  bool enters(const WeightedVertices<P>& of_A, const P& t) const {
+    if (of_A.empty()) return false;
+    const typename Tier::Scope scope;
+    const E time = thin(t);
+    const Coordinates<P> from = middle(model_B_.at(time).p);
+    const BallisticState<E> body_A = A_.body_at(time, from), body_B = B_.body_at(time, from);
+    Coordinates<E> sum = {E(0), E(0), E(0)};
+    E total = E(0);
+    for (const auto& [vertex, weight] : of_A) {
+      sum = sum + thin(weight) * A_.vertex(body_A, vertex);
+      total += thin(weight);
+    }
+    return B_.holds(body_B, E(E(1) / total) * sum);
+  }
+
   bool confirm_hit(const Probing& probing, const Closest<P>& contact, Found<P>& found, const P& end) const {
+    const WeightedVertices<P> of_A = probing.tries > 0 ? middle_of_face(found) : WeightedVertices<P>();
     P d = P(probing.first) * scale(found.lo, end);
     for (int i = 0; i < probing.tries; ++i, d *= P(probing.factor)) {
       const P t = std::min(end, P(found.lo + d));
-      if (!share_a_point(contact, t)) continue;
+      if (!share_a_point(contact, t) && !enters(of_A, t)) continue;
       found.status = TimeOfImpact::Status::hit;
       found.hi = t;
       return true;

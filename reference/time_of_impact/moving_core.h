@@ -40,6 +40,7 @@ class MovingCore {
 
   double radius() const { return core_.radius; }
   bool is_point() const { return core_.is_point(); }
+  const std::vector<std::vector<int>>& faces() const { return *core_.faces; }
   const P& reach() const { return reach_; }  ///< greatest distance of a vertex from the reference point
 
   /// The body's state at `time`, relative to `from`.

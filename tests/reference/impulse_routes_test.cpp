@@ -317,6 +317,16 @@ struct Direct {
   }
 };
 
+Direct direct_of(const ImpulseTruth& t, double mu) {
+  Direct direct{};
+  direct.mu = mu;
+  for (std::size_t i = 0; i < 3; ++i) {
+    direct.u0[i] = t.u0_W[i].nearest();
+    for (std::size_t j = 0; j < 3; ++j) direct.K[i][j] = t.K_W[i][j].nearest();
+  }
+  return direct;
+}
+
 TEST_CASE("impulse: the equations in p, by Runge-Kutta, end where the series do") {
   Dice dice(52);
   int compared = 0;
@@ -324,12 +334,7 @@ TEST_CASE("impulse: the equations in p, by Runge-Kutta, end where the series do"
     tests::ImpactProblem problem = turning(dice);
     const ImpulseTruth t = impulse(tests::scene(problem));
     if (!turns_throughout(t)) continue;
-    Direct direct{};
-    direct.mu = problem.mu;
-    for (std::size_t i = 0; i < 3; ++i) {
-      direct.u0[i] = t.u0_W[i].nearest();
-      for (std::size_t j = 0; j < 3; ++j) direct.K[i][j] = t.K_W[i][j].nearest();
-    }
+    const Direct direct = direct_of(t, problem.mu);
     const auto end = direct.until(static_cast<Long>(t.p_f.nearest()), 4000);
     const auto half = direct.until(static_cast<Long>(t.p_f.nearest()), 2000);
     const Long own_error = std::hypot(end[0] - half[0], end[1] - half[1]);
@@ -341,6 +346,30 @@ TEST_CASE("impulse: the equations in p, by Runge-Kutta, end where the series do"
     for (std::size_t i = 0; i < 2; ++i) {
       CHECK(std::abs(end[i] - static_cast<Long>(t.P_A_W[i].nearest())) < 1e-13L + own_error);
     }
+  }
+}
+
+// u_n rises above 0 and would fall below it again, as friction turns. On the way its work reaches what is restored.
+TEST_CASE("impulse: Stronge's restitution ends where the work is restored for the first time, also before u_n falls") {
+  for (const double e : {0.03125, 0.125}) {
+    const tests::ImpactProblem problem{.I = tests::diagonal(2.125, 8.75, 7.375),
+                                       .r = {-1, 2, -2},
+                                       .v = {-5, 3, -0.157958984375},
+                                       .law = Law::stronge,
+                                       .e = e,
+                                       .mu = 2.25};
+    const ImpulseTruth t = impulse(tests::scene(problem));
+    const Direct direct = direct_of(t, problem.mu);
+    const Long dp = 1e-5L;
+    Direct::P impulse{};
+    Long work = 0, compression = 0, u_n = direct.u0[2];
+    while (impulse[2] < 4 && !(u_n > 0 && work >= -static_cast<Long>(e * e) * compression)) {
+      impulse = direct.step(impulse, dp);
+      const Long next = direct.u(impulse)[2], gained = dp * (u_n + next) / 2;
+      (u_n + next < 0 ? compression : work) += gained;
+      u_n = next;
+    }
+    CHECK(std::abs(impulse[2] - static_cast<Long>(t.p_f.nearest())) < 1e-4L);
   }
 }
 

@@ -165,6 +165,31 @@ double conservative_advancement(Scene scene, double near) {
   return t;
 }
 
+// Their closest points may be anywhere in what the faces share, also at its border.
+TEST_CASE("Boxes that meet face on face are known to meet, at the time of their ends") {
+  Dice dice(8);
+  const auto whole = [&](int least, int most) {
+    return static_cast<double>(least) + std::floor(dice.unit() * (most - least + 1));
+  };
+  for (int i = 0; i < 60; ++i) {
+    const int axis = i % 3;
+    const Vec3 a(whole(1, 4), whole(1, 4), whole(1, 4)), b(whole(1, 4), whole(1, 4), whole(1, 4));
+    Vec3 offset = Vec3::Zero();
+    for (int k = 0; k < 3; ++k) {
+      if (k != axis) offset[k] = std::floor(dice.unit() * (a[k] + b[k]));  // they share at least a strip of 1 m
+    }
+    const double time = whole(1, 8), speed = std::ldexp(1.0, static_cast<int>(whole(-2, 10)));
+    offset[axis] = a[axis] + b[axis] + time * speed;
+    Scene scene = pair(body(Box{a}, offset), body(Box{b}, Vec3::Zero()));
+    scene.bodies[0].velocity.v_WBcm[axis] = -speed;
+    const TimeOfImpactTruth truth = time_of_impact(moving_scene(scene, 16));
+    REQUIRE(truth.status == Status::hit);
+    CHECK(truth.time.lo <= time);
+    CHECK(truth.time.hi >= time);
+    CHECK(truth.time.hi - truth.time.lo < 1e-14);
+  }
+}
+
 TEST_CASE("Conservative advancement comes to the same time") {
   Dice dice(5);
   for (int i = 0; i < 10; ++i) {

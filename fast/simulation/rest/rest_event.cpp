@@ -18,7 +18,7 @@ Event rest_event(const Run& run, Event::Kind kind, BodyId id, const State& state
           run.world.now(),
           static_cast<int>(std::min(id, rest.on)),
           static_cast<int>(std::max(id, rest.on)),
-          state.X_WB.p_WB + rest.lever,
+          state.X_WB.p_WB + (P_A_W.isZero(0) ? rest.touch : rest.lever),
           first ? rest.nhat_W : -rest.nhat_W,
           P_A_W,
           first ? state : support,

@@ -98,7 +98,7 @@ std::optional<RestingContact> ball_on_face(const BodyMotion& ball, const BodyMot
   const Vec3 turning = r * state.velocity.w_WB.cross(n), slip = v - n.dot(v) * n - turning;
   RestingContact rest;
   rest.nhat_W = n;
-  rest.lever = -ball.radius() * n;
+  rest.lever = rest.touch = -ball.radius() * n;
   rest.start = state;
   const bool slips = length(slip) > negligible * (length(v) + length(turning));
   if (!slips && slope <= (1 + lambda) * friction * N) {
@@ -147,6 +147,7 @@ std::optional<RestingContact> body_on_face(const BodyMotion& body, const BodyMot
   const Vec3 force_point = com - n.dot(com - corners.front()) / n.dot(force) * force,
              s = force_point - block.path().place(t);
   rest.lever = force_point - state.X_WB.p_WB;
+  rest.touch = body.model().solid.parts().size() > 1 ? Vec3(corners.front() - state.X_WB.p_WB) : rest.lever;
   const std::optional<Eigen::Index> face = face_along(block, n, s);
   if (!face || !contact::supports(corners, n, force_point)) return {};
   return on_face_until(t + leaves_face(block, s, state.velocity.v_WBcm - V, rest.acceleration, *face), t, rest);

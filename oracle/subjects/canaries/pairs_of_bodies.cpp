@@ -2,6 +2,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "model/infinity.h"
 #include "oracle/rotation.h"
@@ -55,6 +56,13 @@ void feature_off_by_one(Subject&, const Scene& scene, Distance& said) {
   if (!said.feature_A) return;
   const int n = static_cast<int>(corners(scene.bodies[0]).size());
   for (int& i : said.feature_A->vertices) i = (i + 1) % n;
+}
+
+void feature_of_everything(Subject&, const Scene& scene, Distance& said) {
+  if (!said.feature_A) return;
+  const std::size_t n = corners(scene.bodies[0]).size();
+  for (std::size_t i = said.feature_A->vertices.size(); i < n; ++i) said.feature_A->vertices.push_back(0);
+  std::iota(said.feature_A->vertices.begin(), said.feature_A->vertices.end(), 0);
 }
 
 void narrow_enclosure(Subject&, const Scene&, Distance& said) {
@@ -167,6 +175,8 @@ std::vector<Canary> canaries_about_pairs_of_bodies() {
       lying("canary.witness_at_centre", "takes the body's origin for its witness point",
             [] { return distances(witness_at_centre); }),
       lying("canary.feature_off_by_one", "counts A's vertices from 1", [] { return distances(feature_off_by_one); }),
+      lying("canary.feature_of_everything", "names all vertices of A as the closest feature",
+            [] { return distances(feature_of_everything); }),
       lying("canary.narrow_enclosure", "claims an enclosure just above the distance",
             [] { return distances(narrow_enclosure); }),
       lying("canary.wide_enclosure", "claims an enclosure from 0 to twice the distance",

@@ -60,6 +60,51 @@ Scene turning_over(Random& random) {
   return thrown(random, std::move(A), at(std::move(B), from), motion_until(3));
 }
 
+/// It turns by about half a turn while it comes down on a wide plate.
+Scene onto_a_plate(Random& random, Body body, const Mat3& moments) {
+  MassProperties given;
+  given.mass = random.whole(1, 4);
+  given.I_BBcm_B = given.mass * moments;
+  body.mass = given;
+  Vec3 w = small_vector(random, 2);
+  if (w.isZero(0)) w.x() = 1;
+  if (random.one_in(2)) body.X_WB.q_WB = small_quaternion(random);
+  const Vec3 v{random.whole(-1, 1), random.whole(-1, 1), -0.5 * random.whole(1, 3)};
+  Body plate = at_rest(Box{Vec3(32, 32, 1)});
+  if (random.one_in(2)) plate.mass = Fixed{};
+  const Vec3 from{0, 0, 1 + random.whole(5, 7)};
+  return thrown(random, moving(at(std::move(body), from), v, w), std::move(plate), motion_until(4));
+}
+
+Mat3 some_tilted_moments(Random& random) {
+  Mat3 a, b, c;
+  a << 3, 1, 0, 1, 3, 0, 0, 0, 3;  // 2, 4 and 3
+  b << 5, 1, 0, 1, 4, 1, 0, 1, 6;
+  c << 4, 1, 0, 1, 5, -1, 0, -1, 6;
+  return random.pick<Mat3>({a, b, c});
+}
+
+/// A rod whose principal axes of inertia are not its own.
+Scene tilted_inertia(Random& random) {
+  Body rod = at_rest(Box{Vec3{random.whole(3, 4), random.pick({0.125, 0.25, 1.0}), 0.125}});
+  return onto_a_plate(random, std::move(rod), some_tilted_moments(random));
+}
+
+/// Two small bodies at the ends of a massless arm: they reach far from the centre of mass.
+Scene dumbbells(Random& random) {
+  Compound compound;
+  const double arm = random.whole(2, 4), half = random.pick({0.125, 0.25, 0.5});
+  Vec3 end = Vec3::Zero();
+  end[random.below(3)] = arm;
+  for (const double side : {-1.0, 1.0}) {
+    ConvexShape shape = Sphere{half};
+    if (random.one_in(2)) shape = Box{Vec3{half, 0.5 * half, half}};
+    compound.parts.push_back({{side * end, random.one_in(2) ? Quaternion{} : small_quaternion(random)}, shape});
+  }
+  const Mat3 moments = random.one_in(2) ? some_tilted_moments(random) : Mat3(Vec3(3, 4, 5).asDiagonal());
+  return onto_a_plate(random, at_rest(std::move(compound)), moments);
+}
+
 /// A body starts after forces on it, of which the last counts.
 Scene pushed_before(Random& random) {
   Body A = with_mass(random, some_solid(random)), B = with_mass(random, some_solid(random));
@@ -86,6 +131,9 @@ std::vector<Family> off_centre_motion_families() {
       {"flights.turning_over", "rods that spin about their unstable axis and turn over", queries, true, turning_over},
       {"flights.pushed_before", "several forces before a body starts, of which the last counts", queries, true,
        pushed_before},
+      {"flights.tilted_inertia", "rods whose principal axes are not their own come down on a plate", queries, true,
+       tilted_inertia},
+      {"flights.dumbbells", "two small bodies on an arm come down on a plate, turning", queries, true, dumbbells},
   };
 }
 

@@ -37,21 +37,22 @@ Scene grazing(Random& random) {
 }
 
 /// Compounds of two balls each. One pair, large in three of four scenes, misses by 2^-45 to 2^-50 of its size: less
-/// than doubles can tell. Later the other pair touches exactly, or overlaps or misses by as little.
+/// than doubles can tell. Later the other pair touches exactly, or overlaps or misses by as little; or, if it is the
+/// smaller one, it overlaps by 2^-12 of its size.
 Scene grazing_twice(Random& random) {
   const double first = random.pick({0.5, 1.0, 1.5}), later = first + random.pick({0.5, 1.0, 2.0});
   const double speed = random.whole(1, 8);
   Compound passing, standing;
-  const auto add = [&](double time, double radius, double y, double sign) {
-    const double up = radius * (1 + std::ldexp(sign, -random.between(45, 50)));
-    passing.parts.push_back({{{0, y, up}, {}}, Sphere{radius}});
+  const auto add = [&](double time, double radius, double y, double apart) {
+    passing.parts.push_back({{{0, y, radius * (1 + apart)}, {}}, Sphere{radius}});
     standing.parts.push_back({{{speed * time, y, -radius}, {}}, Sphere{radius}});
   };
   double size = dyadic(random, 1, 1, 8, 14), other = dyadic(random, 1, 1, -2, 1);
   if (random.one_in(4)) std::swap(size, other);
-  add(first, size, 0, 1);
-  const double sign = random.pick({-1.0, 0.0, 0.0, 1.0});
-  add(later, other, 16, sign);
+  const auto next_to_nothing = [&](double sign) { return std::ldexp(sign, -random.between(45, 50)); };
+  add(first, size, 0, next_to_nothing(1));
+  const double apart = next_to_nothing(random.pick({-1.0, 0.0, 0.0, 1.0}));
+  add(later, other, 16, other < size && random.one_in(3) ? -0x1p-12 : apart);
   Body A = at_rest(std::move(passing)), B = at_rest(std::move(standing));
   MassProperties about_origin;  // so that little is rounded for the smaller pair
   about_origin.mass = 1;
@@ -61,6 +62,21 @@ Scene grazing_twice(Random& random) {
   B.velocity.v_WBcm = carried;
   A.velocity.v_WBcm = carried + Vec3(speed, 0, 0);
   return thrown(random, std::move(A), std::move(B), motion_until(2 * later));
+}
+
+/// A ball in an arc that passes the edge of a box within 2^-40 to 2^-50 of its radius, touching it or not, and lands on
+/// the box a little later.
+Scene past_an_edge(Random& random) {
+  const double radius = std::ldexp(1.0, -random.between(3, 5)), g = 8, up = random.whole(3, 5),
+               along = random.whole(1, 2);
+  const double time = 0.25;  // of the passage, before the top
+  const Vec3 there{along * time, 0, up * time - g * time * time / 2}, v{along, 0, up - g * time};
+  const Vec3 below = Vec3(v.z(), 0, -v.x()).normalized();
+  const double sign = random.sign();
+  const Vec3 edge = there + radius * (1 + std::ldexp(sign, -random.between(40, 50))) * below;
+  Body box = at_rest(Box{Vec3(1, 1, 1)}), ball = moving(at_rest(Sphere{radius}), {along, 0, up});
+  box.X_WB.p_WB = edge + Vec3(1, random.whole(-1, 1) / 2, -1);
+  return thrown(random, std::move(ball), fixed(std::move(box)), motion_until(2), {0, 0, -g});
 }
 
 /// m/s² downwards, by gravity or by a force: exact, and with dyadic square roots.
@@ -117,6 +133,8 @@ std::vector<Family> tangent_motion_families() {
        grazing},
       {"flights.grazing_twice", "a pair of balls of two compounds just misses, and later another touches, or nearly",
        queries, false, grazing_twice},
+      {"flights.past_an_edge", "a ball that just passes an edge of a box, or does not, and lands on the box", queries,
+       false, past_an_edge},
       {"flights.turning_points", "parabolas that turn at a contact, just before it or just after", queries, false,
        turning_points},
   };
