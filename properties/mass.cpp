@@ -159,7 +159,7 @@ Finding possible(const Scene& scene, Subject& subject) {
           std::max({-lambda[0], lambda[2] - lambda[1] - lambda[0], (I - I.transpose()).cwiseAbs().maxCoeff()});
       // Each eigenvalue is off by at most the norm of the matrix error, 3 times the bound of an entry, and three
       // eigenvalues are added. The solver's own error is some ulps of the norm.
-      const double eigenvalues = 9 * bound(scene.bodies[i], Part::inertia, precision) + 64 * 0x1p-53 * I.norm();
+      const double eigenvalues = 9 * bound(scene.bodies[i], Part::inertia, precision) + 64 * 0x1p-53 * I.stableNorm();
       worst = worse(
           worst, judge::at_most(
                      impossible, allowance(scene.bodies[i], *exact[i], Part::inertia, eigenvalues, precision),

@@ -181,6 +181,9 @@ Finding keeps_promise(const std::string& query, const Scene& scene, Subject& sub
       Finding finding =
           judge::given(asked(query, scene, placements, subject),
                        [&, &promises = promises](const Work& work) { return judged(work, promises, scene); });
+      if (finding.outcome == oracle::Outcome::abstains) {
+        return judge::wrong(Defect::refused, "no answer: " + finding.why, "an answer, since its work is promised");
+      }
       if (finding.outcome != oracle::Outcome::holds) return finding;
       if (finding.error >= worst.error) worst = std::move(finding);
     }

@@ -60,7 +60,7 @@ inline const std::vector<Effort>& efforts() {
        .minimise_budget = 300,
        .mesh_share = 4,
        .deep_mesh_pairs = 12,
-       .trajectories = {68, 960, 136, 20, 60, 5}},
+       .trajectories = {68, 960, 240, 20, 60, 5}},
       {.name = "standard",
        .cases = 1000,
        .cases_alone = 100'000,

@@ -95,7 +95,9 @@ std::optional<double> first_reach(const Series& x, double target, double length,
   const double start = x.x[0], slope_at_start = x.x[1];
   const auto [end, slope_at_end] = x.both(length);
   if (end >= target) return crossing(x, target, 0, length, start - target, end - target);
-  if (!(slope_at_start > 0 && slope_at_end < 0)) return std::nullopt;
+  // Work is restored from where u_n is 0, so its slope begins with 0, but for rounding.
+  const bool rises = slope_at_start > 0 || x.x[2] > 0;
+  if (!(rises && slope_at_end < 0)) return std::nullopt;
   const double top = summit(x, 0, length), miss = x(top) - target;
   closest_miss = std::min(closest_miss, std::abs(miss));
   return miss >= 0 ? std::optional(crossing(x, target, 0, top, start - target, miss)) : std::nullopt;

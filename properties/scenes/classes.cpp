@@ -395,7 +395,7 @@ const std::vector<Class>& classes(const std::string& query) {
       {"e = 0", 0.1},          {"e = 1", 0.1},         {"normal and slip uncoupled", 0.05},
       {"jam-capable", 0.1},    {"cond(K) to 10", 0.2}, {"cond(K) beyond 1e4", 0.03},
       {"one body fixed", 0.2}, {"no body fixed", 0.2}, {"binary32", 0.5}};
-  static const std::vector<Class> constraint = {{"rolls", 0.2},
+  static const std::vector<Class> constraint = {{"rolls", 0.19},
                                                 {"slides", 0.1},
                                                 {"flies", 0.15},
                                                 {"slip stops", 0.04},

@@ -311,13 +311,13 @@ Rise rise_in_slip(const Vec3& moments, const Vec3& r, double friction, const Vec
 
 /// Slip across the plane of the arm first lets u_n rise. It turns towards the direction in which u_n falls, and keeps
 /// falling until slip stops. The approach is slightly less than the rise: restitution begins shortly before u_n falls,
-/// so Poisson's restitution ends with the bodies approaching again. (In one plane that cannot be: while slip keeps its
-/// direction so does the rate of u_n, and after slip has stopped u_n rises.)
+/// so Poisson's restitution ends with the bodies approaching again, and Stronge's on the way. (In one plane that cannot
+/// be: while slip keeps its direction so does the rate of u_n, and after slip has stopped u_n rises.)
 Scene compressed_again(Random& random) {
   const double x = random.whole(1, 4), z = -random.whole(2, 8), I = dyadic(random, 1, 3, -2, 1);
   const double K_nn = 1 + x * x / I, k = -x * z / I;
   Contact contact = some_contact(random);
-  contact.law = Law::poisson;
+  contact.law = random.pick({Law::poisson, Law::poisson, Law::stronge});
   contact.restitution = random.pick({0.25, 0.5, 0.5, 0.75, 0.75});
   contact.friction = std::ceil(8 * K_nn / k) / 8 * random.pick({1.25, 1.5, 2.0, 3.0});
   const double side = random.sign();
@@ -334,7 +334,7 @@ Scene compressed_again(Random& random) {
 /// slip stops. About 1 of 60 draws can do that, given the right approach.
 Scene comes_back(Random& random) {
   Contact contact = some_contact(random);
-  contact.law = Law::poisson;
+  contact.law = random.pick({Law::poisson, Law::poisson, Law::stronge});
   for (int tries = 0; tries < 100; ++tries) {
     const Vec3 r{random.whole(-8, 8), random.whole(-8, 8), -random.whole(1, 8)};
     const double a = dyadic(random, 1, 7, -3, 1), b = dyadic(random, 1, 7, -3, 1), c = dyadic(random, 1, 7, -3, 1);
@@ -345,7 +345,8 @@ Scene comes_back(Random& random) {
     const double least = std::max(rise.last, 0.0);
     if (!(rise.greatest < infinity) || !(rise.greatest - least > 0x1p-6)) continue;
     if (!(u.dot(rise.direction) > 0.625 * u.norm())) continue;
-    u.z() = -std::ceil(std::ldexp((least + rise.greatest) / 2, 12)) * 0x1p-12;
+    const double share = random.pick({0.5, 0.5, 0.75, 0.9375});
+    u.z() = -std::ceil(std::ldexp(least + share * (rise.greatest - least), 12)) * 0x1p-12;
     Body body = stated(random, 1, moments);
     body.velocity.w_WB.setZero();
     return meeting(random, {body, r}, fixed_ground(), u, contact);

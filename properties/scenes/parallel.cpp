@@ -63,6 +63,25 @@ Scene nearly_parallel_faces(Random& random) {
   return across(random, std::move(below), std::move(above), gap, X, {}, tilt);
 }
 
+/// Two boxes in a generic rotation, that of one an ulp or a few off, whose faces are apart by next to nothing: whether
+/// and where they touch is decided by the last bits.
+Scene within_ulps(Random& random) {
+  const auto any = [&random] { return 3 * random.unit() - 1.5; };
+  Quaternion q{any(), any(), any(), any()};
+  const Vec3 a{random.whole(1, 2), 1, random.whole(1, 2)}, b{1, random.whole(1, 2), random.whole(1, 2)};
+  Body A = at_rest(Box{a}, {Vec3::Zero(), q});
+  const int axis = random.below(3);
+  Vec3 offset{0.25 * random.whole(-4, 4), 0.25 * random.whole(-4, 4), 0.25 * random.whole(-4, 4)};
+  offset[axis] = (a[axis] + b[axis]) * random.sign();
+  const Vec3 p = turned_by(q, offset);
+  for (double* component : {&q.w, &q.x, &q.y, &q.z}) {
+    for (int ulps = random.below(3); ulps > 0; --ulps) *component = std::nextafter(*component, 4 * random.sign());
+  }
+  Scene scene;
+  scene.bodies = {std::move(A), at_rest(Box{b}, {p, q})};
+  return scene;
+}
+
 /// Boxes as polytopes in a common rotated frame: their faces are exactly parallel, but rounded rotations do not show
 /// it.
 Scene same_quaternion(Random& random) {
@@ -117,6 +136,8 @@ std::vector<Family> parallel_families() {
        convex_pair_queries, true, coplanar_faces},
       {"parallel.nearly_faces", "faces tilted against each other by 2^-7 to 2^-21 rad", convex_pair_queries, true,
        nearly_parallel_faces},
+      {"parallel.within_ulps", "boxes in rotations that differ by ulps, within ulps of touching", convex_pair_queries,
+       false, within_ulps},
       {"parallel.same_quaternion", "boxes that one rational rotation turns: their faces are exactly parallel",
        convex_pair_queries, true, same_quaternion},
       {"parallel.unmerged_faces", "faces cut into coplanar triangles, with vertices in their middles",

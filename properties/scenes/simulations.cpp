@@ -285,7 +285,7 @@ std::vector<Body> row(Random& random) {
 /// Two or three balls that are hardly apart in a row, hit from both sides at one time by balls of other masses.
 std::vector<Body> nearly_touching(Random& random) {
   const int count = random.between(2, 3);
-  const double pitch = 2 + std::ldexp(1.0, -random.between(30, 34)), last = (count - 1) * pitch;
+  const double pitch = 2 + std::ldexp(1.0, -random.between(33, 44)), last = (count - 1) * pitch;
   std::vector<Body> bodies = {of_mass(ball_at({-3, 0, 0}, {2, 0, 0}), random.whole(1, 3))};
   for (int n = 0; n < count; ++n) bodies.push_back(of_mass(ball_at({n * pitch, 0, 0}, Vec3::Zero()), 1));
   bodies.push_back(of_mass(ball_at({last + 3, 0, 0}, {-2, 0, 0}), random.whole(1, 3)));
@@ -355,7 +355,7 @@ Scene at_one_time(Random& random, Bodies kind) {
 }
 
 Scene together(Random& random) {
-  return at_one_time(random, random.pick<Bodies>({symmetric_break, wedge, pillars, nearly_touching}));
+  return at_one_time(random, random.pick<Bodies>({symmetric_break, wedge, pillars, nearly_touching, nearly_touching}));
 }
 
 Scene touching(Random& random) { return at_one_time(random, random.pick<Bodies>({row, polytope_lands})); }

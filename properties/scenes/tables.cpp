@@ -359,13 +359,15 @@ Scene eccentric(Random& random) {
   Scene scene = table_scene(random, r);
   const Vec3 off = r * random.pick<Vec3>({{0, 0, 0.875}, {0, 0, -0.75}, {0.5, 0, 0.5}, {0, -0.75, 0}});
   scene.bodies[0].mass = MassProperties{m, off, Mat3(random.pick({0.125, 0.25}) * m * r * r * Mat3::Identity())};
-  scene.bodies[0].X_WB.p_WB.z() += r * random.whole(1, 8);
+  const double height = 0.5 * r * random.whole(1, 8), lasts = std::sqrt(2 * height / g);
+  scene.bodies[0].X_WB.p_WB.z() += height;
   if (random.one_in(2)) scene.bodies[0].velocity.v_WBcm.x() = sixteenths(random, -8, 8);
   if (random.one_in(2)) {
-    scene.bodies[1].shape = Sphere{1};
-    scene.bodies[1].X_WB.p_WB = {0, 0, -1};
+    scene.bodies[1].shape = Sphere{r};
+    scene.bodies[1].X_WB.p_WB = {0, 0, -r};
   }
-  scene.motion = sampled_at(random.pick({0.25, 0.5, 1.0}));
+  // Soon after it has landed, and no sample before ends a long step.
+  scene.motion = Motion{.sample_times = {rounded(random.pick({1.0625, 1.25, 1.5}) * lasts, 8)}};
   return scene;
 }
 

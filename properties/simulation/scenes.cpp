@@ -266,20 +266,26 @@ Finding reversible(const Scene& scene, Subject& subject) {
   });
 }
 
-/// A level table: the only fixed body is an axis-aligned box at rest, and gravity points straight down or is zero. Else
-/// null.
-const Body* table_of(const Scene& scene) {
-  const Body* table = nullptr;
+/// A level belt: the only fixed body is an axis-aligned box that moves along its top or not at all, and gravity points
+/// straight down or is zero. Else null.
+const Body* belt_of(const Scene& scene) {
+  const Body* belt = nullptr;
   for (const Body& body : scene.bodies) {
     if (!is_fixed(body)) continue;
     const Quaternion& q = body.X_WB.q_WB;
     const bool level = std::holds_alternative<Box>(body.shape) && q.x == 0 && q.y == 0 && q.z == 0 &&
-                       body.velocity == Velocity{} && table == nullptr;
+                       body.velocity.w_WB.isZero(0) && body.velocity.v_WBcm.z() == 0 && belt == nullptr;
     if (!level) return nullptr;
-    table = &body;
+    belt = &body;
   }
   const Vec3& g = scene.gravity;
-  return g.x() == 0 && g.y() == 0 && g.z() <= 0 ? table : nullptr;
+  return g.x() == 0 && g.y() == 0 && g.z() <= 0 ? belt : nullptr;
+}
+
+/// A level table: a belt at rest.
+const Body* table_of(const Scene& scene) {
+  const Body* belt = belt_of(scene);
+  return belt != nullptr && belt->velocity == Velocity{} ? belt : nullptr;
 }
 
 /// m: from the centre to the lowest point. None if the body is neither a ball nor a level box.
@@ -326,13 +332,33 @@ bool clear_of_each_other(const Scene& scene) {
   return true;
 }
 
-/// All bodies are at rest on the table, or over it within the envelope.
-bool all_rest(const Scene& scene, const Body& table) {
+/// All bodies have the belt's velocity and are on it, or over it within the envelope.
+bool all_rest(const Scene& scene, const Body& belt) {
   return std::ranges::all_of(scene.bodies, [&](const Body& body) {
     if (is_fixed(body)) return true;
-    const double over = height(table, body).value_or(-1);
-    return body.velocity == Velocity{} && is_over(table, body) && over >= 0 && over <= envelope(scene);
+    const double over = height(belt, body).value_or(-1);
+    return body.velocity == belt.velocity && is_over(belt, body) && over >= 0 && over <= envelope(scene);
   });
+}
+
+/// Level boxes that have the belt's velocity and stand on it and on each other, with their middles above each other:
+/// each is held by the next one below.
+bool is_stack(const Scene& scene, const Body& belt) {
+  std::vector<const Body*> boxes;
+  for (const Body& body : scene.bodies) {
+    if (!is_fixed(body)) boxes.push_back(&body);
+  }
+  std::ranges::sort(boxes, {}, [](const Body* body) { return body->X_WB.p_WB.z(); });
+  double top = 0;
+  for (const Body* body : boxes) {
+    const std::optional<double> over = height(belt, *body);
+    const bool is_next = over && *over == top && std::holds_alternative<Box>(body->shape) &&
+                         body->velocity == belt.velocity && is_over(belt, *body) &&
+                         body->X_WB.p_WB.head<2>() == boxes[0]->X_WB.p_WB.head<2>();
+    if (!is_next) return false;
+    top += 2 * std::get<Box>(body->shape).half_extents.z();
+  }
+  return true;
 }
 
 // m: how far a body falls in the step after which a stepper notices that it touches: at rest, so by g h in that step,
@@ -341,19 +367,23 @@ double way_from_rest(const Scene& scene, const std::optional<oracle::Stepping>& 
   return stepping ? scene.gravity.norm() * stepping->step * stepping->step : 0;
 }
 
-// A body at rest stays at its place to within the envelope: it neither sinks nor creeps.
+// A body at rest stays at its place on the table to within the envelope: it neither sinks nor creeps. So does one at
+// rest on a belt. Of steppers only what rests on a table at rest, and on nothing else, is judged.
 Finding rests(const Scene& given, Subject& subject) {
   const Scene scene = with_whole_tables(given);
   return of_trajectory(given, subject, [&](const TrajectoryCase& asked) {
-    const Body* table = table_of(scene);
-    const bool still = table != nullptr && all_rest(scene, *table) && clear_of_each_other(scene);
-    if (!still || !scene.motion->forces.empty()) return judge::outside("not bodies at rest on a level table");
+    const Body* belt = asked.stepping ? table_of(scene) : belt_of(scene);
+    const bool still = belt != nullptr && ((all_rest(scene, *belt) && clear_of_each_other(scene)) ||
+                                           (!asked.stepping && is_stack(scene, *belt)));
+    if (!still || !scene.motion->forces.empty() || !scene.motion->start_times.empty())
+      return judge::outside("not bodies at rest on a level table or belt");
     const double allowed = envelope(scene) + tolerance::distance(scene, asked.precision) +
                            way_from_rest(scene, asked.stepping) + asked.distances.of(0);
     Finding worst;
     for (std::size_t sample = 0; sample < asked.samples(); ++sample) {
       for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
-        const Vec3 p = asked.said.states[sample][i].X_WB.p_WB, home = scene.bodies[i].X_WB.p_WB;
+        const Vec3 p = asked.said.states[sample][i].X_WB.p_WB;
+        const Vec3 home = scene.bodies[i].X_WB.p_WB + asked.time(sample) * belt->velocity.v_WBcm;
         if (worse(worst,
                   judge::at_most((p - home).norm(), in_ulps_of_place(asked, allowed), Defect::drifts,
                                  [&] { return words::text(p) + " at " + words::text(asked.time(sample)) + " s"; },

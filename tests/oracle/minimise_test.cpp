@@ -5,6 +5,7 @@
 #include "oracle/minimise/scene_edit.h"
 #include "oracle/minimise/shrink.h"
 #include "oracle/truth/truth.h"
+#include "oracle/truth/world_points.h"
 #include "tests/catch.h"
 
 namespace touchstone::oracle {
@@ -156,6 +157,18 @@ TEST_CASE("A compound becomes the part that matters, and what does not matter is
   CHECK(smallest.gravity == Vec3::Zero());
   CHECK(smallest.bodies[1].material == Material{});
   CHECK(size_of(smallest).significant_bits_max <= 2);
+}
+
+TEST_CASE("A part alone stays where it was, however both are turned") {
+  Scene scene;
+  scene.bodies.resize(1);
+  scene.bodies[0].shape = Compound{{{{{1, 0, 0}, {1, 0, 0, 1}}, Box{Vec3(1, 2, 3)}}}};
+  scene.bodies[0].X_WB = {{0, 5, 0}, {1, 1, 0, 0}};
+  const auto alone = shrink::fewer_parts(scene).front()(scene);
+  REQUIRE(alone);
+  const Points before = world_points(scene.bodies[0], 0), after = world_points(alone->bodies[0], 0);
+  REQUIRE(before.size() == after.size());
+  for (std::size_t k = 0; k < before.size(); ++k) CHECK(static_cast<double>((before[k] - after[k]).norm()) < 1e-12);
 }
 
 TEST_CASE("A hull of hundreds of vertices is cut down within a small budget") {

@@ -12,27 +12,31 @@
 namespace touchstone::properties {
 namespace {
 
-/// What is said about a ball of 2 kg that moves by itself, if its speed becomes 1 + `more` m/s.
-oracle::Finding judged(const std::string& property, double more) {
+/// What is said about a ball of 2 kg that moves by itself at 1 m/s, if it has these speeds (m/s) after 1 s, 2 s, ...
+oracle::Finding judged(const std::string& property, const std::vector<double>& speeds) {
   Scene scene;
   Body& ball = scene.bodies.emplace_back();
   ball.shape = Sphere{1};
   ball.mass = MassProperties{2, Vec3::Zero(), Mat3::Identity()};
   ball.velocity.v_WBcm = {1, 0, 0};
   scene.motion.emplace();
-  scene.motion->sample_times = {1, 2};
   Trajectory said;
-  for (const double t : scene.motion->sample_times) {
+  for (const double speed : speeds) {
+    scene.motion->sample_times.push_back(static_cast<double>(said.states.size()) + 1);
     State state{ball.X_WB, ball.velocity};
-    state.X_WB.p_WB.x() = t;
-    state.velocity.v_WBcm.x() += more;
+    state.X_WB.p_WB.x() = scene.motion->sample_times.back();
+    state.velocity.v_WBcm.x() = speed;
     said.states.push_back({state});
   }
   said.events.emplace();
-  said.complete_until = 2;
+  said.complete_until = scene.motion->sample_times.back();
   tests::FixedSubject subject;
   subject.said_constraint = said;
   return find(property).check(scene, subject);
+}
+
+oracle::Finding judged(const std::string& property, double more) {
+  return judged(property, std::vector<double>{1 + more, 1 + more});
 }
 
 // Without gravity no step and no overlap changes the energy of 1 J: 2^-40 J are left for rounding.
@@ -42,6 +46,11 @@ TEST_CASE("constraint.energy: without gravity it rises by no more than rounding"
   CHECK(judged("constraint.energy", 0x1p-42).outcome == oracle::Outcome::holds);
   CHECK(judged("constraint.energy", 0x1p-40).defect == oracle::Defect::wrong_energy);
   CHECK(judged("constraint.energy", 0x1p-36).defect == oracle::Defect::wrong_energy);
+}
+
+TEST_CASE("constraint.energy: what was lost does not come back") {
+  CHECK(judged("constraint.energy", {1, 0.75, 0.5}).outcome == oracle::Outcome::holds);
+  CHECK(judged("constraint.energy", {1, 0.5, 0.75}).defect == oracle::Defect::wrong_energy);
 }
 
 /// A block or a ball that is thrown onto a table.

@@ -81,6 +81,21 @@ TEST_CASE("impulse: each wrong part is found by its own property") {
   CHECK(judged("impulse.energy", gained).defect == Defect::wrong_energy);
 }
 
+// At e' = 1/4, where e = 0, the ball gains 1/32 J.
+TEST_CASE("impulse.energy: a rebound where there is no restitution is a gain, also of less than a third") {
+  Scene drop = tests::scene("a ball that skids");
+  drop.contact->restitution = drop.contact->friction = 0;
+  const auto rebounds = [&](double e) {
+    Impulse said;
+    said.P_A_W = Vec3(0, 0, 1 + e);
+    said.after[0] = {Vec3(3, 1, e), Vec3::Zero()};
+    said.after[1] = {};
+    return judged("impulse.energy", drop, said).outcome;
+  };
+  CHECK(rebounds(0) == Outcome::holds);
+  CHECK(rebounds(0.25) == Outcome::fails);
+}
+
 TEST_CASE("impulse: what is not said is no pass") {
   Impulse silent = skidding();
   CHECK(judged("impulse.error_bound", silent).outcome == Outcome::abstains);

@@ -860,3 +860,39 @@ TEST_CASE("simulation: the rounding of each step is explained, in the precision 
   CHECK(judged_at(3e-4, oracle::Precision::binary32) == Outcome::fails);
   CHECK(judged_at(2e-4, oracle::Precision::binary64) == Outcome::fails);
 }
+
+TEST_CASE("simulation.rests: a stack on a belt moves with it, and one that stands still has drifted") {
+  Scene scene;
+  Body belt;
+  belt.shape = Box{{64, 64, 1}};
+  belt.X_WB.p_WB = {0, 0, -1};
+  belt.mass = Fixed{};
+  scene.bodies = {belt};
+  for (const double z : {0.5, 1.5}) {
+    Body box;
+    box.shape = Box{Vec3::Constant(0.5)};
+    box.X_WB.p_WB = {0, 0, z};
+    scene.bodies.push_back(box);
+  }
+  const Vec3 v(0x1p-12, 0, 0);
+  for (Body& body : scene.bodies) body.velocity.v_WBcm = v;
+  scene.gravity = {0, 0, -8};
+  scene.motion.emplace();
+  scene.motion->sample_times = {1, 2};
+  const auto judged_with = [&](const Vec3& moves) {
+    tests::FixedSubject subject;
+    Trajectory said;
+    for (const double time : scene.motion->sample_times) {
+      std::vector<State> states;
+      for (const Body& body : scene.bodies)
+        states.push_back({{body.X_WB.p_WB + time * (is_fixed(body) ? v : moves), {}}, body.velocity});
+      said.states.push_back(states);
+    }
+    subject.said_simulation = said;
+    return properties::find("simulation.rests").check(scene, subject).outcome;
+  };
+  CHECK(judged_with(v) == Outcome::holds);
+  CHECK(judged_with(Vec3::Zero()) == Outcome::fails);
+  scene.bodies[2].X_WB.p_WB.x() = 0.125;  // not above each other: they may stand or not
+  CHECK(judged_with(v) == Outcome::outside);
+}

@@ -135,6 +135,32 @@ TEST_CASE("time_of_impact: where bodies part by less than rounding and touch aga
   }
 }
 
+/// Says miss, but hit of a scene in which time runs backwards: the first body flies to the left there.
+struct OneWay : tests::FixedSubject {
+  Answer<TimeOfImpact> time_of_impact(const Scene& scene) override {
+    return scene.bodies[0].velocity.v_WBcm.x() < 0 ? hit(0.5) : miss;
+  }
+};
+
+TEST_CASE("time_of_impact.reversible: a clear miss is one in both directions of time, also under gravity") {
+  Scene scene;
+  scene.bodies.resize(2);
+  for (Body& body : scene.bodies) body.shape = Sphere{1};
+  scene.bodies[0].velocity.v_WBcm = {1, 0, 8};
+  scene.bodies[1].X_WB.p_WB = {4, 8, 0};
+  scene.bodies[1].mass = Fixed{};
+  scene.motion = Motion{.sample_times = {2}};
+  const properties::Property& reversible = properties::find("time_of_impact.reversible");
+  for (const double g : {0.0, 8.0}) {
+    scene.gravity = {0, 0, -g};
+    tests::FixedSubject right;
+    right.said_time_of_impact = miss;
+    OneWay wrong;
+    CHECK(reversible.check(scene, right).outcome == Outcome::holds);
+    CHECK(reversible.check(scene, wrong).outcome == Outcome::fails);
+  }
+}
+
 TEST_CASE("time_of_impact: a scene without a flight, or with overlap at the start, is outside") {
   Scene scene = tests::scene(ball);
   tests::FixedSubject subject;

@@ -96,6 +96,8 @@ TEST_CASE("impact conditions: energy") {
   reported.after[0].v_WBcm.z() = 1.5;
   CHECK(violated(reported, allowed) == ImpactCondition::energy);
   CHECK(condition_errors(reported)[4] == Approx(1.25));
+  for (Body& each : reported.before.bodies) each.material.friction = 0.5;
+  CHECK(condition_errors(reported)[4] == Approx(1.25));
 
   reported = flat_cube(1);  // e = 1 keeps it
   reported.impulses[0].P_A_W.z() = 1.5;

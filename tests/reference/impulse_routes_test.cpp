@@ -351,19 +351,27 @@ TEST_CASE("impulse: the equations in p, by Runge-Kutta, end where the series do"
 
 // u_n rises above 0 and would fall below it again, as friction turns. On the way its work reaches what is restored.
 TEST_CASE("impulse: Stronge's restitution ends where the work is restored for the first time, also before u_n falls") {
-  for (const double e : {0.03125, 0.125}) {
-    const tests::ImpactProblem problem{.I = tests::diagonal(2.125, 8.75, 7.375),
-                                       .r = {-1, 2, -2},
-                                       .v = {-5, 3, -0.157958984375},
-                                       .law = Law::stronge,
-                                       .e = e,
-                                       .mu = 2.25};
+  const tests::ImpactProblem low{.I = tests::diagonal(2.125, 8.75, 7.375),
+                                 .r = {-1, 2, -2},
+                                 .v = {-5, 3, -0.157958984375},
+                                 .law = Law::stronge,
+                                 .e = 0.03125,
+                                 .mu = 2.25};
+  tests::ImpactProblem higher = low;
+  higher.e = 0.125;
+  const tests::ImpactProblem steep{.I = tests::diagonal(1.25, 1.5, 1.75),
+                                   .r = {-5, 7, -4},
+                                   .v = {-4, 2, -0.09228515625},
+                                   .law = Law::stronge,
+                                   .e = 0.75,
+                                   .mu = 2.25};
+  for (const tests::ImpactProblem& problem : {low, higher, steep}) {
     const ImpulseTruth t = impulse(tests::scene(problem));
     const Direct direct = direct_of(t, problem.mu);
     const Long dp = 1e-5L;
     Direct::P impulse{};
     Long work = 0, compression = 0, u_n = direct.u0[2];
-    while (impulse[2] < 4 && !(u_n > 0 && work >= -static_cast<Long>(e * e) * compression)) {
+    while (impulse[2] < 4 && !(u_n > 0 && work >= -static_cast<Long>(problem.e * problem.e) * compression)) {
       impulse = direct.step(impulse, dp);
       const Long next = direct.u(impulse)[2], gained = dp * (u_n + next) / 2;
       (u_n + next < 0 ? compression : work) += gained;

@@ -128,4 +128,6 @@ TEST_CASE("depths that come near") {
   CHECK(reference::depths_come_near(s, 1, 1, 0, 0.5));
   CHECK_FALSE(reference::depths_come_near(s, 3, 1, 0, 9.0));
   CHECK(reference::depths_come_near(s, 2, 1, 1, 0.5));
+  CHECK_FALSE(reference::depths_come_near(s, 2, 1, 0, 0.63));  // the ball is lower there: √3/2 instead of 1
+  CHECK(reference::depths_come_near(s, 2, 1, 0, 0.64));
 }

@@ -311,6 +311,14 @@ TEST_CASE("Parts of a compound: the first to meet") {
   CHECK(bell.time.lo <= 6.5);
   CHECK(bell.time.hi >= 6.5);
   CHECK(bell.time.hi - bell.time.lo < 1e-14);
+  Compound uneven;
+  uneven.parts = {{{Vec3(-4, 0, 0), {}}, Sphere{1}}, {{Vec3(4, 0, 1), {}}, Sphere{1}}};
+  scene.bodies[0].shape = uneven;
+  scene.bodies[1].shape = Box{Vec3(8, 8, 0.5)};
+  scene.bodies[1].X_WB.p_WB = Vec3::Zero();
+  const TimeOfImpactTruth first = time_of_impact(scene);
+  CHECK(first.time.hi >= 6.5);
+  CHECK(first.time.hi - first.time.lo < 1e-13);
 }
 
 TEST_CASE("Each body flies from its own start") {

@@ -21,7 +21,7 @@ struct RestingContact {
   BodyId on = 0;
   Vec3 nhat_W = Vec3::Zero();  ///< from the support to the body
   Vec3 lever = Vec3::Zero();   ///< from the body's origin to the point at which the contact force acts
-  Vec3 touch = Vec3::Zero();   ///< to a point at which the two touch: a body on two feet has none at the former
+  Vec3 touch = Vec3::Zero();   ///< to a point at which the two touch: of a body in parts, a corner
   double since = 0;            ///< s; when this force law began
   State start;                 ///< from which the body's trajectory starts
   Vec3 acceleration = Vec3::Zero(), alpha = Vec3::Zero();

@@ -77,6 +77,23 @@ Scene plate_leaves(Random& random) {
   return run(std::move(bodies), motion_until(4, 16));
 }
 
+/// A stack, or a ball, on a belt, with its velocity or at rest on a table: often slower than what counts as rest.
+Scene on_a_belt(Random& random) {
+  std::vector<Body> bodies = stack(random, random.between(1, 3));
+  if (random.one_in(4)) {
+    bodies = {at_rest(Sphere{0.5}, {{0, 0, 0.5}, {}})};
+    bodies[0].material = {0, 0.5};
+  }
+  Motion motion = motion_until(1, 8);
+  if (random.one_in(2)) motion.envelope = 0x1p-13;
+  const double speed = (motion.envelope ? 0x1p-5 : 0x1p-12) * random.whole(0, 2);
+  bodies.push_back(large_table({0, 0.5}));
+  const Vec3 v{random.sign() * speed, random.one_in(2) ? speed : 0, 0};
+  for (Body& body : bodies) body.velocity.v_WBcm = v;
+  if (random.one_in(2)) std::ranges::reverse(bodies);
+  return run(std::move(bodies), std::move(motion));
+}
+
 /// Two balls that meet where a third one will be, which starts when both have passed that place.
 Scene waits(Random& random) {
   std::vector<Body> bodies(3, at_rest(Sphere{1}));
@@ -103,6 +120,7 @@ std::vector<Family> stacked_run_families() {
       {"runs.wakes", "boxes on each other on ice, of which one is pulled after a while", both, true, wakes},
       {"runs.drifts", "a smooth box that drifts on two rough ones on ice", both, true, drifts},
       {"runs.plate_leaves", "a fixed plate that moves away from under a body", queries, true, plate_leaves},
+      {"runs.on_a_belt", "a stack or a ball that moves with a belt, or rests on a table", queries, true, on_a_belt},
       {"runs.waits", "balls that meet where one that starts later will be", queries, true, waits},
   };
 }

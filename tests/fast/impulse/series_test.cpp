@@ -22,6 +22,22 @@ TEST_CASE("series: a root that is 2^-29 of the length of the series is as precis
   }
 }
 
+// Such is the work that is restored while u_n rises from 0, but for rounding, and falls again: t² − t³.
+TEST_CASE("series: what begins with a slope of 0 is reached on the way to a maximum") {
+  for (const double rounding : {0.0, 0x1p-60, -0x1p-60}) {
+    Series x;
+    x.order = 3;
+    x.x[1] = rounding;
+    x.x[2] = 1;
+    x.x[3] = -1;
+    double miss = 1;
+    const auto root = first_reach(x, 0.125, 1.25, miss);
+    REQUIRE(root);
+    CHECK(*root == Approx(0.5));  // 1/4 − 1/8
+    CHECK_FALSE(first_reach(x, 0.25, 1.25, miss));
+  }
+}
+
 TEST_CASE("series: a coefficient that is 0 limits no length") {
   CHECK(length_for(0, 12) == std::numeric_limits<double>::max());
   const double term = std::pow(length_for(1, 8), 8);

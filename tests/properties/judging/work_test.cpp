@@ -107,6 +107,8 @@ TEST_CASE("work: a scene without a part that the query needs is outside") {
 }
 
 TEST_CASE("work: no answer is no promise kept") {
-  CHECK(judged(Abstains{"no"}, {{"distance", "step", 5}}).outcome == Outcome::abstains);
+  const oracle::Finding finding = judged(Abstains{"no"}, {{"distance", "step", 5}});
+  CHECK(finding.outcome == Outcome::fails);
+  CHECK(finding.defect == Defect::refused);
   CHECK(judged(Breaks{Breaks::Kind::threw, "no"}, {{"distance", "step", 5}}).outcome == Outcome::breaks);
 }

@@ -67,7 +67,8 @@ TEST_CASE("drawn motions: flights.tangent touches exactly, by next to nothing, o
     if (truth(scene).status == Status::miss) continue;
     CHECK(std::abs(truth(scene).time.lo - tangent_at(scene)) < 0x1p-10);
   }
-  CHECK(count(scenes, [](const Scene& s) { return truth(s).status == Status::undecided; }) >= 12);  // exactly
+  // Exactly, in an edge or a point.
+  CHECK(count(scenes, [](const Scene& s) { return truth(s).status == Status::undecided; }) >= 8);
   CHECK(count(scenes, [](const Scene& s) { return truth(s).status == Status::hit; }) >= 12);
   CHECK(count(scenes, [](const Scene& s) { return truth(s).status == Status::miss; }) >= 12);
 }

@@ -54,6 +54,12 @@ TEST_CASE("drawn pairs: hulls.redundant has vertices that are no corners, named 
   CHECK(count(scenes, Verdict::touching) >= 6);
 }
 
+TEST_CASE("drawn pairs: those whose gap is relative to their size are apart as often as they overlap") {
+  const std::vector<Scene> scenes = drawn("touching.relative_gap", draws);
+  CHECK(count(scenes, Verdict::separated) >= 15);
+  CHECK(count(scenes, Verdict::overlapping) >= 15);
+}
+
 TEST_CASE("drawn pairs: spheres.odd_sums touches exactly where the sum of the radii is not a double") {
   const std::vector<Scene> scenes = drawn("spheres.odd_sums", draws);
   CHECK(count(scenes, Verdict::touching) >= 15);
