@@ -60,16 +60,18 @@ Scene turning_over(Random& random) {
   return thrown(random, std::move(A), at(std::move(B), from), motion_until(3));
 }
 
-/// It turns by about half a turn while it comes down on a wide plate.
-Scene onto_a_plate(Random& random, Body body, const Mat3& moments) {
+/// It turns by about half a turn while it comes down on a wide plate; often nearly about its length, so that its ends
+/// hardly move at first.
+Scene onto_a_plate(Random& random, Body body, const Vec3& length, const Mat3& moments) {
   MassProperties given;
   given.mass = random.whole(1, 4);
   given.I_BBcm_B = given.mass * moments;
   body.mass = given;
-  Vec3 w = small_vector(random, 2);
+  Vec3 w = 0.5 * small_vector(random, 3);
+  if (random.one_in(2)) w = random.sign() * random.pick({1.5, 2.0}) * length + 0.125 * small_vector(random, 2);
   if (w.isZero(0)) w.x() = 1;
   if (random.one_in(2)) body.X_WB.q_WB = small_quaternion(random);
-  const Vec3 v{random.whole(-1, 1), random.whole(-1, 1), -0.5 * random.whole(1, 3)};
+  const Vec3 v{random.whole(-1, 1), random.whole(-1, 1), -0.5 * random.whole(3, 5)};
   Body plate = at_rest(Box{Vec3(32, 32, 1)});
   if (random.one_in(2)) plate.mass = Fixed{};
   const Vec3 from{0, 0, 1 + random.whole(5, 7)};
@@ -87,22 +89,21 @@ Mat3 some_tilted_moments(Random& random) {
 /// A rod whose principal axes of inertia are not its own.
 Scene tilted_inertia(Random& random) {
   Body rod = at_rest(Box{Vec3{random.whole(3, 4), random.pick({0.125, 0.25, 1.0}), 0.125}});
-  return onto_a_plate(random, std::move(rod), some_tilted_moments(random));
+  return onto_a_plate(random, std::move(rod), Vec3::UnitX(), some_tilted_moments(random));
 }
 
 /// Two small bodies at the ends of a massless arm: they reach far from the centre of mass.
 Scene dumbbells(Random& random) {
   Compound compound;
   const double arm = random.whole(2, 4), half = random.pick({0.125, 0.25, 0.5});
-  Vec3 end = Vec3::Zero();
-  end[random.below(3)] = arm;
+  const Vec3 along = random.pick<Vec3>({Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()}), end = arm * along;
   for (const double side : {-1.0, 1.0}) {
     ConvexShape shape = Sphere{half};
     if (random.one_in(2)) shape = Box{Vec3{half, 0.5 * half, half}};
     compound.parts.push_back({{side * end, random.one_in(2) ? Quaternion{} : small_quaternion(random)}, shape});
   }
   const Mat3 moments = random.one_in(2) ? some_tilted_moments(random) : Mat3(Vec3(3, 4, 5).asDiagonal());
-  return onto_a_plate(random, at_rest(std::move(compound)), moments);
+  return onto_a_plate(random, at_rest(std::move(compound)), along, moments);
 }
 
 /// A body starts after forces on it, of which the last counts.
