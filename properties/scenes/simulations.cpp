@@ -354,9 +354,9 @@ Scene at_one_time(Random& random, Bodies kind) {
   return run(random, std::move(bodies), motion_until(1.25, 5));
 }
 
-Scene together(Random& random) {
-  return at_one_time(random, random.pick<Bodies>({symmetric_break, wedge, pillars, nearly_touching, nearly_touching}));
-}
+Scene together(Random& random) { return at_one_time(random, random.pick<Bodies>({symmetric_break, wedge, pillars})); }
+
+Scene hardly_apart(Random& random) { return at_one_time(random, nearly_touching); }
 
 Scene touching(Random& random) { return at_one_time(random, random.pick<Bodies>({row, polytope_lands})); }
 
@@ -573,6 +573,8 @@ std::vector<Family> run_families() {
       {"runs.bouncing", "a ball that bounces, and comes to rest", both, true, bouncing},
       {"runs.falls_flat", "a box that falls flat, bounces, and comes to rest", both, true, falls_flat},
       {"runs.together", "one body that collides with two at one time", queries, true, together},
+      {"runs.hardly_apart", "balls 2^-33 to 2^-44 apart in a row, hit from both sides at one time", queries, false,
+       hardly_apart},
       {"runs.touching", "a row of balls that touch, hit at its ends; a polytope that lands on a face", queries, true,
        touching},
       {"runs.on_ice", "bodies that slide, fall and rub on each other on a table without friction", both, true, on_ice},

@@ -59,7 +59,7 @@ TEST_CASE("feature_gap: what is not there has no gap") {
   CHECK_FALSE(feature_gap(cube, {0, {}}, above, {0, {0}}));
 }
 
-TEST_CASE("off_one_face: 0 for a vertex, an edge, a face or a part of one; else how far it is from a face") {
+TEST_CASE("off_one_face: 0 for a vertex, an edge, a face or a part of one, else how far it is from a face") {
   for (const std::vector<int>& vertices :
        {std::vector<int>{3}, {0, 7}, {4, 5, 6, 7}, {7, 4, 6}, {0, 1, 4, 5}, std::vector<int>{}})
     CHECK(off_one_face(cube, {0, vertices}) == 0);
