@@ -94,36 +94,45 @@ Scene as_at(Scene scene, const std::vector<State>& states) {
   return scene;
 }
 
-/// m, surely; 0 if the two are not proved to overlap.
+/// m: no more than the two overlap; 0 if they are not proved to.
 double overlap(const Scene& pair) {
   const bool is_deep = oracle::truth::distance(pair).verdict == Verdict::overlapping;
   return is_deep ? oracle::truth::penetration(pair).depth.lo : 0;
 }
 
+/// Of the two of all bodies that overlap most, or the first two that overlap too much.
+Finding apart_at(const Scene& scene, const std::vector<State>& states, std::size_t sample) {
+  const Scene now = as_at(scene, states);
+  const double bound = tolerance::overlap_of_step(scene);
+  Finding worst;
+  for (std::size_t a = 0; a < now.bodies.size(); ++a) {
+    for (std::size_t b = a + 1; b < now.bodies.size(); ++b) {
+      if (is_fixed(now.bodies[a]) && is_fixed(now.bodies[b])) continue;
+      Scene pair;
+      pair.bodies = {now.bodies[a], now.bodies[b]};
+      const double depth = overlap(pair);
+      const Finding finding = judge::at_most(
+          depth, metres(bound, smaller(pair)), Defect::overdeep,
+          [&] {
+            return "bodies " + std::to_string(a) + " and " + std::to_string(b) + " overlap by " + text(depth) + " m" +
+                   at(scene, sample);
+          },
+          [] { return std::string("no overlap"); });
+      if (finding.outcome == oracle::Outcome::fails) return finding;
+      if (finding.error >= worst.error) worst = finding;
+    }
+  }
+  return worst;
+}
+
 Finding apart(const Scene& scene, Subject& subject) {
   return of_steps(scene, subject, [&](const Trajectory& said) {
     if (said.states.empty()) return judge::silent("any state");
-    const double bound = tolerance::overlap_of_step(scene);
     Finding worst;
     for (std::size_t sample = 0; sample < said.states.size(); ++sample) {
-      const Scene now = as_at(scene, said.states[sample]);
-      for (std::size_t a = 0; a < now.bodies.size(); ++a) {
-        for (std::size_t b = a + 1; b < now.bodies.size(); ++b) {
-          if (is_fixed(now.bodies[a]) && is_fixed(now.bodies[b])) continue;
-          Scene pair;
-          pair.bodies = {now.bodies[a], now.bodies[b]};
-          const double depth = overlap(pair);
-          const Finding finding = judge::at_most(
-              depth, metres(bound, smaller(pair)), Defect::overdeep,
-              [&] {
-                return "bodies " + std::to_string(a) + " and " + std::to_string(b) + " overlap by " + text(depth) +
-                       " m" + at(scene, sample);
-              },
-              [] { return std::string("no overlap"); });
-          if (finding.outcome == oracle::Outcome::fails) return finding;
-          if (finding.error >= worst.error) worst = finding;
-        }
-      }
+      const Finding finding = apart_at(scene, said.states[sample], sample);
+      if (finding.outcome == oracle::Outcome::fails) return finding;
+      if (finding.error >= worst.error) worst = finding;
     }
     return worst;
   });

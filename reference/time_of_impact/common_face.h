@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "reference/exact/coordinates.h"
+#include "reference/time_of_impact/moving_core.h"
 
 namespace touchstone::reference {
 
@@ -20,11 +20,7 @@ using Polygon = std::vector<Coordinates<P>>;
 /// Twice the area, as a vector along the outward normal.
 template <class P>
 Coordinates<P> area(const Polygon<P>& polygon) {
-  Coordinates<P> sum = {P(0), P(0), P(0)};
-  for (std::size_t k = 2; k < polygon.size(); ++k) {
-    sum = sum + cross(Coordinates<P>(polygon[k - 1] - polygon[0]), Coordinates<P>(polygon[k] - polygon[0]));
-  }
-  return sum;
+  return twice_area<P>(polygon.size(), [&](std::size_t k) -> const Coordinates<P>& { return polygon[k]; });
 }
 
 template <class P>

@@ -159,25 +159,32 @@ class Encounter {
     return std::nullopt;
   }
 
-  struct Witnesses {
-    BallisticState<E> body_A, body_B;
-    Coordinates<E> x, y;  ///< certainly points of cores A and B; relative to `from`
+  struct Bodies {
     Coordinates<P> from;
+    BallisticState<E> A, B;  ///< relative to `from`
+  };
+
+  /// Call inside the scope.
+  Bodies bodies_at(const P& t) const {
+    const E time = thin(t);
+    const Coordinates<P> from = middle(model_B_.at(time).p);
+    return {from, A_.body_at(time, from), B_.body_at(time, from)};
+  }
+
+  struct Witnesses {
+    Bodies bodies;
+    Coordinates<E> x, y;  ///< certainly points of cores A and B; relative to `bodies.from`
   };
 
   /// The present positions of the points that were closest. Call inside the scope.
   Witnesses witnesses(const Closest<P>& contact, const P& t) const {
-    const E time = thin(t);
-    Witnesses w;
-    w.from = middle(model_B_.at(time).p);
-    w.body_A = A_.body_at(time, w.from);
-    w.body_B = B_.body_at(time, w.from);
+    Witnesses w{bodies_at(t), {}, {}};
     E total = E(0);
     w.x = w.y = {E(0), E(0), E(0)};
     for (std::size_t i = 0; i < contact.pairs.size(); ++i) {
       const E weight = thin(contact.weights[i]);
-      w.x = w.x + weight * A_.vertex(w.body_A, contact.pairs[i].first);
-      w.y = w.y + weight * B_.vertex(w.body_B, contact.pairs[i].second);
+      w.x = w.x + weight * A_.vertex(w.bodies.A, contact.pairs[i].first);
+      w.y = w.y + weight * B_.vertex(w.bodies.B, contact.pairs[i].second);
       total += weight;
     }
     const E share = E(1) / total;
@@ -211,8 +218,9 @@ class Encounter {
     const Witnesses w = witnesses(contact, t);
     const Coordinates<E> apart = w.x - w.y;
     if (upper(E(dot(apart, apart) - r_ * r_)) <= 0) return true;
-    return reaches_into(A_, w.body_A, members(contact, &VertexPair::first), B_, w.body_B) ||
-           reaches_into(B_, w.body_B, members(contact, &VertexPair::second), A_, w.body_A);
+    const Bodies& now = w.bodies;
+    return reaches_into(A_, now.A, members(contact, &VertexPair::first), B_, now.B) ||
+           reaches_into(B_, now.B, members(contact, &VertexPair::second), A_, now.A);
   }
 
   /// The middle of what parallel faces of the two cores have in common at lo; empty if there are none. The closest
@@ -226,16 +234,14 @@ class Encounter {
   bool enters(const WeightedVertices<P>& of_A, const P& t) const {
     if (of_A.empty()) return false;
     const typename Tier::Scope scope;
-    const E time = thin(t);
-    const Coordinates<P> from = middle(model_B_.at(time).p);
-    const BallisticState<E> body_A = A_.body_at(time, from), body_B = B_.body_at(time, from);
+    const Bodies bodies = bodies_at(t);
     Coordinates<E> sum = {E(0), E(0), E(0)};
     E total = E(0);
     for (const auto& [vertex, weight] : of_A) {
-      sum = sum + thin(weight) * A_.vertex(body_A, vertex);
+      sum = sum + thin(weight) * A_.vertex(bodies.A, vertex);
       total += thin(weight);
     }
-    return B_.holds(body_B, E(E(1) / total) * sum);
+    return B_.holds(bodies.B, E(E(1) / total) * sum);
   }
 
   bool confirm_hit(const Probing& probing, const Closest<P>& contact, Found<P>& found, const P& end) const {
@@ -256,8 +262,8 @@ class Encounter {
     const typename Tier::Scope scope;
     const Witnesses w = witnesses(contact, found.lo);
     found.gap = std::max(P(0), upper(E(length(w.x - w.y) - r_)));
-    found.p_WCa = middle(w.x) + w.from;
-    found.p_WCb = middle(w.y) + w.from;
+    found.p_WCa = middle(w.x) + w.bodies.from;
+    found.p_WCb = middle(w.y) + w.bodies.from;
   }
 
   const RigidBodyModel<Tier> model_A_, model_B_;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -18,6 +19,16 @@ struct Snapshot {
   Coordinates<typename Tier::E> w;                           ///< angular velocity
   std::vector<Coordinates<typename Tier::P>> around;         ///< `places` to rounding
 };
+
+/// Twice the area of a polygon, as a vector along its outward normal. `corner(k)`: its k-th corner.
+template <class T, class Corner>
+Coordinates<T> twice_area(std::size_t corners, const Corner& corner) {
+  Coordinates<T> sum = {T(0), T(0), T(0)};
+  for (std::size_t k = 2; k < corners; ++k) {
+    sum = sum + cross(Coordinates<T>(corner(k - 1) - corner(0)), Coordinates<T>(corner(k) - corner(0)));
+  }
+  return sum;
+}
 
 /// Call every member function inside the tier's scope.
 template <class Tier>
@@ -96,11 +107,7 @@ class MovingCore {
 
   /// Normal to the face; its length is twice the area.
   Coordinates<E> outward(const std::vector<int>& face) const {
-    Coordinates<E> normal = {E(0), E(0), E(0)};
-    for (std::size_t k = 2; k < face.size(); ++k) {
-      normal = normal + cross(arm(face[k - 1]) - arm(face[0]), arm(face[k]) - arm(face[0]));
-    }
-    return normal;
+    return twice_area<E>(face.size(), [&](std::size_t k) -> const Coordinates<E>& { return arm(face[k]); });
   }
 
   const RigidBodyModel<Tier>& model_;

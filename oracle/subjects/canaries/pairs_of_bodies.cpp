@@ -60,8 +60,7 @@ void feature_off_by_one(Subject&, const Scene& scene, Distance& said) {
 
 void feature_of_everything(Subject&, const Scene& scene, Distance& said) {
   if (!said.feature_A) return;
-  const std::size_t n = corners(scene.bodies[0]).size();
-  for (std::size_t i = said.feature_A->vertices.size(); i < n; ++i) said.feature_A->vertices.push_back(0);
+  said.feature_A->vertices.resize(corners(scene.bodies[0]).size());
   std::iota(said.feature_A->vertices.begin(), said.feature_A->vertices.end(), 0);
 }
 

@@ -60,15 +60,19 @@ Scene turning_over(Random& random) {
   return thrown(random, std::move(A), at(std::move(B), from), motion_until(3));
 }
 
-/// It turns by about half a turn while it comes down on a wide plate; often nearly about its length, so that its ends
-/// hardly move at first.
-Scene onto_a_plate(Random& random, Body body, const Vec3& length, const Mat3& moments) {
+/// It turns by about half a turn while it comes down on a wide plate; often nearly about its long axis, so that its
+/// ends hardly move at first.
+Scene onto_a_plate(Random& random, Body body, const Vec3& axis, const Mat3& moments) {
   MassProperties given;
   given.mass = random.whole(1, 4);
   given.I_BBcm_B = given.mass * moments;
   body.mass = given;
   Vec3 w = 0.5 * small_vector(random, 3);
-  if (random.one_in(2)) w = random.sign() * random.pick({1.5, 2.0}) * length + 0.125 * small_vector(random, 2);
+  if (random.one_in(2)) {
+    const Vec3 astray = 0.125 * small_vector(random, 2);
+    const double sign = random.sign(), speed = random.pick({1.5, 2.0});
+    w = sign * speed * axis + astray;
+  }
   if (w.isZero(0)) w.x() = 1;
   if (random.one_in(2)) body.X_WB.q_WB = small_quaternion(random);
   const Vec3 v{random.whole(-1, 1), random.whole(-1, 1), -0.5 * random.whole(3, 5)};
