@@ -7,6 +7,7 @@
 #include <memory>
 #include <span>
 
+#include "fast/lin_canny/cube_map.h"
 #include "model/shape.h"
 
 namespace touchstone::fast::lin_canny {
@@ -17,8 +18,8 @@ namespace touchstone::fast::lin_canny {
 ///
 /// Laid out for caches, since of many pairs in turn each query finds its hulls in memory: one block, aligned to cache
 /// lines, and no vector that two vertices and a normal give. It never changes, so copies share it. For n vertices of
-/// degree 6 some 364 n bytes: 24 n of vertices, 132 n of spokes and 32 n of their edges, 48 n of edges, 80 n of faces,
-/// 48 n of corners.
+/// degree 6 some 370 n bytes: 24 n of vertices, 132 n of spokes and 32 n of their edges, 48 n of edges, 80 n of faces,
+/// 48 n of corners, some 6 n of the table by direction.
 class Hull {
  public:
   /// An edge runs from tail to head, counter-clockwise around face[0] and clockwise around face[1], both seen from
@@ -82,6 +83,13 @@ class Hull {
     return spoke_edges_[static_cast<std::size_t>(&some - spokes_.data()) * Spokes::lanes + lane];
   }
 
+  /// The first vertex of greatest d·v as computed. Looks at all of them.
+  int highest(const Vec3& d) const;
+  /// A vertex that is about the highest along d. Few vertices are compared one by one. Of many, a climb begins at the
+  /// one that a table gives for directions like d, and ends where no edge rises as floats can tell. Any vertex, if d is
+  /// 0 or not finite. Requires edges.
+  int facing(const Vec3& d) const;
+
   /// head − tail.
   Vec3 along(const Edge& edge) const { return vertex(edge.head) - vertex(edge.tail); }
   /// ≥ |v| for all vertices v.
@@ -96,6 +104,10 @@ class Hull {
   explicit Hull(std::span<const Vec3> vertices);
   explicit Hull(const Boundary& boundary);
 
+  /// From a vertex along the steepest edges, as floats can tell, to one that no edge leaves upwards. Requires edges and
+  /// max |d_i| = 1. What counts as rising rises in exact numbers too, so it ends.
+  int climbed(int from, const Vec3& d) const;
+
   std::span<const Vec3> vertices_;
   std::span<const int> first_spokes_;  ///< by vertex, with one more at the end
   std::span<const Spokes> spokes_;
@@ -104,7 +116,9 @@ class Hull {
   std::span<const Edge> edges_;
   std::span<const Face> faces_;
   std::span<const Corner> corners_;
-  std::span<const int> spoke_edges_;          ///< by lane
+  std::span<const int> spoke_edges_;  ///< by lane
+  CubeMap directions_;
+  std::span<const int> by_direction_;         ///< by cell: a vertex about as high as any; none of few vertices
   std::shared_ptr<const std::byte[]> block_;  ///< of all arrays
 };
 

@@ -81,7 +81,7 @@ Proximity proximity(const Convex& A, const CachedPose& body_A, const Convex& B, 
   const PosedHull placed_A = posed_hull(A, body_A, p_WO);
   const PosedHull placed_B = posed_hull(B, body_B, p_WO);
   if (!fit_doubles(placed_A, placed_B)) return exact_proximity(A, body_A, B, body_B, memory);
-  if (memory == FeaturePair{}) memory = facing_vertices(placed_A, placed_B);
+  if (memory == FeaturePair{}) memory = facing_features(placed_A, placed_B);
   const Walked walked = walk(placed_A, placed_B, memory);
   memory = walked.closest.features;
   Proximity answer;

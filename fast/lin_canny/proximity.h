@@ -23,7 +23,7 @@ struct Proximity {
 };
 
 /// `memory`: where the walk starts and, afterwards, where it ended; initially {}, or any features of the two. From {}
-/// it starts at vertices that face each other.
+/// it starts at features that face each other.
 ///
 /// First the walk and its bracket, in doubles. If they leave the verdict open, or the enclosure is wider than rounding
 /// explains (the walk ended too early), or lengths do not fit doubles, exact arithmetic decides. It costs some hundred

@@ -8,17 +8,6 @@
 namespace touchstone::fast::lin_canny {
 namespace {
 
-int highest(const Hull& hull, const Vec3& n) {
-  int best = 0;
-  double most = n.dot(hull.vertex(0));
-  for (int v = 1; v < hull.vertex_count(); ++v) {
-    const double height = n.dot(hull.vertex(v));
-    if (height > most) best = v;
-    most = std::max(most, height);
-  }
-  return best;
-}
-
 double det(const Vec3& p, const Vec3& q, const Vec3& r) { return p.dot(q.cross(r)); }
 
 /// A subset of a simplex, by pointers.
@@ -87,7 +76,7 @@ void keep(const Subset& some, Simplex& held) {
 }  // namespace
 
 VertexDifference lowest(const PosedHull& A, const PosedHull& B, const Vec3& n) {
-  const int a = highest(*A.hull, A.turned_in(n)), b = highest(*B.hull, B.turned_in(-n));
+  const int a = A.hull->highest(A.turned_in(n)), b = B.hull->highest(B.turned_in(-n));
   const Vec3 p_a = A.vertex(a);
   return {a, b, p_a, B.vertex(b) - p_a};
 }

@@ -38,25 +38,6 @@ int steepest(const Hull& hull, int v, const Vec3& d) {
   return steepest;
 }
 
-/// From v to ever higher neighbours along d (in the hull's frame), each the highest of its vertex's. Heights as
-/// computed rise strictly, so it ends.
-int climbed(const Hull& hull, int v, const Vec3& d) {
-  double height = d.dot(hull.vertex(v));
-  while (true) {
-    int next = v;
-    for (const Hull::Spokes& some : hull.spokes(v)) {
-      for (std::size_t lane = 0; lane < Hull::Spokes::lanes; ++lane) {
-        const int w = some.other[lane];
-        const double other = d.dot(hull.vertex(w));
-        next = other > height ? w : next;
-        height = std::max(height, other);
-      }
-    }
-    if (next == v) return v;
-    v = next;
-  }
-}
-
 /// The face whose plane x is farthest outside of; -1 if x is behind all of them.
 int farthest_face(const Hull& hull, const Vec3& x) {
   int best = -1;
@@ -70,6 +51,10 @@ int farthest_face(const Hull& hull, const Vec3& x) {
   return best;
 }
 
+/// A walk that takes more steps started far away: its memory is of another pose, or it has none. Few walks of a body
+/// that turns by 10 degrees a frame do, and of unrelated poses most do. A choice.
+constexpr int steps_from_afar = 5;
+
 class Walk {
  public:
   Walk(const PosedHull& A, const PosedHull& B, std::vector<Closest>* visited) : A_(A), B_(B), visited_(visited) {}
@@ -82,7 +67,10 @@ class Walk {
       return {now_, true, false};
     }
     note();
-    while (step()) note();
+    for (int steps = 1; step(); ++steps) {
+      note();
+      if (steps == steps_from_afar) start_afresh();
+    }
     if (inside_) mark(Mark::walk_inside);
     if (has_restarted_) mark(Mark::walk_restart);
     return {now_, inside_, has_restarted_};
@@ -91,6 +79,16 @@ class Walk {
  private:
   void note() {
     if (visited_) visited_->push_back(now_);
+  }
+
+  /// Goes on from features that face each other, if they are nearer.
+  void start_afresh() {
+    if (inside_) return;
+    const Closest facing = closest(A_, B_, facing_features(A_, B_));
+    if (!(facing.squared < now_.squared)) return;
+    now_ = facing;
+    mark(Mark::walk_step);
+    note();
   }
 
   bool step() {
@@ -158,6 +156,16 @@ class Walk {
   bool has_restarted_ = false;
 };
 
+/// -1 if there is none.
+int edge_between(const Hull& hull, int v, int w) {
+  for (const Hull::Spokes& some : hull.spokes(v)) {
+    for (std::size_t lane = 0; lane < Hull::Spokes::lanes; ++lane) {
+      if (some.other[lane] == w) return hull.edge_of(some, lane);
+    }
+  }
+  return -1;
+}
+
 }  // namespace
 
 int steepest_edge(const Hull& hull, int v, const Vec3& d) {
@@ -177,15 +185,23 @@ Walked walk(const PosedHull& A, const PosedHull& B, const FeaturePair& start, st
   return Walk(A, B, visited).from(start);
 }
 
-FeaturePair facing_vertices(const PosedHull& A, const PosedHull& B) {
-  int a = 0, b = 0;
-  Vec3 d = B.t - A.t;
-  for (int round = 0; round < 2; ++round) {
-    a = climbed(*A.hull, a, A.turned_in(d));
-    b = climbed(*B.hull, b, B.turned_in(-d));
-    d = B.vertex(b) - A.vertex(a);
-  }
-  return {{Kind::vertex, a}, {Kind::vertex, b}};
+FeaturePair facing_features(const PosedHull& A, const PosedHull& B) {
+  const auto facing = [&](const Vec3& d) {
+    return std::pair(A.hull->facing(A.turned_in(d)), B.hull->facing(B.turned_in(-d)));
+  };
+  const auto difference = [&](const auto& vertices) -> Vec3 {
+    return B.vertex(vertices.second) - A.vertex(vertices.first);
+  };
+  const auto first = facing(B.t - A.t);
+  const Vec3 p = difference(first);
+  const auto second = facing(p);
+  const Vec3 along = difference(second) - p;
+  const double s = -p.dot(along) / along.squaredNorm();
+  const auto between = [&](const Hull& hull, int v, int w) -> FeatureId {
+    const int edge = s > 0 && s < 1 && v != w ? edge_between(hull, v, w) : -1;
+    return edge >= 0 ? FeatureId{Kind::edge, edge} : FeatureId{Kind::vertex, s < 0.5 ? v : w};
+  };
+  return {between(*A.hull, first.first, second.first), between(*B.hull, first.second, second.second)};
 }
 
 }  // namespace touchstone::fast::lin_canny

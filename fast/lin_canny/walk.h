@@ -24,6 +24,9 @@ namespace touchstone::fast::lin_canny {
 /// each other through a body are a local minimum, the one that Lin and Canny's walk has on disjoint bodies. So that
 /// face is taken even if it is no closer, but only once per walk. The walk then consists of at most two strict
 /// descents.
+///
+/// After some steps it goes on from facing_features(), if these are closer: so a start that is far away costs no more
+/// than some steps.
 struct Walked {
   Closest closest;
   bool inside = false;         ///< a vertex of one body is inside the other, as far as doubles see
@@ -36,9 +39,11 @@ Walked walk(const PosedHull& A, const PosedHull& B, const FeaturePair& start, st
 /// The edge at vertex v that rises most steeply along d (in the hull's frame), as doubles say; -1 if none does.
 int steepest_edge(const Hull& hull, int v, const Vec3& d);
 
-/// Where to start without a memory: a vertex of each, found by climbing along edges, first along the line of the two
-/// origins, then along the line of the vertices found. It only saves steps of the walk, which cost more than edges that
-/// are compared. The walk may start anywhere, so nothing has to hold of the two vertices.
-FeaturePair facing_vertices(const PosedHull& A, const PosedHull& B);
+/// Where to start without a memory. A step of Gilbert, Johnson & Keerthi's descent: the vertices that face each other
+/// along the line of the two origins, those that do along the line of these, and the point of the segment between the
+/// two differences that is nearest to 0. It lies in a vertex or an edge of each, or else in no feature, and then the
+/// nearer two vertices do. It only saves steps of the walk, which cost more; the walk may start anywhere, so nothing
+/// has to hold of the two features.
+FeaturePair facing_features(const PosedHull& A, const PosedHull& B);
 
 }  // namespace touchstone::fast::lin_canny

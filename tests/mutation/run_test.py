@@ -149,6 +149,14 @@ class Project(unittest.TestCase):
     def test_a_compiler_error_is_no_kill(self):
         self.assertEqual(self.verdict(mutant("a < 0", "a < nothing"))["outcome"], "does not compile")
 
+    def test_where_the_original_does_not_compile_no_mutant_is_tried(self):
+        place = self.root / "build/other"  # without the originals that other tests have compiled
+        broken = workshop.Workshop(self.root, self.root / "build", self.tree, place)
+        broken.commands = {name: {**entry, "command": entry["command"].replace("-O2", "-no-such-option")}
+                           for name, entry in broken.commands.items()}
+        with self.assertRaisesRegex(workshop.BuildFailed, "original of fast/mass.cpp does not compile: .*no-such-option"):
+            broken.objects(mutant("return 0;", "return 5;"), place / "work")
+
     def test_a_linker_error_is_no_kill(self):
         planted = mutant("return 0;", "{ extern int nothing(int); return nothing(a); }")
         self.assertEqual(self.verdict(planted)["outcome"], "does not compile")

@@ -81,13 +81,14 @@ class Workshop:
         return without_precompiled(compile_words(self.commands[source]["command"]))
 
     def compile(self, folder, source):
-        """Compiles a source of the folder, which comes before the root in the search for headers; None: an error.
+        """Compiles a source of the folder, which comes before the root in the search for headers. (The object or None,
+        what the compiler said.)
 
         The name of the source is relative to the folder, so equal sources give equal objects."""
         out = folder / (source + ".o")
         words = compile_words(self.commands[source]["command"])
         run = limited.run([words[0], "-I.", *words[1:], "-o", str(out), "-c", source], COMPILE_LIMIT, folder)
-        return out if run.code == 0 and run.in_time else None
+        return (out if run.code == 0 and run.in_time else None), run.output
 
     def write(self, folder, source, content):
         (folder / source).parent.mkdir(parents=True, exist_ok=True)
@@ -100,9 +101,9 @@ class Workshop:
             if not out.exists():
                 folder = self.place / "originals" / (source + ".made")
                 self.write(folder, source, (self.root / source).read_bytes())
-                made = self.compile(folder, source)
+                made, said = self.compile(folder, source)
                 if not made:
-                    raise BuildFailed(f"the original of {source} does not compile")
+                    raise BuildFailed(f"the original of {source} does not compile: {said[-500:].strip()}")
                 made.replace(out)
                 shutil.rmtree(folder)
         return out
@@ -116,11 +117,12 @@ class Workshop:
             self.write(folder, source, (self.root / source).read_bytes())
         self.write(folder, mutant.path, mutant.apply((self.root / mutant.path).read_bytes()))
         for source in sources:
-            compiled = self.compile(folder, source)
+            original = self.original(source)  # first: where it does not compile, no mutant would
+            compiled, _ = self.compile(folder, source)
             if not compiled:
                 return None
             made.append(compiled)
-            differs = differs or compiled.read_bytes() != self.original(source).read_bytes()
+            differs = differs or compiled.read_bytes() != original.read_bytes()
         return made if differs else []
 
     @functools.lru_cache(maxsize=None)

@@ -7,7 +7,7 @@ namespace {
 using namespace fast::lin_canny;
 
 /// From poses to a certified enclosure: the query includes computing the rotations. With `tracks` it starts from the
-/// closest features of the previous frame, otherwise from vertices that face each other.
+/// closest features of the previous frame, otherwise from features that face each other.
 class LinCanny : public Contestant {
  public:
   LinCanny(const Polytope& A, const Polytope& B, bool tracks) : A_(Shape(A)), B_(Shape(B)), tracks_(tracks) {}

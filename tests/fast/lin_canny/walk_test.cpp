@@ -218,10 +218,11 @@ TEST_CASE("marks: ways from kind to kind") {
   CHECK(trail(cubes(Vec3(0.1, 0.2, 4)), {{Kind::edge, 0}, bottom}).substr(0, 2) != "EF");
 }
 
-TEST_CASE("facing vertices: walks of large hulls take less than half of the steps from there") {
+TEST_CASE("facing features: walks of large hulls take less than half of the steps from there, and soon begin there") {
   Dice dice(29);
   std::size_t from_first = 0, from_facing = 0;
-  for (int i = 0; i < 40; ++i) {
+  constexpr int walks = 40;
+  for (int i = 0; i < walks; ++i) {
     const Vec3 apart = 2.5 * dice.in_cube().normalized();
     const Quaternion q = tests::integer_quaternion(dice);
     const Scene scene = tests::pair_of({{tests::round_hull(dice, 300), apart, q}, {tests::round_hull(dice, 300)}});
@@ -231,13 +232,14 @@ TEST_CASE("facing vertices: walks of large hulls take less than half of the step
     walk(A, B, {}, &visited);
     from_first += visited.size();
     visited.clear();
-    walk(A, B, facing_vertices(A, B), &visited);
+    walk(A, B, facing_features(A, B), &visited);
     from_facing += visited.size();
   }
   CHECK(2 * from_facing < from_first);
+  CHECK(from_first <= from_facing + 6 * walks);  // the start and five steps before them
   // Origins that coincide define no direction: any vertices will do.
   const Pair concentric(cubes(Vec3::Zero()));
-  const FeaturePair start = facing_vertices(concentric.placed_A(), concentric.placed_B());
+  const FeaturePair start = facing_features(concentric.placed_A(), concentric.placed_B());
   CHECK(start.a.kind == Kind::vertex);
   CHECK(start.b.kind == Kind::vertex);
 }
