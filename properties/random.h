@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <initializer_list>
 #include <string_view>
@@ -23,6 +24,9 @@ class Random {
   /// Uniform in 0 … end − 1, without bias. Requires end ≥ 1.
   int below(int end);
 
+  /// The same for indices.
+  std::size_t index(std::size_t end) { return static_cast<std::size_t>(below(static_cast<int>(end))); }
+
   /// Uniform in lo … hi, both included. Requires lo ≤ hi.
   int between(int lo, int hi) { return lo + below(hi - lo + 1); }
 
@@ -42,7 +46,7 @@ class Random {
   }
   template <class T>
   const T& pick(const std::vector<T>& from) {
-    return from[static_cast<std::size_t>(below(static_cast<int>(from.size())))];
+    return from[index(from.size())];
   }
 
  private:

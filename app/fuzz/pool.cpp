@@ -5,7 +5,7 @@
 namespace touchstone::app {
 
 std::size_t Pool::any(properties::Random& random) const {
-  return static_cast<std::size_t>(random.below(static_cast<int>(entries_.size())));
+  return random.index(entries_.size());
 }
 
 void Pool::keep(Scene scene, double nearness, properties::Random& random) {

@@ -75,7 +75,7 @@ void turn(Body& body, const Body& other, Random& random) {
 }  // namespace
 
 void displace(Scene& scene, Random& random) {
-  const auto some = [&] { return static_cast<std::size_t>(random.below(static_cast<int>(scene.bodies.size()))); };
+  const auto some = [&] { return random.index(scene.bodies.size()); };
   if (random.one_in(16)) {
     const int axis = random.below(3);
     const double by = random.sign() * std::exp2(random.between(-8, 40));

@@ -13,6 +13,7 @@
 #include "oracle/tolerance/tolerance.h"
 #include "oracle/truth/truth.h"
 #include "properties/fuzzing/complete.h"
+#include "properties/fuzzing/invent.h"
 #include "properties/fuzzing/usual.h"
 #include "properties/scenes/pair.h"
 #include "properties/transforms/scene.h"
@@ -21,7 +22,6 @@ namespace touchstone::properties::fuzzing {
 namespace {
 
 using oracle::Slot;
-using Changed = std::optional<Scene>;
 
 // Choices: scenes stay as small as those that families draw, so that an execution takes milliseconds.
 constexpr int attempts = 8;
@@ -31,11 +31,7 @@ constexpr std::size_t most_vertices = 64;
 constexpr long most_pixels = 4096;
 constexpr double usual_travel = 64;  ///< sizes of the smallest body
 
-std::size_t index_below(std::size_t end, Random& random) {
-  return static_cast<std::size_t>(random.below(static_cast<int>(end)));
-}
-
-std::size_t some_body(const Scene& scene, Random& random) { return index_below(scene.bodies.size(), random); }
+std::size_t some_body(const Scene& scene, Random& random) { return random.index(scene.bodies.size()); }
 
 /// Numbers of one kind, to be copied among each other; some scenes have none of a kind.
 std::vector<double*> some_numbers(Scene& scene, Random& random) {
@@ -103,7 +99,7 @@ Changed copy_coordinate(Scene scene, const Scene&, Random& random) {
   const int axis = random.below(3);
   if (polytope != nullptr && random.one_in(2)) {
     const Vec3 from = random.pick(polytope->vertices);
-    polytope->vertices[index_below(polytope->vertices.size(), random)][axis] = from[axis];
+    polytope->vertices[random.index(polytope->vertices.size())][axis] = from[axis];
     polytope->faces.clear();
     oracle::set_shape(scene, slot, shape);
     return scene;
@@ -204,8 +200,8 @@ Changed vertices(Scene scene, const Scene&, Random& random) {
   auto* polytope = std::get_if<Polytope>(&shape);
   if (polytope == nullptr) return std::nullopt;
   std::vector<Vec3>& all = polytope->vertices;
-  const std::size_t i = index_below(all.size(), random);
-  const std::size_t j = index_below(all.size(), random);
+  const std::size_t i = random.index(all.size());
+  const std::size_t j = random.index(all.size());
   switch (random.below(3)) {
     case 0:
       std::swap(all[i], all[j]);
@@ -247,8 +243,7 @@ Changed add_body(Scene scene, const Scene& other, Random& random) {
   const int axis = random.below(3);
   body.X_WB.p_WB[axis] += random.sign() * 2 * oracle::tolerance::radius(body);
   if (!scene.frames.empty()) {
-    scene.frames[index_below(scene.frames.size(), random)].push_back(
-        {static_cast<int>(scene.bodies.size()), body.X_WB});
+    scene.frames[random.index(scene.frames.size())].push_back({static_cast<int>(scene.bodies.size()), body.X_WB});
   }
   if (scene.motion && !scene.motion->start_times.empty()) scene.motion->start_times.push_back(0);
   scene.bodies.push_back(std::move(body));
@@ -349,8 +344,8 @@ Changed coefficients(Scene scene, const Scene&, Random& random) {
 /// A frame of a sequence is left out, repeated, or changes its place.
 Changed frames(Scene scene, const Scene&, Random& random) {
   if (scene.frames.empty()) return std::nullopt;
-  const std::size_t f = index_below(scene.frames.size(), random);
-  const std::size_t g = index_below(scene.frames.size(), random);
+  const std::size_t f = random.index(scene.frames.size());
+  const std::size_t g = random.index(scene.frames.size());
   switch (random.below(3)) {
     case 0:
       if (scene.frames.size() > 1) scene.frames.erase(scene.frames.begin() + static_cast<std::ptrdiff_t>(f));
@@ -367,8 +362,18 @@ Changed frames(Scene scene, const Scene&, Random& random) {
 struct Mutation {
   const char* name;
   Changed (*make)(const Scene&, const Scene& other, Random&);
-  bool changes_number_of_bodies = false;
+  enum class For { all, more_than_pairs, compounds } queries = For::all;
 };
+
+using For = Mutation::For;
+
+/// A depth of compounds is not defined, and the time stepper takes none.
+bool takes_compounds(const oracle::Query& query) { return query.name != "penetration" && query.name != "constraint"; }
+
+bool suits(const Mutation& mutation, const oracle::Query& query) {
+  if (mutation.queries == For::more_than_pairs) return !query.about_two_bodies;
+  return mutation.queries != For::compounds || takes_compounds(query);
+}
 
 template <Changed (*make)(Scene, const Scene&, Random&)>
 Changed of_copy(const Scene& scene, const Scene& other, Random& random) {
@@ -389,13 +394,22 @@ constexpr Mutation all[] = {
     {"vertices", of_copy<vertices>},
     {"renamed", renamed},
     {"far_away", of_copy<far_away>},
-    {"add_body", of_copy<add_body>, true},
-    {"remove_body", of_copy<remove_body>, true},
+    {"add_body", of_copy<add_body>, For::more_than_pairs},
+    {"remove_body", of_copy<remove_body>, For::more_than_pairs},
     {"splice_body", of_copy<splice_body>},
     {"copy_state", of_copy<copy_state>},
     {"splice_settings", of_copy<splice_settings>},
     {"coefficients", of_copy<coefficients>},
     {"frames", of_copy<frames>},
+    {"other_solid", of_copy<other_solid>},
+    {"join_part", of_copy<join_part>, For::compounds},
+    {"drop_part", of_copy<drop_part>},
+    {"other_mass", of_copy<other_mass>},
+    {"other_normal", of_copy<other_normal>},
+    {"other_raster", of_copy<other_raster>},
+    {"other_times", of_copy<other_times>},
+    {"other_forces", of_copy<other_forces>, For::more_than_pairs},
+    {"place", of_copy<place>, For::more_than_pairs},
 };
 
 std::size_t vertices_of_largest_part(const Scene& scene) {
@@ -493,7 +507,7 @@ std::vector<std::string> mutations() {
 Scene mutated(const Scene& scene, const Scene& other, const oracle::Query& query, Random& random) {
   for (int attempt = 0; attempt < attempts; ++attempt) {
     const Mutation& mutation = all[random.below(static_cast<int>(std::size(all)))];
-    if (mutation.changes_number_of_bodies && query.about_two_bodies) continue;
+    if (!suits(mutation, query)) continue;
     if (scene.bodies.empty() && mutation.make != of_copy<add_body>) continue;
     if (Changed changed = after(mutation, scene, other, query, random)) return std::move(*changed);
   }

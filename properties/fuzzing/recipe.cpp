@@ -57,7 +57,7 @@ void mutate_recipe(std::vector<std::uint8_t>& recipe, std::size_t most, std::uin
   } else if (way == 1 && mutations > 0) {
     recipe.resize(begin_of(mutations - 1));
   } else if ((way <= 3 || mutations == room) && mutations > 0) {
-    const auto m = static_cast<std::size_t>(random.below(static_cast<int>(mutations)));
+    const auto m = random.index(mutations);
     write_random(recipe, begin_of(m), bytes_of_mutation, random);
   } else if (mutations < room) {
     recipe.resize(begin_of(mutations + 1));

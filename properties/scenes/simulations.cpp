@@ -333,7 +333,7 @@ std::vector<Body> polytope_lands(Random& random) {
   const Box box = std::get<Box>(cube.shape);
   std::vector<Vec3> vertices = as_polytope(box).vertices;
   for (std::size_t k = vertices.size() - 1; k > 0; --k) {
-    std::swap(vertices[k], vertices[static_cast<std::size_t>(random.below(static_cast<int>(k) + 1))]);
+    std::swap(vertices[k], vertices[random.index(k + 1)]);
   }
   cube.shape = oracle::truth::convex_hull(vertices);
   cube.X_WB = {{0, 0, box.half_extents.z() + 1}, {}};

@@ -42,7 +42,7 @@ Polytope shuffled(Random& random, const Polytope& solid) {
   std::vector<std::size_t> place(count);
   for (std::size_t i = 0; i < count; ++i) place[i] = i;
   for (std::size_t i = count; i > 1; --i) {
-    std::swap(place[i - 1], place[static_cast<std::size_t>(random.below(static_cast<int>(i)))]);
+    std::swap(place[i - 1], place[random.index(i)]);
   }
   Polytope other;
   other.vertices.resize(count);
