@@ -24,23 +24,29 @@ struct Side {
   Vec3 velocity = Vec3::Zero();
   double speed_error = 0;  ///< of the velocity at C, m/s
   double slenderness = 0;  ///< (|r| + the lengths r was computed from) / sqrt(least moment of inertia), kg^-1/2
+  double mass_error = 0;   ///< of the mass and of L⁻¹ I L⁻ᵀ, relative
 };
 
 Side side_of(const Body& body, const Vec3& p_WC) {
-  const std::optional<MassProperties> given = mass(body);
+  const std::optional<RoundedMass> rounded = rounded_mass(body);
+  const MassProperties* const given = rounded ? &rounded->properties : nullptr;
   const Mat3 R = lin_canny::rotation(body.X_WB.q_WB);
-  const Vec3 p_WBcm = body.X_WB.p_WB + (given ? Vec3(R * given->p_BBcm) : Vec3::Zero());
+  const Vec3 p_WBcm = body.X_WB.p_WB + (given != nullptr ? Vec3(R * given->p_BBcm) : Vec3::Zero());
+  const double centre_error = rounded ? rounded->centre_error.norm() : 0;
   Side side;
   side.r = p_WC - p_WBcm;
   side.velocity = body.velocity.v_WBcm + body.velocity.w_WB.cross(side.r);
-  const double reach = p_WC.norm() + body.X_WB.p_WB.norm() + (given ? given->p_BBcm.norm() : 0.0);
+  const double reach = p_WC.norm() + body.X_WB.p_WB.norm() + (given != nullptr ? given->p_BBcm.norm() : 0.0);
   const double w = body.velocity.w_WB.norm();
-  side.speed_error = lin_canny::turn_error * w * reach + 8 * u * (body.velocity.v_WBcm.norm() + w * side.r.norm());
-  if (given) {
+  side.speed_error =
+      lin_canny::turn_error * w * reach + w * centre_error + 8 * u * (body.velocity.v_WBcm.norm() + w * side.r.norm());
+  if (given != nullptr) {
     side.inverse_mass = 1 / given->mass;
     const Mat3 L = given->I_BBcm_B.llt().matrixL();
     side.M = L.triangularView<Eigen::Lower>().solve(R.transpose());
-    side.slenderness = reach / L.diagonal().minCoeff();
+    side.slenderness = (reach + centre_error / (16 * u)) / L.diagonal().minCoeff();
+    const Mat3 inverse = L.triangularView<Eigen::Lower>().solve(Mat3::Identity()).cwiseAbs();
+    side.mass_error = rounded->mass_error + (inverse * rounded->inertia_error * inverse.transpose()).norm();
   }
   return side;
 }
@@ -111,7 +117,8 @@ Velocity pushed(const Body& body, const Side& side, const Vec3& P) {
 
 /// The solver's error; the effect of rounding u, in the norm of K⁻¹; and that of rounding M [r]×: with |δW| ≤ 16 u
 /// (slenderness), |K^(-1/2) δ(WᵀW) K^(-1/2)| ≤ 2 |δW|/sqrt(least eigenvalue), and the impulse changes by a few times as
-/// much (measured: docs/design/impulse.md). All relative to |u|_{K⁻¹}, or to |P|_K/2 if that is more because Newton's
+/// much (measured: docs/design/impulse.md); and that of masses computed from densities, which changes K by a share of
+/// itself. All relative to |u|_{K⁻¹}, or to |P|_K/2 if that is more because Newton's
 /// law adds so much energy.
 double error_of(const Stated& stated, const Vec3& velocity, const Vec3& P) {
   const Eigen::SelfAdjointEigenSolver<Mat3> eigen(stated.K);
@@ -122,7 +129,8 @@ double error_of(const Stated& stated, const Vec3& velocity, const Vec3& P) {
   const double norm = std::max(std::sqrt((parts.array().square() / eigen.eigenvalues().array()).sum()),
                                std::sqrt((pushes.array().square() * eigen.eigenvalues().array()).sum()) / 2);
   const double speed = (stated.A.speed_error + stated.B.speed_error) / std::sqrt(least);
-  const double shape = 32 * u * (stated.A.slenderness + stated.B.slenderness) / std::sqrt(least);
+  const double shape = 32 * u * (stated.A.slenderness + stated.B.slenderness) / std::sqrt(least) +
+                       (stated.A.mass_error + stated.B.mass_error);
   return (impulse::error_bound(greatest / least) + 4 * shape) * norm + 4 * speed;
 }
 

@@ -18,10 +18,8 @@ namespace {
 
 using exact::Dyadic;
 
-using Exact = std::array<std::array<Dyadic, 3>, 3>;
-
-Exact exactly(const Mat3& M) {
-  Exact E;
+ExactMatrix exactly(const Mat3& M) {
+  ExactMatrix E;
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) E[i][j] = Dyadic(M(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
   }
@@ -40,7 +38,7 @@ Spread spread(const Box& box) {
   return {volume, Vec3::Zero(), (volume / 3 * h.cwiseProduct(h)).asDiagonal(), 8 * u * volume * h.squaredNorm()};
 }
 
-Spread spread(const Polytope& polytope) { return exact_spread(polytope); }
+Spread spread(const Polytope& polytope) { return exact_spread(polytope).rounded; }
 
 /// Steiner's theorem. Rotating a part rounds by 64u‖C‖; its distance from the compound's centroid rounds by 32u of the
 /// lengths involved, its volume by 16u and n sums.
@@ -94,13 +92,13 @@ Quaternion axes(const Mat3& C) {
 }
 
 /// |q|⁴ RᵀM R, without rounding.
-Exact turned(const Exact& M, const Quaternion& q) {
+ExactMatrix turned(const ExactMatrix& M, const Quaternion& q) {
   const Dyadic w(q.w), x(q.x), y(q.y), z(q.z), two(2);
   const Dyadic ww = w * w, xx = x * x, yy = y * y, zz = z * z;
   const std::array<std::array<Dyadic, 3>, 3> N{{{ww + xx - yy - zz, two * (x * y - w * z), two * (x * z + w * y)},
                                                 {two * (x * y + w * z), ww + yy - xx - zz, two * (y * z - w * x)},
                                                 {two * (x * z - w * y), two * (y * z + w * x), ww + zz - xx - yy}}};
-  Exact D;
+  ExactMatrix D;
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) {
       for (std::size_t k = 0; k < 3; ++k) {
@@ -112,8 +110,8 @@ Exact turned(const Exact& M, const Quaternion& q) {
 }
 
 /// Removes by small rotations what doubles left off the diagonal (16u of the matrix), down to the rounding of q itself.
-Quaternion polished(const Exact& M, Quaternion q) {
-  const Exact D = turned(M, q);
+Quaternion polished(const ExactMatrix& M, Quaternion q) {
+  const ExactMatrix D = turned(M, q);
   Vec3 turn = Vec3::Zero();
   for (std::size_t k = 0; k < 3; ++k) {
     const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
@@ -126,12 +124,12 @@ Quaternion polished(const Exact& M, Quaternion q) {
 
 Dyadic magnitude(const Dyadic& x) { return x.sign() < 0 ? -x : x; }
 
-/// Principal axes of M = C, or of M = I itself. `error`: of M, in its unit.
-Inertia in_own_axes(const Exact& M, const Mat3& about, double error, bool is_inertia) {
+/// Principal axes of M = C times any positive number, or of M = I. `error`: of M, in its unit.
+Inertia in_own_axes(const ExactMatrix& M, const Mat3& about, double error, bool is_inertia) {
   Inertia found;
   found.is_aligned = false;
   found.q_BP = polished(M, axes(about));
-  const Exact D = turned(M, found.q_BP);
+  const ExactMatrix D = turned(M, found.q_BP);
   const Quaternion& q = found.q_BP;
   const double scale = 1 / ((q.w * q.w + q.x * q.x) + (q.y * q.y + q.z * q.z));
   const Dyadic off = magnitude(D[0][1]) + magnitude(D[1][2]) + magnitude(D[2][0]);
@@ -143,12 +141,14 @@ Inertia in_own_axes(const Exact& M, const Mat3& about, double error, bool is_ine
     off_share = std::max(off_share, exact::ratio(off, moment));
     least = std::min(least, moment.approximate() * scale * scale);
   }
-  found.c_error = 6 * off_share + 9 * error / least * (1 + 16 * u) + 8 * u;
+  found.c_error = 6 * off_share + 8 * u;
+  if (error > 0) found.c_error += 9 * error / least * (1 + 16 * u);
   if (!(found.c_error < 1)) found.c_error = 1;
   return found;
 }
 
 bool is_diagonal(const Mat3& M) { return M(0, 1) == 0 && M(0, 2) == 0 && M(1, 2) == 0; }
+bool is_diagonal(const ExactMatrix& M) { return M[0][1].sign() == 0 && M[0][2].sign() == 0 && M[1][2].sign() == 0; }
 
 /// `c` have errors of at most 5u each; that of |ω'| is at most the greatest of them over √3, since Σ ω_j² ω_k² ≤
 /// |ω|⁴/3.
@@ -174,6 +174,13 @@ Inertia of(const Shape& shape, const Density&) {
       return (z - y) * (z + y) / (y * y + z * z);
     };
     return aligned({c(0), c(1), c(2)});
+  }
+  if (const auto* polytope = std::get_if<Polytope>(&shape)) {
+    const ExactSpread whole = exact_spread(*polytope);
+    const ExactMatrix& C = whole.scaled_C;
+    if (!is_diagonal(C)) return in_own_axes(C, whole.rounded.C, 0, false);
+    const auto c = [&](std::size_t y, std::size_t z) { return exact::ratio(C[z][z] - C[y][y], C[y][y] + C[z][z]); };
+    return aligned({c(1, 2), c(2, 0), c(0, 1)});
   }
   const Spread whole = std::visit([](const auto& s) { return spread(s); }, shape);
   return in_own_axes(exactly(whole.C), whole.C, whole.error, false);

@@ -13,11 +13,11 @@ using exact::Dyadic;
 
 /// With tetrahedra from the origin, d = det(a, b, c), s = a + b + c: D = Σ d, M = Σ d s, S = Σ d (aaᵀ + bbᵀ + ccᵀ +
 /// ssᵀ); V = D/6, centroid M/(4D), C = S/120 − M Mᵀ/(96 D) = (4 D S − 5 M Mᵀ)/(480 D).
-Spread exact_spread(const Polytope& polytope) {
+ExactSpread exact_spread(const Polytope& polytope) {
   if (polytope.faces.empty()) throw InputError("shape.faces", "are missing: mass properties need them");
   Dyadic D;
   std::array<Dyadic, 3> M;
-  std::array<std::array<Dyadic, 3>, 3> S;
+  ExactMatrix S;
   const auto corner = [&](int v) { return exact::vector(polytope.vertices[static_cast<std::size_t>(v)]); };
   const auto entries = [](const exact::Vector& x) { return std::array<Dyadic, 3>{x.x, x.y, x.z}; };
   for (const std::vector<int>& face : polytope.faces) {
@@ -38,17 +38,19 @@ Spread exact_spread(const Polytope& polytope) {
     }
   }
   if (D.sign() <= 0) throw InputError("shape.faces", "bound no positive volume");
-  Spread found;
-  found.volume = exact::ratio(D, Dyadic(6));
+  ExactSpread found;
+  Spread& rounded = found.rounded;
+  rounded.volume = exact::ratio(D, Dyadic(6));
   for (std::size_t i = 0; i < 3; ++i) {
-    found.centroid[static_cast<Eigen::Index>(i)] = exact::ratio(M[i], Dyadic(4) * D);
+    const auto row = static_cast<Eigen::Index>(i);
+    rounded.centroid[row] = exact::ratio(M[i], Dyadic(4) * D);
     for (std::size_t j = i; j < 3; ++j) {
-      const double C_ij = exact::ratio(Dyadic(4) * D * S[i][j] - Dyadic(5) * M[i] * M[j], Dyadic(480) * D);
-      found.C(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = C_ij;
-      found.C(static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(i)) = C_ij;
+      const auto column = static_cast<Eigen::Index>(j);
+      found.scaled_C[i][j] = found.scaled_C[j][i] = Dyadic(4) * D * S[i][j] - Dyadic(5) * M[i] * M[j];
+      rounded.C(row, column) = rounded.C(column, row) = exact::ratio(found.scaled_C[i][j], Dyadic(480) * D);
     }
   }
-  found.error = 6 * u * found.C.norm();
+  rounded.error = 6 * u * rounded.C.norm();
   return found;
 }
 

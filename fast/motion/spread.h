@@ -1,6 +1,9 @@
 // Volume, centroid and second moments of a solid at unit density.
 #pragma once
 
+#include <array>
+
+#include "fast/exact/dyadic.h"
 #include "model/frame.h"
 #include "model/shape.h"
 
@@ -15,8 +18,15 @@ struct Spread {
   double error = 0;
 };
 
-/// Each number is its exact value, rounded. Throws InputError for a polytope without faces, or of no positive volume.
-/// Cost: some 100 exact operations a triangle.
-Spread exact_spread(const Polytope& polytope);
+using ExactMatrix = std::array<std::array<exact::Dyadic, 3>, 3>;
+
+struct ExactSpread {
+  Spread rounded;        ///< each number is its exact value, rounded
+  ExactMatrix scaled_C;  ///< C times a positive number, exactly: equal moments are equal
+};
+
+/// Throws InputError for a polytope without faces, or of no positive volume. Cost: some 100 exact operations a
+/// triangle.
+ExactSpread exact_spread(const Polytope& polytope);
 
 }  // namespace touchstone::fast::motion

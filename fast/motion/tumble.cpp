@@ -24,13 +24,14 @@ Mat3 linearised(const Vec3& c, const Vec3& w) {
 }
 
 /// √(Σ weight_k ω_k²), where the motion has it greatest. ω_k² − (c_k/c_i) ω_i² is constant, with i the middle axis, so
-/// that is where ω_i² is 0 or greatest, and another ω_k² is 0.
+/// that is where ω_i² is 0 or greatest, and another ω_k² is 0. Where all moments are equal, ω is constant.
 double greatest_norm(const Vec3& weights, const Vec3& c, const Vec3& w) {
   int i = 0;
   for (int axis = 1; axis < 3; ++axis) {
     if (c[(axis + 1) % 3] * c[(axis + 2) % 3] > c[(i + 1) % 3] * c[(i + 2) % 3]) i = axis;
   }
   const Vec3 from = w.cwiseAbs2();
+  if (c.isZero(0)) return std::sqrt(weights.dot(from));
   double to_greatest = infinity;
   for (int k = 0; k < 3; ++k) {
     if (k != i) to_greatest = std::min(to_greatest, std::abs(c[i] / c[k]) * from[k]);

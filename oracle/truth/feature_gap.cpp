@@ -76,6 +76,14 @@ Real between_segments(const Points& A, const Points& B) {
   return least;
 }
 
+/// Perpendicular to the triangle, as long as twice its area. From the corner between the two shorter sides: two long
+/// sides of a sliver are nearly parallel, and their cross product is off by rounding of their lengths.
+Point normal_of(const Point& a, const Point& b, const Point& c) {
+  const Real ab = (b - a).squaredNorm(), bc = (c - b).squaredNorm(), ca = (a - c).squaredNorm();
+  if (ab >= bc && ab >= ca) return (a - c).cross(b - c);
+  return bc >= ca ? (b - a).cross(c - a) : (c - b).cross(a - b);
+}
+
 }  // namespace
 
 std::optional<double> feature_gap(const Body& A, const Feature& feature_A, const Body& B, const Feature& feature_B) {
@@ -91,7 +99,7 @@ double off_one_face(const Body& body, const Feature& feature) {
     for (std::size_t j = 0; j < i; ++j) {
       if ((points[j] - points[i]).squaredNorm() > along.squaredNorm()) along = points[j] - points[i];
       for (std::size_t k = 0; k < j; ++k) {
-        const Point n = (points[j] - points[i]).cross(points[k] - points[i]);
+        const Point n = normal_of(points[i], points[j], points[k]);
         if (n.squaredNorm() > normal.squaredNorm()) normal = n;
       }
     }

@@ -66,3 +66,12 @@ TEST_CASE("off_one_face: 0 for a vertex, an edge, a face or a part of one, else 
   CHECK(off_one_face(cube, {0, {4, 5, 6, 7, 0}}) == Approx(2));  // a vertex of the opposite face, 2 m behind
   CHECK(off_one_face(cube, {0, {0, 1, 6, 7}}) == Approx(std::sqrt(2)));
 }
+
+// Found by fuzzing: a side of 6e-11 m between two of 1 m, whose cross product is off by rounding of 1 m.
+TEST_CASE("off_one_face: of a sliver no more than rounding of its least side's direction") {
+  Polytope sliver;
+  sliver.vertices = {{0, 0, 0}, {0, 0, 0x1p-40}, {0x1p-34, 0, 0x1p-40}, {0, -1, 0x1p-40}};
+  const Body body = posed(sliver, {0, -0x1p-7, 0}, {-0.25, 0.125, -1, -0.75});
+  for (std::vector<int> vertices : {std::vector<int>{1, 2, 3}, {2, 3, 1}, {3, 1, 2}, {3, 2, 1}})
+    CHECK(off_one_face(body, {0, vertices}) < 0x1p-62);
+}

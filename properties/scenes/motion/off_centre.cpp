@@ -110,6 +110,34 @@ Scene dumbbells(Random& random) {
   return onto_a_plate(random, at_rest(std::move(compound)), along, moments);
 }
 
+/// A polytope of three equal moments, which are sums that round: it rotates steadily, but about no axis of its own.
+Scene equal_moments(Random& random) {
+  const double half = random.pick({1.0, 2.0});
+  const Vec3 x(half, 0, 0), y(0, half, 0), z(0, 0, half), corner = x + y + z;
+  Polytope solid;
+  switch (random.below(3)) {
+    case 0:
+      solid = block(-corner, corner);
+      break;
+    case 1:
+      solid = tetrahedron(corner, x - y - z, y - z - x, z - x - y);
+      break;
+    default:
+      solid = bipyramid({{1, 0}, {0, 1}, {-1, 0}, {0, -1}}, -1, 1);
+      for (Vec3& v : solid.vertices) v *= half;
+  }
+  Body body = at_rest(std::move(solid));
+  body.mass = Density{random.pick({0.5, 1.0, 3.0})};
+  if (random.one_in(2)) body.X_WB.q_WB = small_quaternion(random);
+  Vec3 w = small_vector(random, 3);
+  if (w.isZero(0)) w.x() = 1;
+  const Vec3 v{random.whole(-1, 1), random.whole(-1, 1), -random.whole(2, 5)};
+  Body other = at_rest(Box{Vec3(32, 32, 1)});
+  if (random.one_in(2)) other = with_mass(random, some_solid(random));
+  const Vec3 from{0, 0, solid_reach + 4 + random.whole(0, 2)};
+  return thrown(random, moving(at(std::move(body), from), v, w), std::move(other), motion_until(4));
+}
+
 /// A body starts after forces on it, of which the last counts.
 Scene pushed_before(Random& random) {
   Body A = with_mass(random, some_solid(random)), B = with_mass(random, some_solid(random));
@@ -138,6 +166,8 @@ std::vector<Family> off_centre_motion_families() {
        pushed_before},
       {"flights.tilted_inertia", "rods whose principal axes are not their own come down on a plate", queries, true,
        tilted_inertia},
+      {"flights.equal_moments", "polytopes of three equal moments and a density fly at others, turning", queries, true,
+       equal_moments},
       {"flights.dumbbells", "two small bodies on an arm come down on a plate, turning", queries, true, dumbbells},
   };
 }
