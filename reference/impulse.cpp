@@ -321,11 +321,23 @@ Triple solve_exactly(ImpulseTruth& truth, const ImpactProblem<mpq_class>& exact,
   return outcome.end.P;
 }
 
-Triple solve_nearly(ImpulseTruth& truth, const ImpactProblem<mpq_class>& exact, const ImpactProblem<Float>& problem,
-                    Digits digits) {
-  if (digits == Digits::many) return recorded(truth, exact, problem, nearly(problem));
+/// In double-doubles; none if these do not do, if numbers on the way leave the range of doubles, or if slip turns for too
+/// long, as it may where they do.
+std::optional<Triple> solve_shortly(ImpulseTruth& truth, const ImpactProblem<mpq_class>& exact,
+                                    const ImpactProblem<Float>& problem) try {
+  if (!two_doubles_do(problem)) return {};
   const Scaled scaled = in_double_doubles(problem);
-  return recorded(truth, exact, problem, nearly(scaled.problem), scaled.shift, scaled.shift_of_u);
+  const Outcome<DoubleDouble> outcome = nearly(scaled.problem);
+  const auto is_number = [](const DoubleDouble& x) { return std::isfinite(x.hi) && std::isfinite(x.lo); };
+  const auto& [P1, P2, P3] = outcome.end.P;
+  for (const DoubleDouble& x : {P1, P2, P3, outcome.p_c, outcome.end.p, outcome.near_jump.value_or(0)}) {
+    if (!is_number(x)) return {};
+  }
+  const Triple P = recorded(truth, exact, problem, outcome, scaled.shift, scaled.shift_of_u);
+  truth.error = stated_error(problem, P, Digits::some);
+  return P;
+} catch (const InputError&) {
+  return {};
 }
 
 Triple solve(ImpulseTruth& truth, const ImpactProblem<mpq_class>& exact, Digits digits) {
@@ -333,12 +345,12 @@ Triple solve(ImpulseTruth& truth, const ImpactProblem<mpq_class>& exact, Digits 
   try {
     return solve_exactly(truth, exact, problem);
   } catch (const Irrational&) {
-    if (digits == Digits::some && !two_doubles_do(problem)) digits = Digits::many;
-    if (digits == Digits::many) {
-      if (const auto P = solve_enclosed(truth, exact, problem)) return *P;
+    if (digits == Digits::some) {
+      if (const auto P = solve_shortly(truth, exact, problem)) return *P;
     }
-    const Triple P = solve_nearly(truth, exact, problem, digits);
-    truth.error = stated_error(problem, P, digits);
+    if (const auto P = solve_enclosed(truth, exact, problem)) return *P;
+    const Triple P = recorded(truth, exact, problem, nearly(problem));
+    truth.error = stated_error(problem, P, Digits::many);
     return P;
   }
 }

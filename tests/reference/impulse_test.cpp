@@ -291,6 +291,24 @@ TEST_CASE("impulse: some digits are the first of many, within what is stated, ho
   }
 }
 
+// Found by fuzzing: the squares of such numbers leave the range of doubles, and rationals of what is no number end the
+// program.
+TEST_CASE("impulse: some digits of a friction of 10^26 and more, beyond what double-doubles can multiply") {
+  for (const double mu : {0x1p86, 0x1p300, 0x1p600}) {
+    const Scene scene = tests::scene({.mass = 0x1p53,
+                                      .I = diagonal(0x1p86, 0x1p86, 0x1p87),
+                                      .r = {393216, -262144, 262143},
+                                      .v = {0, -1, -0x1p-30},
+                                      .w = {0, 0, 0},
+                                      .law = Law::poisson,
+                                      .e = 1,
+                                      .mu = mu});
+    const ImpulseTruth some = impulse(scene, Digits::some), many = impulse(scene);
+    const ExactVec3 off = {some.P_A_W[0] - many.P_A_W[0], some.P_A_W[1] - many.P_A_W[1], some.P_A_W[2] - many.P_A_W[2]};
+    CHECK(energy(some.K_W, off) <= Rational(some.error) * Rational(some.error));
+  }
+}
+
 // The million of `check --effort standard` met it: slip settles where it neither grows nor shrinks, and a rounding that
 // said it shrinks made it stop at p = 2^100.
 TEST_CASE("impulse: slip that settles and keeps its speed") {
