@@ -100,7 +100,7 @@ Solid solid(const Compound& compound) {
   for (const Part& part : compound.parts) {
     Solid posed = std::visit([](const auto& shape) { return solid(shape); }, part.shape);
     const Mat3 R = lin_canny::rotation(part.X_BP.q_WB);
-    const Mat3 of_each = R.cwiseAbs();  // an error of R, 12u, is one of entries of the least size too
+    const Mat3 of_each = R.cwiseAbs();  // R's own error, 12u, is in the constants
     posed.centroid_error = of_each * posed.centroid_error + Vec3::Constant(16 * u * posed.centroid.norm()) +
                            8 * u * part.X_BP.p_WB.cwiseAbs();
     posed.covariance_error =
@@ -157,6 +157,7 @@ std::optional<RoundedMass> rounded_mass(const Body& body) {
 }
 
 std::optional<MassProperties> mass(const Body& body) {
+  if (const auto* given = std::get_if<MassProperties>(&body.mass)) return *given;
   const std::optional<RoundedMass> found = rounded_mass(body);
   return found ? std::optional(found->properties) : std::nullopt;
 }

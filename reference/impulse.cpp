@@ -321,8 +321,8 @@ Triple solve_exactly(ImpulseTruth& truth, const ImpactProblem<mpq_class>& exact,
   return outcome.end.P;
 }
 
-/// In double-doubles; none if these do not do, if numbers on the way leave the range of doubles, or if slip turns for too
-/// long, as it may where they do.
+/// In double-doubles; none if these do not do, if numbers on the way leave the range of doubles, or if slip turns for
+/// too long, as it may where they do.
 std::optional<Triple> solve_shortly(ImpulseTruth& truth, const ImpactProblem<mpq_class>& exact,
                                     const ImpactProblem<Float>& problem) try {
   if (!two_doubles_do(problem)) return {};

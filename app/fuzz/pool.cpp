@@ -4,9 +4,7 @@
 
 namespace touchstone::app {
 
-std::size_t Pool::any(properties::Random& random) const {
-  return random.index(entries_.size());
-}
+std::size_t Pool::any(properties::Random& random) const { return random.index(entries_.size()); }
 
 void Pool::keep(Scene scene, double nearness, properties::Random& random) {
   Entry entry{std::move(scene), nearness};

@@ -8,10 +8,10 @@
 #include <utility>
 #include <vector>
 
-#include "fast/lin_canny/merged_faces.h"
+#include "fast/lin_canny/boundary/merged_faces.h"
+#include "fast/lin_canny/facing.h"
 #include "fast/rounding.h"
 #include "model/box_vertices.h"
-#include "model/infinity.h"
 
 namespace touchstone::fast::lin_canny {
 namespace {
@@ -145,8 +145,8 @@ double greatest_height(const Hull& hull, const Hull::Face& face) {
   return height;
 }
 
-/// So many vertices are compared one by one in less time than a climb takes: measured, at 20 in half of it, at 50 in as
-/// much.
+/// Of so many vertices there is no table: they are compared one by one in less time than a climb takes; at 20 in half
+/// of it, at 50 in as much.
 constexpr int few = 32;
 
 constexpr std::size_t cache_line = alignof(Hull::Spokes);
@@ -226,48 +226,11 @@ Hull::Hull(const Boundary& boundary) : vertices_(boundary.vertices), radius_(gre
     directions_ = CubeMap(static_cast<int>(std::lround(std::sqrt(static_cast<double>(vertex_count()) / 6))));
     const std::size_t row = directions_.row_length();
     for (std::size_t cell = 0; cell < directions_.cell_count(); ++cell) {
-      by_direction.push_back(climbed(cell < row ? 0 : by_direction[cell - row], directions_.direction(cell)));
+      by_direction.push_back(climbed(*this, cell < row ? 0 : by_direction[cell - row], directions_.direction(cell)));
     }
   }
   by_direction_ = by_direction;
   block_ = packed(vertices_, first_spokes_, spokes_, edges_, faces_, corners_, spoke_edges_, by_direction_);
-}
-
-int Hull::highest(const Vec3& d) const {
-  int best = 0;
-  double most = d.dot(vertices_[0]);
-  for (int v = 1; v < vertex_count(); ++v) {
-    const double height = d.dot(vertex(v));
-    best = height > most ? v : best;
-    most = std::max(most, height);
-  }
-  return best;
-}
-
-int Hull::climbed(int from, const Vec3& d) const {
-  const FloatDirection direction(d);
-  int at = from;
-  while (true) {
-    float most = direction.error();
-    int next = at;
-    for (const Spokes& some : spokes(at)) {
-      const FloatDirection::Slopes slopes = direction.slopes(some);
-      for (std::size_t lane = 0; lane < Spokes::lanes; ++lane) {
-        next = slopes[lane] > most ? some.other[lane] : next;
-        most = std::max(most, slopes[lane]);
-      }
-    }
-    if (next == at) return at;
-    at = next;
-  }
-}
-
-int Hull::facing(const Vec3& d) const {
-  if (by_direction_.empty()) return highest(d);
-  const double size = d.lpNorm<Eigen::Infinity>();
-  if (!(size > 0 && size < infinity)) return 0;
-  const Vec3 scaled = d / size;
-  return climbed(by_direction_[directions_.cell(scaled)], scaled);
 }
 
 }  // namespace touchstone::fast::lin_canny

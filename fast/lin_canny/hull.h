@@ -83,12 +83,9 @@ class Hull {
     return spoke_edges_[static_cast<std::size_t>(&some - spokes_.data()) * Spokes::lanes + lane];
   }
 
-  /// The first vertex of greatest d·v as computed. Looks at all of them.
-  int highest(const Vec3& d) const;
-  /// A vertex that is about the highest along d. Few vertices are compared one by one. Of many, a climb begins at the
-  /// one that a table gives for directions like d, and ends where no edge rises as floats can tell. Any vertex, if d is
-  /// 0 or not finite. Requires edges.
-  int facing(const Vec3& d) const;
+  /// A vertex about as high along d as any, from a table; -1 of a hull that has none, since its vertices are few.
+  /// Requires max |d_i| = 1.
+  int by_direction(const Vec3& d) const { return by_direction_.empty() ? -1 : by_direction_[directions_.cell(d)]; }
 
   /// head − tail.
   Vec3 along(const Edge& edge) const { return vertex(edge.head) - vertex(edge.tail); }
@@ -104,10 +101,6 @@ class Hull {
   explicit Hull(std::span<const Vec3> vertices);
   explicit Hull(const Boundary& boundary);
 
-  /// From a vertex along the steepest edges, as floats can tell, to one that no edge leaves upwards. Requires edges and
-  /// max |d_i| = 1. What counts as rising rises in exact numbers too, so it ends.
-  int climbed(int from, const Vec3& d) const;
-
   std::span<const Vec3> vertices_;
   std::span<const int> first_spokes_;  ///< by vertex, with one more at the end
   std::span<const Spokes> spokes_;
@@ -118,7 +111,7 @@ class Hull {
   std::span<const Corner> corners_;
   std::span<const int> spoke_edges_;  ///< by lane
   CubeMap directions_;
-  std::span<const int> by_direction_;         ///< by cell: a vertex about as high as any; none of few vertices
+  std::span<const int> by_direction_;         ///< by cell: a vertex
   std::shared_ptr<const std::byte[]> block_;  ///< of all arrays
 };
 

@@ -5,6 +5,8 @@
 #include <array>
 #include <cstddef>
 
+#include "fast/lin_canny/facing.h"
+
 namespace touchstone::fast::lin_canny {
 namespace {
 
@@ -76,7 +78,7 @@ void keep(const Subset& some, Simplex& held) {
 }  // namespace
 
 VertexDifference lowest(const PosedHull& A, const PosedHull& B, const Vec3& n) {
-  const int a = A.hull->highest(A.turned_in(n)), b = B.hull->highest(B.turned_in(-n));
+  const int a = highest(*A.hull, A.turned_in(n)), b = highest(*B.hull, B.turned_in(-n));
   const Vec3 p_a = A.vertex(a);
   return {a, b, p_a, B.vertex(b) - p_a};
 }

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "fast/lin_canny/facing.h"
 #include "fast/mark.h"
 
 namespace touchstone::fast::lin_canny {
@@ -186,15 +187,15 @@ Walked walk(const PosedHull& A, const PosedHull& B, const FeaturePair& start, st
 }
 
 FeaturePair facing_features(const PosedHull& A, const PosedHull& B) {
-  const auto facing = [&](const Vec3& d) {
-    return std::pair(A.hull->facing(A.turned_in(d)), B.hull->facing(B.turned_in(-d)));
+  const auto along_line = [&](const Vec3& d) {
+    return std::pair(facing(*A.hull, A.turned_in(d)), facing(*B.hull, B.turned_in(-d)));
   };
   const auto difference = [&](const auto& vertices) -> Vec3 {
     return B.vertex(vertices.second) - A.vertex(vertices.first);
   };
-  const auto first = facing(B.t - A.t);
+  const auto first = along_line(B.t - A.t);
   const Vec3 p = difference(first);
-  const auto second = facing(p);
+  const auto second = along_line(p);
   const Vec3 along = difference(second) - p;
   const double s = -p.dot(along) / along.squaredNorm();
   const auto between = [&](const Hull& hull, int v, int w) -> FeatureId {

@@ -53,8 +53,7 @@ Scene concentric_spheres(Random& random) {
 
 /// A corner, the middle of an edge, or a point inside a face: exact.
 Vec3 on_surface(Random& random, const Polytope& solid) {
-  const std::vector<int>& face =
-      solid.faces[random.index(solid.faces.size())];
+  const std::vector<int>& face = solid.faces[random.index(solid.faces.size())];
   const auto corner = [&](std::size_t k) -> const Vec3& { return solid.vertices[static_cast<std::size_t>(face[k])]; };
   switch (random.below(3)) {
     case 0:

@@ -59,6 +59,7 @@ NAMESPACES = [
     (r"fast/(bounds|broad_phase)/.*|fast/time_of_impact/(first_contact|inflation)\.h", {"fast"}),
     (r"fast/simulation/\w+/.*", {"fast::simulation"}),  # private sub-folders, without names of their own
     (r"fast/contact/\w+/.*", {"fast::contact"}),
+    (r"fast/lin_canny/\w+/.*", {"fast::lin_canny"}),
     (r"properties/scenes/rapidcheck_domain\.h", {""}),  # RapidCheck finds showValue by its argument's type
     (r"tests/.*", {"", "tests"}),
     (r"tests/bench/.*", {"bench", "oracle"}),

@@ -1,5 +1,5 @@
 // Half-edges of a tetrahedron, and of what is no closed surface.
-#include "fast/lin_canny/half_edges.h"
+#include "fast/lin_canny/boundary/half_edges.h"
 
 #include "model/input_error.h"
 #include "tests/catch.h"

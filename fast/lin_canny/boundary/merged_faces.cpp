@@ -1,4 +1,4 @@
-#include "fast/lin_canny/merged_faces.h"
+#include "fast/lin_canny/boundary/merged_faces.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

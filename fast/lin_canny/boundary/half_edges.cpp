@@ -1,4 +1,4 @@
-#include "fast/lin_canny/half_edges.h"
+#include "fast/lin_canny/boundary/half_edges.h"
 
 #include <algorithm>
 #include <string>

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "fast/lin_canny/half_edges.h"
+#include "fast/lin_canny/boundary/half_edges.h"
 #include "model/shape.h"
 
 namespace touchstone::fast::lin_canny {
