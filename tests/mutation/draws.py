@@ -88,13 +88,15 @@ def file_at(tree, files, part):
     return files[-1]
 
 
-def draws(tree, mutants_of, seed, groups=TURNS):
-    """Endless, without repetition as long as there are others; `mutants_of(path)` gives the mutants of a file."""
+def draws(tree, mutants_of, seed, groups=TURNS, is_wanted=lambda path: True):
+    """Endless, without repetition as long as there are others; `mutants_of(path)` gives the mutants of a file. Files that
+    are not wanted are not read, and their mutants are left out."""
     files = {group: tree.files(group) for group in set(groups)}
     seen, number, misses = set(), 0, 0
     while misses < 10_000:
         group = groups[number % len(groups)]
-        mutants = mutants_of(file_at(tree, files[group], fraction(seed, number, "file")))
+        path = file_at(tree, files[group], fraction(seed, number, "file"))
+        mutants = mutants_of(path) if is_wanted(path) else []
         number += 1
         mutant = mutants[int(fraction(seed, number, "mutant") * len(mutants))] if mutants else None
         if mutant is None or mutant.id in seen:

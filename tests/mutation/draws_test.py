@@ -1,5 +1,6 @@
 """Draws are a function of the source and the seed; a header counts with the sources that include it."""
 
+import itertools
 import pathlib
 import tempfile
 import types
@@ -63,6 +64,15 @@ class Draws(unittest.TestCase):
                          ["fast"] * 4 + ["reference", "judge", "judge", None, "fast"])
         self.assertIsNone(draws.group_of("app/main.cpp"))
         self.assertEqual({mutant.path for mutant in taken(self.tree, 10, 1, ("reference",))}, {"reference/mass.cpp"})
+
+    def test_the_draws_of_some_files_are_those_of_all_and_no_other_file_is_read(self):
+        is_wanted = lambda path: path.startswith("fast/")  # noqa: E731
+        read = []
+        some = draws.draws(self.tree, lambda path: read.append(path) or mutants_of(path), 1, is_wanted=is_wanted)
+        every = draws.draws(self.tree, mutants_of, 1)
+        self.assertEqual([next(some).id for _ in range(20)],
+                         [mutant.id for mutant in itertools.islice(filter(lambda m: is_wanted(m.path), every), 20)])
+        self.assertTrue(all(map(is_wanted, read)))
 
     def test_a_header_is_built_with_the_sources_that_include_it(self):
         self.assertEqual(self.tree.sources_of("fast/deep.h"),

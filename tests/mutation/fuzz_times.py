@@ -58,11 +58,9 @@ class Times:
     def of_query(self, query):
         """The results of mutants until enough are found."""
         enough, tried = self.options.faults, 0
-        for mutant in draws.draws(self.tree, self.reader, self.options.seed, ("fast",)):
+        for mutant in draws.draws(self.tree, self.reader, self.options.seed, ("fast",), lambda path: is_of(query, path)):
             if enough == 0 or tried == self.options.tries:
                 return
-            if not is_of(query, mutant.path):
-                continue
             found = self.known.get((query, mutant.id)) or self.measured(query, mutant)
             if found["builds"]:
                 tried += 1
