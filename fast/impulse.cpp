@@ -23,8 +23,10 @@ struct Side {
   Vec3 r = Vec3::Zero();  ///< from the centre of mass to C, in W
   Vec3 velocity = Vec3::Zero();
   double speed_error = 0;  ///< of the velocity at C, m/s
-  double slenderness = 0;  ///< (|r| + the lengths r was computed from) / sqrt(least moment of inertia), kg^-1/2
-  double mass_error = 0;   ///< of the mass and of L⁻¹ I L⁻ᵀ, relative
+  /// (The lengths that r was computed from, and its error from that of the centre of mass over 16 u) / sqrt(least
+  /// moment of inertia), kg^-1/2.
+  double slenderness = 0;
+  double mass_error = 0;  ///< of the mass and of L⁻¹ I L⁻ᵀ, relative
 };
 
 Side side_of(const Body& body, const Vec3& p_WC) {
@@ -42,11 +44,13 @@ Side side_of(const Body& body, const Vec3& p_WC) {
       lin_canny::turn_error * w * reach + w * centre_error + 8 * u * (body.velocity.v_WBcm.norm() + w * side.r.norm());
   if (given != nullptr) {
     side.inverse_mass = 1 / given->mass;
-    const Mat3 L = given->I_BBcm_B.llt().matrixL();
+    const Eigen::LLT<Mat3> factors = given->I_BBcm_B.llt();
+    const Mat3 L = factors.matrixL();
     side.M = L.triangularView<Eigen::Lower>().solve(R.transpose());
     side.slenderness = (reach + centre_error / (16 * u)) / L.diagonal().minCoeff();
     const Mat3 inverse = L.triangularView<Eigen::Lower>().solve(Mat3::Identity()).cwiseAbs();
     side.mass_error = rounded->mass_error + (inverse * rounded->inertia_error * inverse.transpose()).norm();
+    if (factors.info() != Eigen::Success) side.mass_error = infinity;
   }
   return side;
 }

@@ -229,12 +229,14 @@ double stated_error(const ImpactProblem<Float>& problem, const Triple& exact_P, 
 }
 
 /// Double-doubles are enough for `some` digits if K is not near singular, the approach is not lost beside the slip (the
-/// work of Stronge's law sooner than velocities), and the restitution is not lost beside the compression.
+/// work of Stronge's law sooner than velocities), the restitution is not lost beside the compression, and friction is
+/// moderate: the work of Stronge's law is a difference of terms that grow with μ², and fourth powers of μ ≤ 2^30 are
+/// far from overflow.
 bool two_doubles_do(const ImpactProblem<Float>& problem) {
-  const Float most = ldexp(Float(1), problem.law == Law::stronge && problem.e > 0 ? 20 : 200);
+  const bool by_work = problem.law == Law::stronge && problem.e > 0;
   const bool approaches = inner(problem.u0, problem.N) < 0;
-  return condition(problem) <= 0x1p44 && approaches && grazes(problem) <= most &&
-         (problem.e == 0 || problem.e >= 0x1p-18);
+  return condition(problem) <= 0x1p44 && approaches && grazes(problem) <= ldexp(Float(1), by_work ? 20 : 200) &&
+         (problem.e == 0 || problem.e >= 0x1p-18) && problem.cone <= ldexp(Float(1), by_work ? 12 : 60);
 }
 
 /// Impulses along n, not along N. ν is an irrational root in general, so they are only within 2^-260 even where P is

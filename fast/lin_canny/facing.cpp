@@ -1,8 +1,7 @@
 #include "fast/lin_canny/facing.h"
 
 #include <algorithm>
-
-#include "model/infinity.h"
+#include <cstddef>
 
 namespace touchstone::fast::lin_canny {
 
@@ -37,7 +36,7 @@ int climbed(const Hull& hull, int from, const Vec3& d) {
 
 int facing(const Hull& hull, const Vec3& d) {
   const double size = d.lpNorm<Eigen::Infinity>();
-  if (!(size > 0 && size < infinity)) return 0;
+  if (!(size > 0) || !d.allFinite()) return 0;
   const Vec3 scaled = d / size;
   const int near = hull.by_direction(scaled);
   return near < 0 ? highest(hull, d) : climbed(hull, near, scaled);

@@ -18,8 +18,8 @@ namespace touchstone::fast::lin_canny {
 ///
 /// Laid out for caches, since of many pairs in turn each query finds its hulls in memory: one block, aligned to cache
 /// lines, and no vector that two vertices and a normal give. It never changes, so copies share it. For n vertices of
-/// degree 6 some 370 n bytes: 24 n of vertices, 132 n of spokes and 32 n of their edges, 48 n of edges, 80 n of faces,
-/// 48 n of corners, some 6 n of the table by direction.
+/// degree 6 some 368 n bytes: 24 n of vertices, 132 n of spokes and 32 n of their edges, 48 n of edges, 80 n of faces,
+/// 48 n of corners, 4 n of the table by direction.
 class Hull {
  public:
   /// An edge runs from tail to head, counter-clockwise around face[0] and clockwise around face[1], both seen from

@@ -53,7 +53,7 @@ int farthest_face(const Hull& hull, const Vec3& x) {
 }
 
 /// A walk that takes more steps started far away: its memory is of another pose, or it has none. Few walks of a body
-/// that turns by 10 degrees a frame do, and of unrelated poses most do. A choice.
+/// that turns by 10 degrees a frame do, and of unrelated poses of large hulls most do. A choice.
 constexpr int steps_from_afar = 5;
 
 class Walk {

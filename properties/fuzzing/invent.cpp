@@ -2,8 +2,8 @@
 
 #include <Eigen/Core>
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -214,7 +214,7 @@ Changed other_forces(Scene scene, const Scene&, Random& random) {
     return scene;
   }
   AppliedForce force;
-  force.time = motion.sample_times.back() / 8 * random.below(8);
+  if (random.one_in(2)) force.time = motion.sample_times.back() / 8 * random.below(8);
   force.body = random.below(static_cast<int>(scene.bodies.size()));
   const double unit = power_of_two(-4, 4, random);
   force.force_W = unit * small_vector(random);

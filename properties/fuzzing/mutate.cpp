@@ -408,7 +408,7 @@ constexpr Mutation all[] = {
     {"other_normal", of_copy<other_normal>},
     {"other_raster", of_copy<other_raster>},
     {"other_times", of_copy<other_times>},
-    {"other_forces", of_copy<other_forces>, For::more_than_pairs},
+    {"other_forces", of_copy<other_forces>},
     {"place", of_copy<place>, For::more_than_pairs},
 };
 

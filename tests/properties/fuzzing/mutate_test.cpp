@@ -132,8 +132,8 @@ TEST_CASE("From the first scene of its first family alone, mutations of a query 
       {"distance", all_of({solids, compound})},
       {"penetration", solids},
       {"pixel", all_of({solids, compound})},
-      {"impulse", all_of({solids, masses, {"moves", "turns"}})},
-      {"time_of_impact", all_of({solids, compound, motion})},
+      {"impulse", all_of({solids, compound, masses, {"moves", "turns"}})},
+      {"time_of_impact", all_of({solids, compound, masses, motion, {"force"}})},
       {"simulation", all_of({solids, compound, masses, motion, {"force", "three bodies"}})},
       {"constraint", all_of({solids, masses, motion, {"force", "three bodies"}})}};
   for (const std::string& name : tested_queries()) {
