@@ -35,7 +35,8 @@ TEST_CASE("facing: what is no direction gives a vertex too") {
   for (const int vertices : {8, 300}) {
     const Hull hull(tests::round_hull(dice, vertices));
     const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
-    for (const Vec3& d : {Vec3(0, 0, 0), Vec3(nan, 0, 0), Vec3(1, nan, 0), Vec3(1, 0, nan), Vec3(inf, 1, 0), Vec3(-inf, inf, nan)}) {
+    for (const Vec3& d :
+         {Vec3(0, 0, 0), Vec3(nan, 0, 0), Vec3(1, nan, 0), Vec3(1, 0, nan), Vec3(inf, 1, 0), Vec3(-inf, inf, nan)}) {
       CHECK(facing(hull, d) == 0);
     }
   }
