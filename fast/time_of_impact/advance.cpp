@@ -106,7 +106,7 @@ class Advance {
       ++queries_;
       // Mostly they overlap by then, and no plane separates them.
       const SeparationQuery next(pair_, t, memory, known_, h > 32 * first ? Planes::all : Planes::likely);
-      if (next.overlap(query)) return hit(query, t);
+      if (next.overlap(query)) return hit(query, sooner(query, h > first ? t - h / 2 : t_, t));
       if (next.plane().is_clear()) {
         if (may_have_met(next, t - t_)) doubt(query.at_most(), t);
         t_ = t;
@@ -115,6 +115,19 @@ class Advance {
       }
       if (t >= until_) return doubtful(t_, until_, query.at_most());
     }
+  }
+
+  /// A time of overlap: `hi`, or one of two that halve the interval from `lo`, at which none was proved.
+  double sooner(const SeparationQuery& query, double lo, double hi) {
+    for (int halvings = 0; halvings < 2; ++halvings) {
+      const double t = lo + (hi - lo) / 2;
+      lin_canny::FeaturePair memory = memory_;
+      mark(Mark::toi_wait);
+      ++queries_;
+      const SeparationQuery between(pair_, t, memory, known_, Planes::likely);
+      (between.overlap(query) ? hi : lo) = t;
+    }
+    return hi;
   }
 
   /// The time in which approach, or acceleration, carries the two through the gap that rounding hides. Where they
