@@ -122,8 +122,7 @@ Velocity pushed(const Body& body, const Side& side, const Vec3& P) {
 /// The solver's error; the effect of rounding u, in the norm of K⁻¹; and that of rounding M [r]×: with |δW| ≤ 16 u
 /// (slenderness), |K^(-1/2) δ(WᵀW) K^(-1/2)| ≤ 2 |δW|/sqrt(least eigenvalue), and the impulse changes by a few times as
 /// much (measured: docs/design/impulse.md); and that of masses computed from densities, which changes K by a share of
-/// itself. All relative to |u|_{K⁻¹}, or to |P|_K/2 if that is more because Newton's
-/// law adds so much energy.
+/// itself. All relative to |u|_{K⁻¹}, or to |P|_K/2 if that is more because Newton's law adds so much energy.
 double error_of(const Stated& stated, const Vec3& velocity, const Vec3& P) {
   const Eigen::SelfAdjointEigenSolver<Mat3> eigen(stated.K);
   const double least = eigen.eigenvalues()[0], greatest = eigen.eigenvalues()[2];

@@ -130,16 +130,6 @@ Mat3 inertia(double density, const Mat3& covariance) {
   return I;
 }
 
-/// Of each entry of the inertia.
-Mat3 inertia_error(double density, const Mat3& covariance_error) {
-  Mat3 error = density * covariance_error;
-  for (int i = 0; i < 3; ++i) {
-    const int j = (i + 1) % 3, k = (i + 2) % 3;
-    error(i, i) = density * (covariance_error(j, j) + covariance_error(k, k));
-  }
-  return error;
-}
-
 std::optional<RoundedMass> mass(const Shape&, const Fixed&) { return std::nullopt; }
 std::optional<RoundedMass> mass(const Shape&, const MassProperties& given) { return RoundedMass{given}; }
 std::optional<RoundedMass> mass(const Shape& shape, const Density& density) {
@@ -147,7 +137,7 @@ std::optional<RoundedMass> mass(const Shape& shape, const Density& density) {
   return RoundedMass{{density.value * whole.volume, whole.centroid, inertia(density.value, whole.covariance)},
                      whole.volume_error,
                      whole.centroid_error,
-                     inertia_error(density.value, whole.covariance_error)};
+                     inertia(density.value, whole.covariance_error).cwiseAbs()};
 }
 
 }  // namespace

@@ -323,8 +323,7 @@ Triple solve_exactly(ImpulseTruth& truth, const ImpactProblem<mpq_class>& exact,
   return outcome.end.P;
 }
 
-/// In double-doubles; none if these do not do, if numbers on the way leave the range of doubles, or if slip turns for
-/// too long, as it may where they do.
+/// In double-doubles. None if these are not enough, if a result is not finite, or if slip turns in too many phases.
 std::optional<Triple> solve_shortly(ImpulseTruth& truth, const ImpactProblem<mpq_class>& exact,
                                     const ImpactProblem<Float>& problem) try {
   if (!two_doubles_do(problem)) return {};

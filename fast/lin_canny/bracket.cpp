@@ -4,16 +4,11 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "fast/lin_canny/facing.h"
 #include "fast/mark.h"
 
 namespace touchstone::fast::lin_canny {
 namespace {
-
-double highest_of_all(const Hull& hull, const Vec3& n) {
-  double highest = n.dot(hull.vertex(0));
-  for (const Vec3& v : hull.vertices()) highest = std::max(highest, n.dot(v));
-  return highest;
-}
 
 /// max n·x over the hull; `own`: n is the normal of the face that the feature is.
 double height(const PosedHull& P, const FeatureId& feature, const Vec3& n, bool own) {
@@ -30,7 +25,7 @@ double height(const PosedHull& P, const FeatureId& feature, const Vec3& n, bool 
     }
   }
   mark(Mark::face_scan);
-  return highest_of_all(hull, n);
+  return greatest_height(hull, n);
 }
 
 /// v without its component along e.

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "fast/lin_canny/facing.h"
 #include "fast/mark.h"
 
 namespace touchstone::fast::lin_canny {
@@ -82,13 +83,6 @@ Vec3 perpendicular(const PosedHull& A, const Support& in_A, const PosedHull& B, 
   return n.squaredNorm() > clearly_crossing ? n : across_unit(across_unit(d, e), f);
 }
 
-/// max n·x over all vertices x; n in the hull's frame.
-double height_of_all(const Hull& hull, const Vec3& n) {
-  double highest = n.dot(hull.vertex(0));
-  for (const Vec3& v : hull.vertices()) highest = std::max(highest, n.dot(v));
-  return highest;
-}
-
 }  // namespace
 
 Simplex descend(const PosedHull& A, const PosedHull& B, double rounding_error) {
@@ -119,7 +113,8 @@ Bracket bracket(const PosedHull& A, const PosedHull& B, const Simplex& nearest, 
     Vec3 n = unit_or_zero(along);
     if (n.isZero(0)) return;
     if (n.dot(d) < 0) n = -n;
-    const double up_to_A = height_of_all(*A.hull, A.turned_in(n)), up_to_B = height_of_all(*B.hull, B.turned_in(-n));
+    const double up_to_A = greatest_height(*A.hull, A.turned_in(n)),
+                 up_to_B = greatest_height(*B.hull, B.turned_in(-n));
     const double lo = gap_between(A, B, n, up_to_A, up_to_B, rounding_error);
     if (!found.n.isZero(0) && lo <= found.lo) return;
     found.n = n;
@@ -138,7 +133,7 @@ std::vector<int> closest_vertices(const PosedHull& P, const Vec3& n, const Simpl
                                   int VertexDifference::*side) {
   const Hull& hull = *P.hull;
   const Vec3 direction = P.turned_in(n);
-  const double level = height_of_all(hull, direction) - 2 * (P.turn_error + 7 * u) * hull.radius();
+  const double level = greatest_height(hull, direction) - 2 * (P.turn_error + 7 * u) * hull.radius();
   std::vector<int> vertices;
   vertices.reserve(4);
   for (int v = 0; v < hull.vertex_count(); ++v) {

@@ -8,6 +8,9 @@ namespace touchstone::fast::lin_canny {
 /// The first vertex of greatest d·v as computed. Looks at all of them.
 int highest(const Hull& hull, const Vec3& d);
 
+/// max d·v over all vertices v, as computed.
+inline double greatest_height(const Hull& hull, const Vec3& d) { return d.dot(hull.vertex(highest(hull, d))); }
+
 /// From a vertex along the steepest edges, as floats can tell, to one that no edge leaves upwards. Requires edges and
 /// max |d_i| = 1. What counts as rising rises in exact numbers too, so it ends.
 int climbed(const Hull& hull, int from, const Vec3& d);

@@ -141,8 +141,7 @@ double greatest_height(const Hull& hull, const Hull::Face& face) {
       }
     }
   }
-  for (int v = 0; !sure && v < hull.vertex_count(); ++v) height = std::max(height, height_of(v));
-  return height;
+  return sure ? height : std::max(height, greatest_height(hull, face.normal));
 }
 
 /// Of so many vertices there is no table: they are compared one by one in less time than a climb takes; at 20 in half

@@ -95,9 +95,9 @@ Quaternion axes(const Mat3& C) {
 ExactMatrix turned(const ExactMatrix& M, const Quaternion& q) {
   const Dyadic w(q.w), x(q.x), y(q.y), z(q.z), two(2);
   const Dyadic ww = w * w, xx = x * x, yy = y * y, zz = z * z;
-  const std::array<std::array<Dyadic, 3>, 3> N{{{ww + xx - yy - zz, two * (x * y - w * z), two * (x * z + w * y)},
-                                                {two * (x * y + w * z), ww + yy - xx - zz, two * (y * z - w * x)},
-                                                {two * (x * z - w * y), two * (y * z + w * x), ww + zz - xx - yy}}};
+  const ExactMatrix N{{{ww + xx - yy - zz, two * (x * y - w * z), two * (x * z + w * y)},
+                       {two * (x * y + w * z), ww + yy - xx - zz, two * (y * z - w * x)},
+                       {two * (x * z - w * y), two * (y * z + w * x), ww + zz - xx - yy}}};
   ExactMatrix D;
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) {

@@ -102,10 +102,8 @@ class Advance {
     for (double h = first;; h *= 2) {
       const double t = std::min(t_ + h, until_);
       lin_canny::FeaturePair memory = memory_;
-      mark(Mark::toi_wait);
-      ++queries_;
       // Mostly they overlap by then, and no plane separates them.
-      const SeparationQuery next(pair_, t, memory, known_, h > 32 * first ? Planes::all : Planes::likely);
+      const SeparationQuery next = after_wait(t, memory, h > 32 * first ? Planes::all : Planes::likely);
       if (next.overlap(query)) return hit(query, sooner(query, h > first ? t - h / 2 : t_, t));
       if (next.plane().is_clear()) {
         if (may_have_met(next, t - t_)) doubt(query.at_most(), t);
@@ -117,15 +115,18 @@ class Advance {
     }
   }
 
+  SeparationQuery after_wait(double t, lin_canny::FeaturePair& memory, Planes planes) {
+    mark(Mark::toi_wait);
+    ++queries_;
+    return {pair_, t, memory, known_, planes};
+  }
+
   /// A time of overlap: `hi`, or one of two that halve the interval from `lo`, at which none was proved.
   double sooner(const SeparationQuery& query, double lo, double hi) {
     for (int halvings = 0; halvings < 2; ++halvings) {
       const double t = lo + (hi - lo) / 2;
       lin_canny::FeaturePair memory = memory_;
-      mark(Mark::toi_wait);
-      ++queries_;
-      const SeparationQuery between(pair_, t, memory, known_, Planes::likely);
-      (between.overlap(query) ? hi : lo) = t;
+      (after_wait(t, memory, Planes::likely).overlap(query) ? hi : lo) = t;
     }
     return hi;
   }

@@ -3,7 +3,6 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
-#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -26,12 +25,6 @@ Body& one_body(Scene& scene, Random& random) { return scene.bodies[random.index(
 
 double power_of_two(int least, int greatest, Random& random) { return std::exp2(random.between(least, greatest)); }
 
-Vec3 small_vector(Random& random) {
-  Vec3 v;
-  for (double& x : v) x = random.whole(-4, 4);
-  return v;
-}
-
 /// Half the sides of the solid's box, in its own axes.
 Vec3 half_extents_of(const ConvexShape& shape) {
   if (const auto* sphere = std::get_if<Sphere>(&shape)) return Vec3::Constant(sphere->radius);
@@ -42,12 +35,12 @@ Vec3 half_extents_of(const ConvexShape& shape) {
 }
 
 /// Lattice points times powers of two, so that cocircular ones stay so.
-Polytope round_prism(const Vec3& half, Random& random) {
+std::vector<Vec3> round_prism(const Vec3& half, Random& random) {
   const int squared_radius = random.pick({5, 25, 65, 325});
   Polytope prism = properties::prism(lattice_circle(squared_radius), -1, 1);
   const double across = std::exp2(std::ilogb(half.head<2>().minCoeff() / std::sqrt(squared_radius)));
   for (Vec3& v : prism.vertices) v = Vec3(across * v.x(), across * v.y(), half.z() * v.z());
-  return prism;
+  return prism.vertices;
 }
 
 ConvexShape solid_of(const Vec3& half, Random& random) {
@@ -64,24 +57,14 @@ ConvexShape solid_of(const Vec3& half, Random& random) {
     case 4:
       return Polytope{{x + y + z, x - y - z, y - x - z, z - x - y}, {}};
     default:
-      return Polytope{round_prism(half, random).vertices, {}};
+      return Polytope{round_prism(half, random), {}};
   }
 }
 
-std::vector<Part> parts_of(const Shape& shape) {
-  if (const auto* compound = std::get_if<Compound>(&shape)) return compound->parts;
-  const auto alone = [](const auto& solid) -> ConvexShape {
-    if constexpr (std::is_same_v<std::decay_t<decltype(solid)>, Compound>) {
-      return solid.parts.front().shape;
-    } else {
-      return solid;
-    }
-  };
-  return {{{}, std::visit(alone, shape)}};
-}
-
-Shape as_shape(const ConvexShape& solid) {
-  return std::visit([](const auto& shape) -> Shape { return shape; }, solid);
+/// A body that is no compound is its only part.
+std::vector<Part> parts_of(const Scene& scene, std::size_t body) {
+  if (const auto* compound = std::get_if<Compound>(&scene.bodies[body].shape)) return compound->parts;
+  return {{{}, oracle::shape_at(scene, {body, 0})}};
 }
 
 MassProperties given_mass(const Body& body, Random& random) {
@@ -112,8 +95,8 @@ Changed other_solid(Scene scene, const Scene&, Random& random) {
 Changed join_part(Scene scene, const Scene& other, Random& random) {
   const Scene& source = random.one_in(2) || other.bodies.empty() ? scene : other;
   Part part{{}, oracle::shape_at(source, random.pick(oracle::slots(source)))};
-  Body& body = one_body(scene, random);
-  std::vector<Part> parts = parts_of(body.shape);
+  const std::size_t body = random.index(scene.bodies.size());
+  std::vector<Part> parts = parts_of(scene, body);
   if (parts.size() >= most_parts) return std::nullopt;
   const Part& beside = random.pick(parts);
   const int axis = random.below(3);
@@ -123,16 +106,17 @@ Changed join_part(Scene scene, const Scene& other, Random& random) {
   part.X_BP.p_WB[axis] += sign * face_to_face * random.pick({1.0, 1.0, 0.5, 2.0});
   if (random.one_in(2)) part.X_BP.q_WB = random.one_in(2) ? axes_quaternion(random) : small_quaternion(random);
   parts.push_back(std::move(part));
-  body.shape = Compound{std::move(parts)};
+  scene.bodies[body].shape = Compound{std::move(parts)};
   return scene;
 }
 
 Changed drop_part(Scene scene, const Scene&, Random& random) {
-  Body& body = one_body(scene, random);
-  std::vector<Part> parts = parts_of(body.shape);
+  const std::size_t body = random.index(scene.bodies.size());
+  std::vector<Part> parts = parts_of(scene, body);
   if (parts.size() < 2) return std::nullopt;
   parts.erase(parts.begin() + static_cast<std::ptrdiff_t>(random.index(parts.size())));
-  body.shape = parts.size() == 1 ? as_shape(parts.front().shape) : Shape(Compound{std::move(parts)});
+  scene.bodies[body].shape = Compound{parts};
+  if (parts.size() == 1) std::visit([&](const auto& solid) { scene.bodies[body].shape = solid; }, parts.front().shape);
   return scene;
 }
 
@@ -153,7 +137,7 @@ Changed other_mass(Scene scene, const Scene&, Random& random) {
 
 Changed other_normal(Scene scene, const Scene&, Random& random) {
   if (!scene.contact) return std::nullopt;
-  const Vec3 n = small_vector(random);
+  const Vec3 n = small_vector(random, 4);
   if (n.isZero(0)) return std::nullopt;
   scene.contact->nhat_BA_W = n / n.norm();
   return scene;
@@ -217,7 +201,7 @@ Changed other_forces(Scene scene, const Scene&, Random& random) {
   if (random.one_in(2)) force.time = motion.sample_times.back() / 8 * random.below(8);
   force.body = random.below(static_cast<int>(scene.bodies.size()));
   const double unit = power_of_two(-4, 4, random);
-  force.force_W = unit * small_vector(random);
+  force.force_W = unit * small_vector(random, 4);
   motion.force_bound = std::max(motion.force_bound, force.force_W.lpNorm<1>());
   forces.insert(std::ranges::upper_bound(forces, force.time, {}, &AppliedForce::time), force);
   return scene;

@@ -19,6 +19,8 @@ COMPILER = re.compile(r"(.*/)?(c\+\+|g\+\+|clang\+\+)(-\d+)?$")
 INCLUDED = re.compile(r'^#include "(.+)"$', re.MULTILINE)
 COMPILE_LIMIT = 300  # CPU seconds
 REPLACE = "-Wl,--allow-multiple-definition"  # the first definition is taken
+# A c++ that is ccache knows the headers of the original, and may not see one that comes before them in a mutant's folder.
+WITHOUT_CACHE = ("env", "CCACHE_DISABLE=1")
 TAKES_A_VALUE = ("-o", "-c", "-MT", "-MF")
 
 
@@ -87,7 +89,7 @@ class Workshop:
         The name of the source is relative to the folder, so equal sources give equal objects."""
         out = folder / (source + ".o")
         words = compile_words(self.commands[source]["command"])
-        run = limited.run([words[0], "-I.", *words[1:], "-o", str(out), "-c", source], COMPILE_LIMIT, folder)
+        run = limited.run([*WITHOUT_CACHE, words[0], "-I.", *words[1:], "-o", str(out), "-c", source], COMPILE_LIMIT, folder)
         return (out if run.code == 0 and run.in_time else None), run.output
 
     def write(self, folder, source, content):

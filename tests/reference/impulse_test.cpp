@@ -273,6 +273,11 @@ TEST_CASE("impulse: two moving bodies, turned any way, the same impact seen from
 
 Rational energy(const std::array<ExactVec3, 3>& K, const ExactVec3& P) { return dot(P, times(K, P)); }
 
+bool is_within_its_error(const ImpulseTruth& some, const ImpulseTruth& many) {
+  const ExactVec3 off = {some.P_A_W[0] - many.P_A_W[0], some.P_A_W[1] - many.P_A_W[1], some.P_A_W[2] - many.P_A_W[2]};
+  return energy(some.K_W, off) <= Rational(some.error) * Rational(some.error);
+}
+
 TEST_CASE("impulse: some digits are the first of many, within what is stated, however slender the bodies") {
   tests::Dice dice(63);
   for (int i = 0; i < 160; ++i) {
@@ -285,8 +290,7 @@ TEST_CASE("impulse: some digits are the first of many, within what is stated, ho
     CHECK(some.modes == many.modes);
     CHECK(some.ambiguous.has_value() == many.ambiguous.has_value());
     if (many.ambiguous) continue;
-    const ExactVec3 off = {some.P_A_W[0] - many.P_A_W[0], some.P_A_W[1] - many.P_A_W[1], some.P_A_W[2] - many.P_A_W[2]};
-    CHECK(energy(some.K_W, off) <= Rational(some.error) * Rational(some.error));
+    CHECK(is_within_its_error(some, many));
     CHECK(many.error <= some.error);
   }
 }
@@ -304,8 +308,7 @@ TEST_CASE("impulse: some digits are the first of many, within what is stated, ho
     const ImpulseTruth some = impulse(scene, Digits::some), many = impulse(scene);
     CAPTURE(i, problem.mu, some.error, many.error);
     if (many.ambiguous) continue;
-    const ExactVec3 off = {some.P_A_W[0] - many.P_A_W[0], some.P_A_W[1] - many.P_A_W[1], some.P_A_W[2] - many.P_A_W[2]};
-    CHECK(energy(some.K_W, off) <= Rational(some.error) * Rational(some.error));
+    CHECK(is_within_its_error(some, many));
   }
 }
 
@@ -323,8 +326,7 @@ TEST_CASE("impulse: frictions whose squares leave the range of doubles, and near
                              law_of(Law::newton, 0.5, 0x1.ep499, {2, 2, 1}, 6, {-4, 2, -2}, {2, -3, -3}, {1, 0, 0}),
                              law_of(Law::stronge, 1, 0x1p29, {7, 3, 4}, 8, {1, 2, -1}, {-4, -4, -3}, {2, 2, 2})}) {
     const ImpulseTruth some = impulse(scene, Digits::some), many = impulse(scene);
-    const ExactVec3 off = {some.P_A_W[0] - many.P_A_W[0], some.P_A_W[1] - many.P_A_W[1], some.P_A_W[2] - many.P_A_W[2]};
-    CHECK(energy(some.K_W, off) <= Rational(some.error) * Rational(some.error));
+    CHECK(is_within_its_error(some, many));
   }
 }
 
