@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "fast/exact/rotation.h"
 #include "fast/lin_canny/rotation.h"
 #include "model/infinity.h"
 
@@ -26,39 +27,17 @@ Matrix times(const Matrix& L, const Matrix& M) {
   return product;
 }
 
-struct Rotation {
-  Matrix M;
-  Dyadic D;
-};
-
-/// As in model/frame.h, without the division.
-Rotation rotation(const Quaternion& q) {
-  const Dyadic w = q.w;
-  const Dyadic x = q.x;
-  const Dyadic y = q.y;
-  const Dyadic z = q.z;
-  const Dyadic two = 2;
-  const Dyadic ww = w * w;
-  const Dyadic xx = x * x;
-  const Dyadic yy = y * y;
-  const Dyadic zz = z * z;
-  return {{Vector{ww + xx - yy - zz, two * (x * y - w * z), two * (x * z + w * y)},
-           Vector{two * (x * y + w * z), ww - xx + yy - zz, two * (y * z - w * x)},
-           Vector{two * (x * z - w * y), two * (y * z + w * x), ww - xx - yy + zz}},
-          ww + xx + yy + zz};
-}
-
 }  // namespace
 
 Difference::Posed::Posed(const PosedPoints& solid) : points_(solid.points), R_(Mat3::Identity()) {
   M_ = {Vector{1, 0, 0}, Vector{0, 1, 0}, Vector{0, 0, 1}};
   D_ = 1;
   for (const Pose& X : solid.poses) {
-    const Rotation turn = rotation(X.q_WB);
+    const ScaledRotation turn = scaled_rotation(X.q_WB);
     const Vector moved = times(M_, vector(X.p_WB)) + t_;
-    t_ = turn.D * moved;
-    M_ = times(M_, turn.M);
-    D_ = D_ * turn.D;
+    t_ = turn.squared_length * moved;
+    M_ = times(M_, turn.rows);
+    D_ = D_ * turn.squared_length;
     R_ = R_ * lin_canny::rotation(X.q_WB);
   }
   for (const Vec3& v : points_) radius_ = std::max(radius_, v.lpNorm<1>());

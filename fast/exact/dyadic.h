@@ -44,6 +44,8 @@ class Dyadic {
   Limbs limbs_;      ///< first and last are not 0; empty for 0
 };
 
+inline Dyadic magnitude(const Dyadic& x) { return x.sign() < 0 ? -x : x; }
+
 /// The same as a double; ±infinity or 0 beyond the range.
 double approximate(const Dyadic::Scientific& x);
 

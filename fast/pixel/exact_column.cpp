@@ -1,7 +1,6 @@
 #include "fast/pixel/exact_column.h"
 
-#include <array>
-
+#include "fast/exact/rotation.h"
 #include "fast/mark.h"
 
 namespace touchstone::fast::pixel {
@@ -13,30 +12,14 @@ using exact::Vector;
 Fraction operator-(const Fraction& a, const Fraction& b) { return {a.num * b.den - b.num * a.den, a.den * b.den}; }
 bool less(const Fraction& a, const Fraction& b) { return (a - b).num.sign() < 0; }
 
-/// D R p with D = |q|²: M p, rows of M.
-struct Turn {
-  std::array<Vector, 3> M;
-  Dyadic D;
-
-  Vector operator()(const Vector& p) const { return {dot(M[0], p), dot(M[1], p), dot(M[2], p)}; }
-};
-
-Turn turn(const Quaternion& q) {
-  const Dyadic w = q.w, x = q.x, y = q.y, z = q.z, two = 2.0;
-  return {{{{w * w + x * x - y * y - z * z, two * (x * y - w * z), two * (x * z + w * y)},
-            {two * (x * y + w * z), w * w - x * x + y * y - z * z, two * (y * z - w * x)},
-            {two * (x * z - w * y), two * (y * z + w * x), w * w - x * x - y * y + z * z}}},
-          w * w + x * x + y * y + z * z};
-}
-
-/// From the innermost pose out: p = P/D becomes (M P + |q|² D t)/(|q|² D).
+/// From the innermost pose out: p = P/D becomes (|q|² R P + |q|² D t)/(|q|² D).
 Vector place(const Vec3& p, const std::vector<Pose>& poses) {
   Vector P = exact::vector(p);
   Dyadic D = 1.0;
   for (std::size_t k = poses.size(); k-- > 0;) {
-    const Turn R = turn(poses[k].q_WB);
-    D = D * R.D;
-    P = R(P) + D * exact::vector(poses[k].p_WB);
+    const exact::ScaledRotation turn = exact::scaled_rotation(poses[k].q_WB);
+    D = D * turn.squared_length;
+    P = turn * P + D * exact::vector(poses[k].p_WB);
   }
   return P;
 }
@@ -58,7 +41,7 @@ bool starts_before_end(const Column& x, const Column& y) {
 bool meet(const Column& a, const Column& b) { return starts_before_end(a, b) && starts_before_end(b, a); }
 
 ExactPart::ExactPart(const Part& part) : D_(1.0) {
-  for (const Pose& pose : part.poses) D_ = D_ * turn(pose.q_WB).D;
+  for (const Pose& pose : part.poses) D_ = D_ * exact::scaled_rotation(pose.q_WB).squared_length;
   if (const auto* sphere = std::get_if<Sphere>(&part.shape)) {
     centre_ = place(Vec3::Zero(), part.poses);
     radius_ = sphere->radius;

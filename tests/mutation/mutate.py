@@ -35,8 +35,9 @@ A mutant is a copy of one file of fast/, reference/, oracle/ or properties/ with
 constant, a condition negated, a statement dropped, arguments exchanged, a wrong index or sign, the other direction of
 rounding, an early return. The seed decides which mutants are tried. Each is built in a folder of its own (the source
 is never changed) and tried in this order until something is red:
-  quick      check --effort quick with the queries that reach the file. A mutant of fast or of the reference is the
-             subject. A mutant of the judge (oracle, properties) judges both, and then the canaries.
+  quick      check --effort quick with the queries that reach the file. A mutant of fast is the subject. A fault of the
+             reference is in the judge, which asks fast, and of few scenes in the subject too. A mutant of the judge
+             (oracle, properties) judges fast, the reference and the canaries.
   standard   check --effort standard, with another seed, for a limited time
   tests      the unit tests of the file
 A mutant that does not compile, or whose machine code is that of the original, counts for nothing; another is drawn."""

@@ -62,11 +62,7 @@ Scene turning_over(Random& random) {
 
 /// It turns by about half a turn while it comes down on a wide plate; often nearly about its long axis, so that its
 /// ends hardly move at first.
-Scene onto_a_plate(Random& random, Body body, const Vec3& axis, const Mat3& moments) {
-  MassProperties given;
-  given.mass = random.whole(1, 4);
-  given.I_BBcm_B = given.mass * moments;
-  body.mass = given;
+Scene onto_a_plate(Random& random, Body body, const Vec3& axis) {
   Vec3 w = 0.5 * small_vector(random, 3);
   if (random.one_in(2)) {
     const Vec3 astray = 0.125 * small_vector(random, 2);
@@ -82,6 +78,13 @@ Scene onto_a_plate(Random& random, Body body, const Vec3& axis, const Mat3& mome
   return thrown(random, moving(at(std::move(body), from), v, w), std::move(plate), motion_until(4));
 }
 
+MassProperties some_mass(Random& random, const Mat3& moments) {
+  MassProperties given;
+  given.mass = random.whole(1, 4);
+  given.I_BBcm_B = given.mass * moments;
+  return given;
+}
+
 Mat3 some_tilted_moments(Random& random) {
   Mat3 a, b, c;
   a << 3, 1, 0, 1, 3, 0, 0, 0, 3;  // 2, 4 and 3
@@ -93,10 +96,13 @@ Mat3 some_tilted_moments(Random& random) {
 /// A rod whose principal axes of inertia are not its own.
 Scene tilted_inertia(Random& random) {
   Body rod = at_rest(Box{Vec3{random.whole(3, 4), random.pick({0.125, 0.25, 1.0}), 0.125}});
-  return onto_a_plate(random, std::move(rod), Vec3::UnitX(), some_tilted_moments(random));
+  const Mat3 moments = some_tilted_moments(random);
+  rod.mass = some_mass(random, moments);
+  return onto_a_plate(random, std::move(rod), Vec3::UnitX());
 }
 
-/// Two small bodies at the ends of a massless arm: they reach far from the centre of mass.
+/// Two small bodies at the ends of a massless arm: they reach far from the centre of mass. With a density, one moment
+/// is far smaller than the others.
 Scene dumbbells(Random& random) {
   Compound compound;
   const double arm = random.whole(2, 4), half = random.pick({0.125, 0.25, 0.5});
@@ -106,8 +112,15 @@ Scene dumbbells(Random& random) {
     if (random.one_in(2)) shape = Box{Vec3{half, 0.5 * half, half}};
     compound.parts.push_back({{side * end, random.one_in(2) ? Quaternion{} : small_quaternion(random)}, shape});
   }
+  Body dumbbell = at_rest(std::move(compound));
   const Mat3 moments = random.one_in(2) ? some_tilted_moments(random) : Mat3(Vec3(3, 4, 5).asDiagonal());
-  return onto_a_plate(random, at_rest(std::move(compound)), along, moments);
+  const MassProperties given = some_mass(random, moments);
+  if (random.one_in(2)) {
+    dumbbell.mass = Density{random.pick({0.5, 1.0, 3.0})};
+  } else {
+    dumbbell.mass = given;
+  }
+  return onto_a_plate(random, std::move(dumbbell), along);
 }
 
 /// A polytope of three equal moments, which are sums that round: it rotates steadily, but about no axis of its own.
@@ -168,7 +181,8 @@ std::vector<Family> off_centre_motion_families() {
        tilted_inertia},
       {"flights.equal_moments", "polytopes of three equal moments and a density fly at others, turning", queries, true,
        equal_moments},
-      {"flights.dumbbells", "two small bodies on an arm come down on a plate, turning", queries, true, dumbbells},
+      {"flights.dumbbells", "two small bodies on an arm, half of them of a density, come down on a plate, turning",
+       queries, true, dumbbells},
   };
 }
 
