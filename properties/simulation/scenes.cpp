@@ -111,22 +111,28 @@ std::optional<FirstImpact> first_impact(const Scene& scene, const Trajectory& sa
 }
 
 // The first impact keeps its time to within its window. Later impacts may differ, since the envelope leaves a choice.
-Finding first_impact_unchanged(const Scene& scene, const std::optional<Scene>& other, Subject& subject) {
+// `pace`: how many times as fast time runs in the other scene, a power of two.
+Finding first_impact_unchanged(const Scene& scene, const std::optional<Scene>& other, Subject& subject,
+                               double pace = 1) {
   return of_timeline(scene, subject, [&](const TrajectoryCase& asked, const Timeline&) {
     const std::optional<FirstImpact> first = first_impact(scene, asked.said, asked.precision);
     if (!first) return judge::outside("the first impact is not clear: rounding decides");
     return of_moved(other, subject, [&](const Scene& moved) {
       return judge::given(subject.simulation(moved), [&](const Trajectory& said) {
         const Event* event = first_event(said);
-        if (event == nullptr && complete_until(moved, said) < first->time + 2 * first->window) {
+        if (event == nullptr && pace * complete_until(moved, said) < first->time + 2 * first->window) {
           return judge::silent("its events until the first impact");
         }
         if (event == nullptr)
           return judge::wrong(Defect::moved_with_frame, "no impact", text(*first_event(asked.said)));
         return judge::at_most(
-            std::abs(event->time - first->time), {2 * first->window, first->window, "windows of the first impact"},
-            Defect::moved_with_frame, [&] { return text(*event); },
-            [&] { return text(*first_event(asked.said)) + ", as before"; });
+            std::abs(pace * event->time - first->time),
+            {2 * first->window, first->window, "windows of the first impact"}, Defect::moved_with_frame,
+            [&] { return text(*event); },
+            [&] {
+              return text(*first_event(asked.said)) +
+                     (pace == 1 ? ", as before" : ", where time runs slower " + words::text(pace) + " times");
+            });
       });
     });
   });
@@ -142,6 +148,13 @@ Finding shifted(const Scene& scene, Subject& subject) {
 
 Finding galilean(const Scene& scene, Subject& subject) {
   return first_impact_unchanged(scene, scene.motion ? carried(scene) : std::nullopt, subject);
+}
+
+Finding hastened_run(const Scene& scene, Subject& subject) {
+  if (subject.card().stepping) return judge::outside("time steps, which have a unit");
+  constexpr int doublings = 5;
+  return first_impact_unchanged(scene, scene.motion ? hastened(scene, doublings) : std::nullopt, subject,
+                                std::ldexp(1.0, doublings));
 }
 
 Finding renumbered(const Scene& scene, Subject& subject) {
@@ -496,6 +509,11 @@ std::vector<Property> simulation_scene_properties() {
        {clause + "15"},
        "a velocity added to all bodies changes no first impact",
        galilean},
+      {"simulation.hastened",
+       query,
+       {clause + "44"},
+       "in a motion that is 2^5 times as fast, the first impact comes 2^5 times as soon",
+       hastened_run},
       {"simulation.renumbered", query, {clause + "26"}, "renumbering the bodies changes no first impact", renumbered},
       {"simulation.mirrored", query, {clause + "26"}, "mirroring the world changes no first impact", reflected},
       {"simulation.bystanders",
