@@ -162,8 +162,8 @@ def exchanged_arguments(tree, node):
     if node.cursor.spelling in SYMMETRIC:
         return
     for left, right in zip(arguments, arguments[1:]):
-        if left.end <= right.begin and left.text != right.text and left.type_name() == right.type_name():
-            between = tree.source[left.end:right.begin].decode()
+        between = tree.source[left.end:right.begin].decode()  # operands in a template have no comma between them
+        if "," in between and left.text != right.text and left.type_name() == right.type_name():
             yield "arguments", left.begin, right.end, f"{right.text}{between}{left.text}"
 
 

@@ -80,6 +80,10 @@ class Mutants(unittest.TestCase):
                     ("arguments", "double f(double a, double b) { return mix(b, a, 1); }"))
         self.expect("double f(double a, double b) { return a - b; }",
                     ("arguments", "double f(double a, double b) { return (b) - (a); }"))
+        in_a_template = ("struct I {};\nI operator*(const I&, const I&);\n"
+                         "template <class E> double f(E a) { return mix(E(a * E(2)), 1, 0); }")
+        self.assertEqual([m.after for m in mutants_of(in_a_template)[0] if m.kind == "arguments"],
+                         ["template <class E> double f(E a) { return mix(E(a * E(2)), 0, 1); }"])
 
     def test_indices(self):
         self.expect("double f(double* a) { return a[2]; }", ("index", "double f(double* a) { return a[1]; }"))
