@@ -27,8 +27,8 @@ SEEDS = (1, 2, 3)
 FOLDER_OF = {"distance": "lin_canny"}  # of the others: their own name
 
 
-def is_of(query, path):
-    """Whether the source belongs to this query alone: what queries share is found by any of them."""
+def is_named_after(query, path):
+    """What queries share is found by any of them, so sources of one query are taken, by their names."""
     return path == f"fast/{query}.cpp" or path.startswith(f"fast/{FOLDER_OF.get(query, query)}/")
 
 
@@ -49,8 +49,8 @@ class Times:
         self.options, self.tree = options, draws.SourceTree(ROOT)
         self.shop = workshop.Workshop(ROOT, build, self.tree, build / "mutation" / mutate.digest_of_source())
         self.reader = mutate.Reader(self.shop, self.tree)
-        self.queries = reach.Reach(self.tree, self.shop.object_of, self.shop.original).queries
-        self.trial = trial.Trial(self.shop, self.queries, trial.Limits())
+        self.reach = reach.Reach(self.tree, self.shop.object_of, self.shop.original)
+        self.trial = trial.Trial(self.shop, self.reach, trial.Limits())
         self.file = self.shop.place / "fuzz_times.jsonl"
         lines = self.file.read_text().splitlines() if self.file.exists() else []
         self.known = {(found["query"], found["id"]): found for found in map(json.loads, lines)}
@@ -58,7 +58,8 @@ class Times:
     def of_query(self, query):
         """The results of mutants until enough are found."""
         enough, tried = self.options.faults, 0
-        for mutant in draws.draws(self.tree, self.reader, self.options.seed, ("fast",), lambda path: is_of(query, path)):
+        for mutant in draws.draws(self.tree, self.reader, self.options.seed, ("fast",),
+                                  lambda path: is_named_after(query, path) and query in self.reach.queries(path)):
             if enough == 0 or tried == self.options.tries:
                 return
             found = self.known.get((query, mutant.id)) or self.measured(query, mutant)
@@ -73,10 +74,12 @@ class Times:
                  "builds": False}
         try:
             if objects := self.shop.objects(mutant, folder):
-                subject = self.shop.link("touchstone-subject-fast", objects, folder)
+                of_collider = query == "distance" and not self.is_asked_once(mutant.path)
+                name = "fast.collider" if of_collider else "fast"
+                subject = self.shop.link(f"touchstone-subject-{name}", objects, folder)
                 program = self.shop.link("touchstone", objects, folder)
                 found.update(builds=True, check=self.check(query, subject, folder),
-                             fuzz=[self.fuzz(query, program, seed, folder) for seed in SEEDS])
+                             fuzz=[self.fuzz(query, f"inproc:{name}", program, seed, folder) for seed in SEEDS])
         except workshop.DoesNotLink:
             pass
         finally:
@@ -85,6 +88,10 @@ class Times:
         with self.file.open("a") as file:
             file.write(json.dumps(found) + "\n")
         return found
+
+    def is_asked_once(self, path):
+        """Whether it is of fast::distance, and not of the collider alone."""
+        return bool(self.reach.of_file(path) & self.reach.reached_from(("fast/distance.cpp",)))
 
     def check(self, query, subject, folder):
         """CPU seconds until a check finds it, the effort, and the law; None: neither does."""
@@ -97,9 +104,9 @@ class Times:
                 return {"seconds": round(spent, 1), "effort": effort, "by": kill.by}
         return None
 
-    def fuzz(self, query, program, seed, folder):
+    def fuzz(self, query, subject, program, seed, folder):
         """CPU seconds until it is found, and by what; None: it is not."""
-        words = [program, "fuzz", query, "--subject", "inproc:fast", "--empty-corpus", "--first-failure", "--time",
+        words = [program, "fuzz", query, "--subject", subject, "--empty-corpus", "--first-failure", "--time",
                  self.options.time, "--seed", seed, "--out", folder / "findings", "--json"]
         run = limited.run(list(map(str, words)), 2 * self.options.time)
         if run.code == 0 and run.in_time:

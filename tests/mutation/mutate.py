@@ -300,8 +300,7 @@ def main(words):
     known = results.read_results(file) | merged
     if options.shard:
         wanted = iter(options.shard.of(list(itertools.islice(wanted, options.sample))))
-    trier = trial.Trial(shop, reach.Reach(tree, shop.object_of, shop.original).queries, trial.Limits(),
-                        options.tests_only)
+    trier = trial.Trial(shop, reach.Reach(tree, shop.object_of, shop.original), trial.Limits(), options.tests_only)
     found = try_all(wanted, options.sample, options.jobs, known,
                     functools.partial(judge_one, shop, trier), functools.partial(results.add_result, file))
     if options.shard:

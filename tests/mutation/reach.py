@@ -13,7 +13,12 @@ import draws
 QUERIES = ("mass", "bounds", "broad_phase", "pixel", "distance", "penetration", "impulse", "time_of_impact",
            "constraint", "simulation")
 ROOTS = {"fast": "fast/", "reference": "reference/", "judge": "properties/"}
-ALSO = {"broad_phase": ("pair_history", "broad_phase_sequences")}  # files that answer or judge the same query
+# Further files that answer or judge a query, and the folder in which all do.
+ALSO = {"broad_phase": ("pair_history", "broad_phase_sequences"), "distance": ("collider",), "mass": ("motion/mass",),
+        "bounds": ("hull/bounds",), "pixel": ("pixel/pixel",), "impulse": ("impulse_laws",),
+        "constraint": ("constraint_motions",)}
+JUDGED_IN = {"simulation": "properties/simulation/"}
+COLLIDERS = ("collider", "collider_first")
 STRATEGIES = ("all_pairs", "sweep_and_prune", "sweep_2d", "bsp", "octree", "uniform_grid", "hierarchical_hash",
               "wrapped_grid")
 TEST_FOLDERS = {"fast": ("fast",), "reference": ("reference",), "judge": ("oracle", "properties")}
@@ -70,6 +75,17 @@ class Object:
                 # A relative reference is counted from its end, 4 bytes on; a table's, which is absolute, is not, but
                 # its addends are beginnings of functions, and these are at least 4 bytes long.
                 yield self.at(section, int(row[1], 16)), self.at(target, addend + 4) if is_place else self.name(target)
+        yield from self.calls_within_a_section()
+
+    def calls_within_a_section(self):
+        """The assembler resolves these, so they have no relocation."""
+        words = ["objdump", "-d", "-r", "-w", "--no-show-raw-insn", str(self.path)]
+        user = None
+        for line in subprocess.run(words, capture_output=True, text=True, check=True).stdout.splitlines():
+            if heading := re.match(r"[0-9a-f]+ <(\S+)>:$", line):
+                user = self.name(heading[1])
+            elif call := re.search(r"\t(?:call|j\w+|lea)\s.*<(\S+?)(?:\+0x[0-9a-f]+)?>$", line):
+                yield user, self.name(call[1])
 
 
 class Reach:
@@ -81,7 +97,8 @@ class Reach:
         for path in sorted({str(object_of(path)) for path in tree.code if path.endswith(".cpp")}):
             if pathlib.Path(path).exists():
                 for user, used in Object(path).references():
-                    self.uses[user].add(used)
+                    if user and used:  # else it is in a place without a symbol, which would connect all that has one
+                        self.uses[user].add(used)
 
     @functools.lru_cache(maxsize=None)
     def symbols(self, source):
@@ -90,7 +107,13 @@ class Reach:
     @functools.lru_cache(maxsize=None)
     def of_query(self, group, query):
         names = [f"{ROOTS[group]}{name}.cpp" for name in (query, *ALSO.get(query, ()))]
-        waiting = [symbol for name in names if name in self.tree.code for symbol in self.symbols(name)]
+        if group == "judge" and query in JUDGED_IN:
+            names += [name for name in self.tree.code if name.startswith(JUDGED_IN[query]) and name.endswith(".cpp")]
+        return self.reached_from(tuple(name for name in names if name in self.tree.code))
+
+    @functools.lru_cache(maxsize=None)
+    def reached_from(self, sources):
+        waiting = [symbol for source in sources for symbol in self.symbols(source)]
         seen = set(waiting)
         while waiting:
             for other in self.uses[waiting.pop()] - seen:
@@ -98,11 +121,22 @@ class Reach:
                 waiting.append(other)
         return seen
 
+    def of_file(self, path):
+        return {symbol for source in self.tree.sources_of(path) for symbol in self.symbols(source)}
+
+    def further_subjects(self, path, query):
+        """The subjects beside `fast` that answer the query by this file of fast: the strategies of the broad phase, and
+        the collider."""
+        if query == "broad_phase":
+            return strategies(path)
+        is_of_collider = query == "distance" and self.of_file(path) & self.reached_from(("fast/collider.cpp",))
+        return COLLIDERS if is_of_collider else ()
+
     def queries(self, path):
         """The queries that reach a file, its own first. A judge's file that none reaches draws scenes or speaks with
         subjects, for all queries, or it makes failing scenes smaller, for none."""
         group = draws.group_of(path)
-        defines = {symbol for source in self.tree.sources_of(path) for symbol in self.symbols(source)}
+        defines = self.of_file(path)
         reached = [query for query in QUERIES if defines & self.of_query(group, query)]
         serves_all = group == "judge" and not reached and not path.startswith("oracle/minimise/")
         if path.startswith("oracle/subjects/") or serves_all:

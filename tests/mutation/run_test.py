@@ -31,7 +31,9 @@ int mass(int a) {
 FILES = {
     "fast/mass.cpp": MASS,
     "fast/limit.h": "#pragma once\nnamespace fast {\ninline int limit() { return 3; }\n}\n",
-    "fast/bounds.cpp": "namespace fast {\nint mass(int);\nint bounds() { return mass(1); }\n}\n",
+    "fast/bounds.cpp": "namespace fast {\nint mass(int);\n"
+                       "namespace { [[gnu::noinline]] int one() { return mass(1); } }\n"
+                       "int bounds() { return one(); }\n}\n",
     "program.cpp": '#include <cstdio>\nnamespace fast { int mass(int); int bounds(); }\n'
                    'int main() { for (int i = -1; i < 6; ++i) std::printf("%d ", fast::mass(i)); return fast::bounds() == 7; }\n',
     "tests/fast/mass_test.cpp": "",
@@ -100,7 +102,7 @@ class Project(unittest.TestCase):
         cls.tree = draws.SourceTree(cls.root)
         cls.shop = workshop.Workshop(cls.root, build, cls.tree, build / "mutation")
         cls.reach = reach.Reach(cls.tree, cls.shop.object_of, cls.shop.original)
-        cls.trial = trial.Trial(cls.shop, cls.reach.queries, trial.Limits())
+        cls.trial = trial.Trial(cls.shop, cls.reach, trial.Limits())
 
     @classmethod
     def tearDownClass(cls):
@@ -117,7 +119,7 @@ class Project(unittest.TestCase):
                          ("killed", "quick", "mass.value", 7, "solids 4"))
 
     def test_without_check_no_property_kills(self):
-        tests_only = trial.Trial(self.shop, self.reach.queries, trial.Limits(), tests_only=True)
+        tests_only = trial.Trial(self.shop, self.reach, trial.Limits(), tests_only=True)
         self.assertEqual(self.verdict(mutant("a < limit()", "a > limit()"), tests_only)["outcome"], "survived")
 
     def test_a_broken_answer_kills(self):

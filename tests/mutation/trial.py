@@ -45,8 +45,8 @@ class BaseFails(Exception):
 
 
 class Trial:
-    def __init__(self, shop, queries, limits, tests_only=False):
-        self.workshop, self.queries, self.limits, self.tests_only = shop, queries, limits, tests_only
+    def __init__(self, shop, reached, limits, tests_only=False):
+        self.workshop, self.reach, self.limits, self.tests_only = shop, reached, limits, tests_only
         self.base, self.lock = {}, threading.Lock()
         self.base_file = shop.place / "base.json"
 
@@ -134,12 +134,11 @@ class Trial:
             yield self.killed_by_tests("tests", link(target), target, words)
 
     def checks(self, mutant, group, link, folder):
-        queries, original = self.queries(mutant.path), self.workshop.program
+        queries, original = self.reach.queries(mutant.path), self.workshop.program
         if group == "fast":
             judge, program = original("touchstone"), link
-            strategies = [f"{FAST}.{name}" for name in reach.strategies(mutant.path)]
-            asked = [(name, query) for query in queries for name in
-                     [FAST, *(strategies if query == "broad_phase" else [])]]
+            asked = [(f"{FAST}{name}", query) for query in queries for name in
+                     ["", *(f".{further}" for further in self.reach.further_subjects(mutant.path, query))]]
         else:  # a fault of the reference is in the truth of the judge too
             judge, faulty = link("touchstone"), [REFERENCE] if group == "reference" else []
             program = lambda name: (link if name in faulty else original)(name)

@@ -1,15 +1,12 @@
 #include "oracle/subjects/touchstone/fast.h"
 
-#include <optional>
 #include <stdexcept>
-#include <variant>
 
 #include "fast/bounds.h"
 #include "fast/broad_phase.h"
 #include "fast/constraint.h"
 #include "fast/distance.h"
 #include "fast/impulse.h"
-#include "fast/mark.h"
 #include "fast/mass.h"
 #include "fast/penetration.h"
 #include "fast/pixel.h"
@@ -17,8 +14,8 @@
 #include "fast/simulation.h"
 #include "fast/time_of_impact.h"
 #include "model/input_error.h"
-#include "oracle/query.h"
 #include "oracle/subject.h"
+#include "oracle/subjects/touchstone/fast_work.h"
 #include "oracle/subjects/touchstone/fast_work_limits.h"
 
 namespace touchstone::oracle::subjects {
@@ -27,22 +24,7 @@ namespace {
 class Fast : public Subject {
  public:
   const Card& card() const override { return card_; }
-  /// How often each mark is reached.
-  Answer<Work> work(const std::string& query, const Scene& scene) override {
-    const fast::MarkCounts before = fast::mark_counts;
-    const auto ask = [&](auto function) -> std::optional<Abstains> {
-      const auto answer = (this->*function)(scene);
-      const auto* abstains = std::get_if<Abstains>(&answer);
-      return abstains == nullptr ? std::nullopt : std::optional(*abstains);
-    };
-    if (const auto abstains = std::visit(ask, find_query(query)->ask)) return *abstains;
-    const fast::MarkCounts reached = fast::marks_since(before);
-    Work counts;
-    for (std::size_t m = 0; m < reached.size(); ++m) {
-      if (reached[m] > 0) counts[fast::mark_names[m]] = reached[m];
-    }
-    return counts;
-  }
+  Answer<Work> work(const std::string& query, const Scene& scene) override { return fast_work(*this, query, scene); }
 
   Answer<Masses> mass(const Scene& scene) override { return fast::mass(scene); }
   Answer<Bounds> bounds(const Scene& scene) override { return fast::bounds(scene); }

@@ -1,12 +1,16 @@
 #include "oracle/subjects/touchstone/fast_work_limits.h"
 
 namespace touchstone::oracle::subjects {
+namespace {
+
+constexpr int generic = 16;
+
+}  // namespace
 
 // Most limits are a number of steps for each search, and a base for one search that takes long. A depth in a needle
 // takes hundreds of steps, and a pair that touches is decided by exact arithmetic, so the promises about distance and
 // penetration are about 16 generic placements together.
 std::vector<WorkLimit> fast_work_limits() {
-  constexpr int generic = 16;
   return {
       {"distance", "exact_proximity", 12, {}, generic},
       {"distance", "descent_step", 96, {{"vertices", 0.75}}, generic},
@@ -68,6 +72,18 @@ std::vector<WorkLimit> fast_work_limits() {
       {"constraint", "exact_proximity", 32, {{"walk", 0.1}}},
       {"constraint", "exact_step", 32, {{"exact_proximity", 8}}},
       {"constraint", "contact_row", 256, {{"contact_sweep", 64}}},
+  };
+}
+
+std::vector<WorkLimit> fast_collider_work_limits() {
+  return {
+      {"distance", "walk_step", 16, {{"walk", 4}}},
+      {"distance", "walk_in_doubles", 16, {{"walk", 2}}},
+      {"distance", "walk_inside", 8, {{"walk", 2}}},
+      {"distance", "walk_restart", 8, {{"walk", 1}}},
+      {"distance", "face_scan", 16, {{"walk", 2}}},
+      {"distance", "exact_proximity", 12, {}, generic},
+      {"distance", "exact_step", 8, {{"exact_proximity", 8}}},
   };
 }
 

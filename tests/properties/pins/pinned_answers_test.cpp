@@ -9,6 +9,7 @@
 #include "model/json.h"
 #include "oracle/query.h"
 #include "oracle/subjects/touchstone/fast.h"
+#include "oracle/subjects/touchstone/fast_collider.h"
 #include "oracle/subjects/touchstone/fast_strategies.h"
 #include "oracle/subjects/touchstone/reference.h"
 #include "properties/scenes/extreme.h"
@@ -123,6 +124,15 @@ TEST_CASE("pins: the answers of the strategies of fast") {
     now += answers(subject->card().name, *subject, {"broad_phase", "pair_history"}, {32, 0});
   }
   CHECK(tests::changed_lines("strategy_answers.txt", now) == std::vector<std::string>{});
+}
+
+TEST_CASE("pins: the answers of the collider of fast") {
+  std::string now;
+  for (const char* name : {"collider", "collider_first"}) {
+    const auto subject = oracle::subjects::make_fast_collider(name);
+    now += answers(subject->card().name, *subject, {"distance"}, {32, 0});
+  }
+  CHECK(tests::changed_lines("collider_answers.txt", now) == std::vector<std::string>{});
 }
 
 TEST_CASE("pins: the answers of the reference") {

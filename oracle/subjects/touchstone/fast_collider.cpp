@@ -1,0 +1,116 @@
+#include "oracle/subjects/touchstone/fast_collider.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "fast/broad_phase/all_pairs.h"
+#include "fast/collider.h"
+#include "model/input_error.h"
+#include "oracle/subject.h"
+#include "oracle/subjects/touchstone/fast_work.h"
+#include "oracle/subjects/touchstone/fast_work_limits.h"
+
+namespace touchstone::oracle::subjects {
+namespace {
+
+using fast::lin_canny::FeatureId;
+using fast::lin_canny::Hull;
+using fast::lin_canny::Kind;
+using fast::lin_canny::NearestParts;
+using fast::lin_canny::Solid;
+
+constexpr double always_near = 0x1p900;  // m
+
+std::vector<int> vertices_of(const Hull& hull, const FeatureId& feature) {
+  if (feature.kind == Kind::vertex) return {feature.index};
+  if (feature.kind == Kind::edge) return {hull.edge(feature.index).tail, hull.edge(feature.index).head};
+  std::vector<int> corners;
+  for (const Hull::Corner& corner : hull.corners(hull.face(feature.index))) corners.push_back(corner.vertex);
+  return corners;
+}
+
+/// Vertices of a hull by their indices in the shape, which may have more: none of those is a corner of the hull. Of
+/// equal vertices the first is named.
+Feature named(const Shape& shape, int part, const std::vector<int>& exact, const FeatureId& walked) {
+  const auto core = [part](const Solid& solid) { return solid.parts()[static_cast<std::size_t>(part)].core; };
+  const Hull hull = core(Solid(shape)), given = core(Solid(shape, Solid::Preparation::vertices));
+  Feature feature{part, exact.empty() ? vertices_of(hull, walked) : exact};
+  for (int& v : feature.vertices) {
+    v = static_cast<int>(std::ranges::find(given.vertices(), hull.vertex(v)) - given.vertices().begin());
+  }
+  std::ranges::sort(feature.vertices);
+  return feature;
+}
+
+/// Some 30 degrees of rotation from X and, unless that is beyond the range of doubles, some way beside it.
+Pose beside(const Pose& X, const Vec3& from) {
+  const auto& [w, x, y, z] = X.q_WB;
+  Pose moved = X;
+  moved.q_WB = {w - x / 4 - y / 8, x + w / 4 + z / 8, y + w / 8 - z / 4, z + y / 4 - x / 8};
+  const Vec3 p = X.p_WB + (X.p_WB - from) / 8;
+  if (p.allFinite()) moved.p_WB = p;
+  return moved;
+}
+
+class FastCollider : public Subject {
+ public:
+  FastCollider(const std::string& name, bool is_first) : is_first_(is_first) {
+    card_.name = "fast." + name;
+    card_.version = "0.1.0";
+    card_.answers = {"distance"};
+    card_.knows_touching = true;
+    card_.about = std::string("Touchstone's collider: Lin and Canny's walk, ") +
+                  (is_first ? "in its first frame" : "from where it ended in the frame before");
+    card_.work_limits = fast_collider_work_limits();
+  }
+
+  const Card& card() const override { return card_; }
+
+  Answer<Work> work(const std::string& query, const Scene& scene) override { return fast_work(*this, query, scene); }
+
+  Answer<Distance> distance(const Scene& scene) override {
+    try {
+      return measured(scene.bodies[0], scene.bodies[1]);
+    } catch (const InputError& beyond) {
+      return Abstains{beyond.what()};
+    } catch (const std::range_error& beyond) {
+      return Abstains{beyond.what()};
+    }
+  }
+
+ private:
+  Distance measured(const Body& A, const Body& B) const {
+    fast::Collider collider(std::make_unique<fast::AllPairs>(), always_near);
+    collider.insert(0, A.shape, A.X_WB);
+    collider.insert(1, B.shape, is_first_ ? B.X_WB : beside(B.X_WB, A.X_WB.p_WB));
+    collider.update();
+    if (!is_first_) {
+      collider.move(1, B.X_WB);
+      collider.update();
+    }
+    const NearestParts& nearest = collider.pairs().at(0).nearest;
+    const fast::lin_canny::Proximity& found = nearest.proximity;
+    Distance answer;
+    answer.verdict = found.verdict;
+    answer.distance = found.distance;
+    answer.enclosure = found.enclosure;
+    answer.p_WCa = found.p_WCa;
+    answer.p_WCb = found.p_WCb;
+    if (found.verdict == Verdict::overlapping) return answer;
+    answer.feature_A = named(A.shape, nearest.part_A, found.closest_vertices_A, found.features.a);
+    answer.feature_B = named(B.shape, nearest.part_B, found.closest_vertices_B, found.features.b);
+    return answer;
+  }
+
+  Card card_;
+  bool is_first_;
+};
+
+}  // namespace
+
+std::unique_ptr<Subject> make_fast_collider(const std::string& name) {
+  return std::make_unique<FastCollider>(name, name == "collider_first");
+}
+
+}  // namespace touchstone::oracle::subjects
