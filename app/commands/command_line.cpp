@@ -153,7 +153,7 @@ void add_subjects(CLI::App& command, std::vector<std::string>& subjects) {
   command
       .add_option("--subjects", subjects,
                   "What to test: names of `touchstone list subjects`, \"exec:COMMAND LINE\" for a program of your own, "
-                  "inproc:reference, inproc:fast, inproc:fast.collider. Default: all subjects that were built")
+                  "inproc:reference, inproc:fast, inproc:fast.warm. Default: all subjects that were built")
       ->type_name("SUBJECT");
 }
 

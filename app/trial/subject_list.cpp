@@ -8,7 +8,7 @@
 #include "model/near_names.h"
 #include "oracle/subject.h"
 #include "oracle/subjects/touchstone/fast.h"
-#include "oracle/subjects/touchstone/fast_collider.h"
+#include "oracle/subjects/touchstone/fast_pairs.h"
 #include "oracle/subjects/touchstone/reference.h"
 
 namespace touchstone::app {
@@ -35,10 +35,10 @@ oracle::PipeLimits limits_of(double time_limit, double simulation_factor) {
 std::unique_ptr<oracle::Subject> connect(const std::string& connectable, oracle::PipeLimits limits) {
   if (connectable == "inproc:reference") return oracle::subjects::make_reference();
   if (connectable == "inproc:fast") return oracle::subjects::make_fast();
-  if (connectable == "inproc:fast.collider") return oracle::subjects::make_fast_collider("collider");
+  if (connectable == "inproc:fast.warm") return oracle::subjects::make_fast_pairs("warm");
   if (is_in_process(connectable)) {
     throw InputError("subject \"" + connectable + '"',
-                     unknown_among(connectable, {"inproc:reference", "inproc:fast", "inproc:fast.collider"}));
+                     unknown_among(connectable, {"inproc:reference", "inproc:fast", "inproc:fast.warm"}));
   }
   return oracle::connect(connectable, subjects_folder(), limits);
 }

@@ -5,7 +5,8 @@ For each query, mutants of fast are drawn as ./touchstone mutate draws them, fro
 enough of them were found by anything: check, or fuzz. check quick and then standard ask the mutant as a subject; three
 times `fuzz --empty-corpus` asks it in its own process, with seeds 1, 2 and 3. A table goes to stdout.
 
-The build folder is that of ./touchstone mutate, which must have been run in it. What is measured is kept there."""
+The build folder is that of ./touchstone mutate, which must have been run in it. What is measured is kept there, in a
+folder beside that of mutate, so both may run at one time."""
 
 import argparse
 import json
@@ -47,7 +48,7 @@ class Times:
     def __init__(self, options):
         build = pathlib.Path(options.build).resolve()
         self.options, self.tree = options, draws.SourceTree(ROOT)
-        self.shop = workshop.Workshop(ROOT, build, self.tree, build / "mutation" / mutate.digest_of_source())
+        self.shop = workshop.Workshop(ROOT, build, self.tree, build / "fuzz_times" / mutate.digest_of_source())
         self.reader = mutate.Reader(self.shop, self.tree)
         self.reach = reach.Reach(self.tree, self.shop.object_of, self.shop.original)
         self.trial = trial.Trial(self.shop, self.reach, trial.Limits())
@@ -74,8 +75,8 @@ class Times:
                  "builds": False}
         try:
             if objects := self.shop.objects(mutant, folder):
-                of_collider = query == "distance" and not self.is_asked_once(mutant.path)
-                name = "fast.collider" if of_collider else "fast"
+                is_followed = query == "distance" and not self.is_asked_once(mutant.path)
+                name = "fast.warm" if is_followed else "fast"
                 subject = self.shop.link(f"touchstone-subject-{name}", objects, folder)
                 program = self.shop.link("touchstone", objects, folder)
                 found.update(builds=True, check=self.check(query, subject, folder),

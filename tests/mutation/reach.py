@@ -18,7 +18,7 @@ ALSO = {"broad_phase": ("pair_history", "broad_phase_sequences"), "distance": ("
         "bounds": ("hull/bounds",), "pixel": ("pixel/pixel",), "impulse": ("impulse_laws",),
         "constraint": ("constraint_motions",)}
 JUDGED_IN = {"simulation": "properties/simulation/"}
-COLLIDERS = ("collider", "collider_first")
+PAIRS = ("warm", "cold")  # of bodies that are followed
 STRATEGIES = ("all_pairs", "sweep_and_prune", "sweep_2d", "bsp", "octree", "uniform_grid", "hierarchical_hash",
               "wrapped_grid")
 TEST_FOLDERS = {"fast": ("fast",), "reference": ("reference",), "judge": ("oracle", "properties")}
@@ -126,11 +126,11 @@ class Reach:
 
     def further_subjects(self, path, query):
         """The subjects beside `fast` that answer the query by this file of fast: the strategies of the broad phase, and
-        the collider."""
+        pairs that are followed."""
         if query == "broad_phase":
             return strategies(path)
-        is_of_collider = query == "distance" and self.of_file(path) & self.reached_from(("fast/collider.cpp",))
-        return COLLIDERS if is_of_collider else ()
+        followed_by = {"distance": "fast/collider.cpp", "penetration": "fast/penetration.cpp"}.get(query)
+        return PAIRS if followed_by and self.of_file(path) & self.reached_from((followed_by,)) else ()
 
     def queries(self, path):
         """The queries that reach a file, its own first. A judge's file that none reaches draws scenes or speaks with

@@ -8,7 +8,7 @@
 
 #include "oracle/subject.h"
 #include "oracle/subjects/touchstone/fast.h"
-#include "oracle/subjects/touchstone/fast_collider.h"
+#include "oracle/subjects/touchstone/fast_pairs.h"
 #include "properties/property.h"
 #include "tests/catch.h"
 
@@ -43,10 +43,12 @@ TEST_CASE("fast holds every property on every test vector") {
   for (const std::string& query : properties::tested_queries()) CHECK(held[query] > 0);
 }
 
-TEST_CASE("the collider holds every property of distance on every test vector") {
-  for (const char* name : {"collider", "collider_first"}) {
-    const auto collider = oracle::subjects::make_fast_collider(name);
-    CHECK(held_by(*collider, {"distance"})["distance"] > 0);
+TEST_CASE("pairs that are followed hold every property of distance and penetration on every test vector") {
+  for (const char* name : {"warm", "cold"}) {
+    const auto pairs = oracle::subjects::make_fast_pairs(name);
+    std::map<std::string, int> held = held_by(*pairs, {"distance", "penetration"});
+    CHECK(held["distance"] > 0);
+    CHECK(held["penetration"] > 0);
   }
 }
 

@@ -9,7 +9,7 @@
 #include "model/json.h"
 #include "oracle/query.h"
 #include "oracle/subjects/touchstone/fast.h"
-#include "oracle/subjects/touchstone/fast_collider.h"
+#include "oracle/subjects/touchstone/fast_pairs.h"
 #include "oracle/subjects/touchstone/fast_strategies.h"
 #include "oracle/subjects/touchstone/reference.h"
 #include "properties/scenes/extreme.h"
@@ -126,13 +126,13 @@ TEST_CASE("pins: the answers of the strategies of fast") {
   CHECK(tests::changed_lines("strategy_answers.txt", now) == std::vector<std::string>{});
 }
 
-TEST_CASE("pins: the answers of the collider of fast") {
+TEST_CASE("pins: the answers of pairs that fast follows") {
   std::string now;
-  for (const char* name : {"collider", "collider_first"}) {
-    const auto subject = oracle::subjects::make_fast_collider(name);
-    now += answers(subject->card().name, *subject, {"distance"}, {32, 0});
+  for (const char* name : {"warm", "cold"}) {
+    const auto subject = oracle::subjects::make_fast_pairs(name);
+    now += answers(subject->card().name, *subject, {"distance", "penetration"}, {32, 0});
   }
-  CHECK(tests::changed_lines("collider_answers.txt", now) == std::vector<std::string>{});
+  CHECK(tests::changed_lines("pair_answers.txt", now) == std::vector<std::string>{});
 }
 
 TEST_CASE("pins: the answers of the reference") {

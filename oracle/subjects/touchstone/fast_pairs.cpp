@@ -1,4 +1,4 @@
-#include "oracle/subjects/touchstone/fast_collider.h"
+#include "oracle/subjects/touchstone/fast_pairs.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -6,6 +6,7 @@
 
 #include "fast/broad_phase/all_pairs.h"
 #include "fast/collider.h"
+#include "fast/penetration.h"
 #include "model/input_error.h"
 #include "oracle/subject.h"
 #include "oracle/subjects/touchstone/fast_work.h"
@@ -53,16 +54,28 @@ Pose beside(const Pose& X, const Vec3& from) {
   return moved;
 }
 
-class FastCollider : public Subject {
+/// The answer; an abstention if a number is beyond the range of doubles, or a depth that of compounds.
+template <class Measure>
+auto unless_beyond(Measure&& measure) -> Answer<decltype(measure())> {
+  try {
+    return measure();
+  } catch (const InputError& beyond) {
+    return Abstains{beyond.what()};
+  } catch (const std::range_error& beyond) {
+    return Abstains{beyond.what()};
+  }
+}
+
+class FastPairs : public Subject {
  public:
-  FastCollider(const std::string& name, bool is_first) : is_first_(is_first) {
+  FastPairs(const std::string& name, bool is_warm) : is_warm_(is_warm) {
     card_.name = "fast." + name;
     card_.version = "0.1.0";
-    card_.answers = {"distance"};
+    card_.answers = {"distance", "penetration"};
     card_.knows_touching = true;
-    card_.about = std::string("Touchstone's collider: Lin and Canny's walk, ") +
-                  (is_first ? "in its first frame" : "from where it ended in the frame before");
-    card_.work_limits = fast_collider_work_limits();
+    card_.about = std::string("Touchstone's collider (Lin and Canny's walk) and penetration pair, ") +
+                  (is_warm ? "from where they ended in the frame before" : "in their first frame");
+    card_.work_limits = fast_pairs_work_limits();
   }
 
   const Card& card() const override { return card_; }
@@ -70,22 +83,25 @@ class FastCollider : public Subject {
   Answer<Work> work(const std::string& query, const Scene& scene) override { return fast_work(*this, query, scene); }
 
   Answer<Distance> distance(const Scene& scene) override {
-    try {
-      return measured(scene.bodies[0], scene.bodies[1]);
-    } catch (const InputError& beyond) {
-      return Abstains{beyond.what()};
-    } catch (const std::range_error& beyond) {
-      return Abstains{beyond.what()};
-    }
+    return unless_beyond([&] { return measured(scene.bodies[0], scene.bodies[1]); });
+  }
+
+  Answer<Penetration> penetration(const Scene& scene) override {
+    const Body &A = scene.bodies[0], &B = scene.bodies[1];
+    return unless_beyond([&] {
+      fast::PenetrationPair pair(A.shape, B.shape);
+      if (is_warm_) pair.at(A.X_WB, beside(B.X_WB, A.X_WB.p_WB));
+      return pair.at(A.X_WB, B.X_WB).answer;
+    });
   }
 
  private:
   Distance measured(const Body& A, const Body& B) const {
     fast::Collider collider(std::make_unique<fast::AllPairs>(), always_near);
     collider.insert(0, A.shape, A.X_WB);
-    collider.insert(1, B.shape, is_first_ ? B.X_WB : beside(B.X_WB, A.X_WB.p_WB));
+    collider.insert(1, B.shape, is_warm_ ? beside(B.X_WB, A.X_WB.p_WB) : B.X_WB);
     collider.update();
-    if (!is_first_) {
+    if (is_warm_) {
       collider.move(1, B.X_WB);
       collider.update();
     }
@@ -104,13 +120,13 @@ class FastCollider : public Subject {
   }
 
   Card card_;
-  bool is_first_;
+  bool is_warm_;
 };
 
 }  // namespace
 
-std::unique_ptr<Subject> make_fast_collider(const std::string& name) {
-  return std::make_unique<FastCollider>(name, name == "collider_first");
+std::unique_ptr<Subject> make_fast_pairs(const std::string& name) {
+  return std::make_unique<FastPairs>(name, name == "warm");
 }
 
 }  // namespace touchstone::oracle::subjects
