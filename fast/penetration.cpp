@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
+#include <variant>
 
 #include "fast/exact/nearest.h"
 #include "fast/lin_canny/proximity.h"
@@ -13,6 +15,8 @@
 
 namespace touchstone::fast {
 namespace {
+
+constexpr const char* no_depth_of_compounds = "the depth of a union of parts is not defined here";
 
 using namespace lin_canny;
 using penetration::DepthBracket;
@@ -85,7 +89,11 @@ struct PenetrationPair::Kept {
 };
 
 PenetrationPair::PenetrationPair(const Shape& A, const Shape& B)
-    : kept_(new Kept{Solid(A, Solid::Preparation::vertices), Solid(B, Solid::Preparation::vertices), {}}) {}
+    : kept_(new Kept{Solid(A, Solid::Preparation::vertices), Solid(B, Solid::Preparation::vertices), {}}) {
+  for (const auto& [shape, name] : {std::pair(&A, "A"), std::pair(&B, "B")}) {
+    if (std::holds_alternative<Compound>(*shape)) throw InputError(name, no_depth_of_compounds);
+  }
+}
 
 PenetrationPair::~PenetrationPair() = default;
 
@@ -115,7 +123,7 @@ PenetrationDepth penetration_depth(const Scene& scene) {
   if (scene.bodies.size() < 2) throw InputError("bodies", "expected two");
   for (std::size_t i = 0; i < 2; ++i) {
     if (!std::holds_alternative<Compound>(scene.bodies[i].shape)) continue;
-    throw InputError("bodies[" + std::to_string(i) + "].shape", "the depth of a union of parts is not defined here");
+    throw InputError("bodies[" + std::to_string(i) + "].shape", no_depth_of_compounds);
   }
   const Body &A = scene.bodies[0], &B = scene.bodies[1];
   return PenetrationPair(A.shape, B.shape).at(A.X_WB, B.X_WB);

@@ -30,7 +30,7 @@ PenetrationDepth penetration_depth(const Scene& scene);
 /// The same for two bodies that are followed over time: the polytope of one pose starts the search at the next.
 class PenetrationPair {
  public:
-  /// Requires valid shapes that are no compounds.
+  /// Requires valid shapes. Throws InputError for compounds.
   PenetrationPair(const Shape& A, const Shape& B);
   ~PenetrationPair();
 

@@ -84,6 +84,9 @@ Mat3 rounded_share(const ExactMatrix& M) {
   return rounded;
 }
 
+/// |ω'| ≤ |ω|²/√3 for any moments, so two motions differ by at most twice that.
+constexpr double any_other = 1.16;
+
 /// Principal axes of M = C times any positive number, or of M = I. `about`: M in doubles, times any positive number;
 /// `error`: of each entry of C, as a share of its trace.
 Inertia in_own_axes(const ExactMatrix& M, const Mat3& about, double error, bool is_inertia) {
@@ -103,7 +106,7 @@ Inertia in_own_axes(const ExactMatrix& M, const Mat3& about, double error, bool 
   }
   found.c_error = 6 * off_share + 8 * u;
   if (error > 0) found.c_error += 27 * error * trace_share;
-  if (!(found.c_error < 1)) found.c_error = 1;
+  if (!(found.c_error < any_other)) found.c_error = any_other;
   return found;
 }
 
@@ -144,7 +147,9 @@ Inertia of(const Shape& shape, const Density&) {
   }
   if (const auto* polytope = std::get_if<Polytope>(&shape)) {
     const ExactSpread whole = exact_spread(*polytope);
-    return of_spread(whole.scaled, whole.rounded.C);
+    const double size = whole.rounded.C.norm();
+    const bool is_moderate = size > 0x1p-500 && size < 0x1p500;
+    return of_spread(whole.scaled, is_moderate ? whole.rounded.C : rounded_share(whole.scaled.C));
   }
   const ScaledC whole = scaled_spread(std::get<Compound>(shape));
   return of_spread(whole, rounded_share(whole.C));

@@ -103,9 +103,10 @@ Dyadic reciprocal(const Dyadic& s) {
 /// R(q/|q|) for q ≠ 0, of entries that are exact if |q|² is a power of two.
 struct Rotation {
   explicit Rotation(const Quaternion& q) {
-    const exact::ScaledRotation scaled = exact::scaled_rotation(lin_canny::at_moderate_scale(q));
+    const Quaternion moderate = lin_canny::at_moderate_scale(q);
+    const exact::ScaledRotation scaled = exact::scaled_rotation(moderate);
     const Dyadic factor = reciprocal(scaled.squared_length);
-    is_exact = (scaled.squared_length * factor - Dyadic(1)).sign() == 0;
+    is_exact = moderate == q && (scaled.squared_length * factor - Dyadic(1)).sign() == 0;
     for (std::size_t i = 0; i < 3; ++i) R[i] = entries(factor * scaled.rows[i]);
   }
 
@@ -189,9 +190,10 @@ ScaledC scaled_spread(const Compound& compound) {
   const bool is_mixed = balls > 0 && balls < compound.parts.size();
   const Dyadic pi = is_mixed ? pi_of_four_doubles() : Dyadic(1);  // of balls alone it is a factor of all terms
   bool is_exact = !is_mixed;
+  const exact::Vector origin = exact::vector(compound.parts.front().X_BP.p_WB);  // C is the same about any
   Sum sum;
   for (const Part& part : compound.parts) {
-    const Entries p = entries(exact::vector(part.X_BP.p_WB));
+    const Entries p = entries(exact::vector(part.X_BP.p_WB) - origin);
     if (const auto* sphere = std::get_if<Sphere>(&part.shape)) {
       sum.add(moments(*sphere, pi), p);
       continue;

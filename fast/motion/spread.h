@@ -35,9 +35,9 @@ struct ExactSpread {
 /// triangle.
 ExactSpread exact_spread(const Polytope& polytope);
 
-/// Exact for a compound whose parts are all balls, or none is and each |q|² is a power of two. Else 1/|q|² and π have
-/// errors of 2^-200 of themselves, and `error` is 2^-195 of the sum of the magnitudes of all terms. Throws InputError
-/// as above.
+/// Exact for a compound whose parts are all balls, or none is and each |q|² is a power of two (and neither above 2^64
+/// nor below 2^-64). Else 1/|q|² and π have errors of 2^-200 of themselves, and `error` is 2^-195 of the sum of the
+/// magnitudes of all terms. Throws InputError as above.
 ScaledC scaled_spread(const Compound& compound);
 
 }  // namespace touchstone::fast::motion

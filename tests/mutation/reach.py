@@ -23,7 +23,7 @@ STRATEGIES = ("all_pairs", "sweep_and_prune", "sweep_2d", "bsp", "octree", "unif
               "wrapped_grid")
 TEST_FOLDERS = {"fast": ("fast",), "reference": ("reference",), "judge": ("oracle", "properties")}
 # About all of a group: what its answers, its work, its findings and its scenes were.
-ABOUT_ALL = {"fast": ("marks_test", "pinned_answers_test"), "reference": ("pinned_answers_test",),
+ABOUT_ALL = {"fast": ("marks_test", "pinned_answers_test", "fast_pairs_test"), "reference": ("pinned_answers_test",),
              "judge": ("allowances_test", "pinned_findings_test", "pinned_scenes_test")}
 
 
@@ -37,6 +37,11 @@ def defined(path):
     return {row[7] for row in rows if len(row) > 7 and row[4] == "GLOBAL" and row[6].isdigit()}
 
 
+def key(section):
+    """A section by as much of its name as readelf says of one that has relocations."""
+    return section[:251]
+
+
 class Object:
     """The symbols of an object file, with their places, and what each of them refers to."""
 
@@ -46,7 +51,7 @@ class Object:
         self.local = set()
         for row in (line.split() for line in listing("-s", path).splitlines()):
             if len(row) > 7 and row[6].isdigit() and row[3] in ("FUNC", "OBJECT"):
-                self.places[sections[row[6]]].append((int(row[1], 16), row[7]))
+                self.places[key(sections[row[6]])].append((int(row[1], 16), row[7]))
                 if row[4] == "LOCAL":
                     self.local.add(row[7])
         for places in self.places.values():
@@ -57,7 +62,7 @@ class Object:
 
     def at(self, section, offset):
         """The symbol that has this place, or None."""
-        places = self.places.get(section, ())
+        places = self.places.get(key(section), ())
         index = bisect.bisect_right(places, (offset, "\x7f")) - 1
         return self.name(places[index][1]) if index >= 0 else None
 
@@ -129,6 +134,8 @@ class Reach:
         pairs that are followed."""
         if query == "broad_phase":
             return strategies(path)
+        if path.startswith("oracle/subjects/touchstone/fast_pairs"):
+            return PAIRS if query in ("distance", "penetration") else ()
         followed_by = {"distance": "fast/collider.cpp", "penetration": "fast/penetration.cpp"}.get(query)
         return PAIRS if followed_by and self.of_file(path) & self.reached_from((followed_by,)) else ()
 

@@ -4,8 +4,10 @@
 #include <stdexcept>
 #include <utility>
 
+#include "fast/bounds.h"
 #include "fast/broad_phase/all_pairs.h"
 #include "fast/collider.h"
+#include "fast/lin_canny/rotation.h"
 #include "fast/penetration.h"
 #include "model/input_error.h"
 #include "oracle/subject.h"
@@ -20,8 +22,6 @@ using fast::lin_canny::Hull;
 using fast::lin_canny::Kind;
 using fast::lin_canny::NearestParts;
 using fast::lin_canny::Solid;
-
-constexpr double always_near = 0x1p900;  // m
 
 std::vector<int> vertices_of(const Hull& hull, const FeatureId& feature) {
   if (feature.kind == Kind::vertex) return {feature.index};
@@ -46,7 +46,7 @@ Feature named(const Shape& shape, int part, const std::vector<int>& exact, const
 
 /// Some 30 degrees of rotation from X and, unless that is beyond the range of doubles, some way beside it.
 Pose beside(const Pose& X, const Vec3& from) {
-  const auto& [w, x, y, z] = X.q_WB;
+  const auto& [w, x, y, z] = fast::lin_canny::at_moderate_scale(X.q_WB);
   Pose moved = X;
   moved.q_WB = {w - x / 4 - y / 8, x + w / 4 + z / 8, y + w / 8 - z / 4, z + y / 4 - x / 8};
   const Vec3 p = X.p_WB + (X.p_WB - from) / 8;
@@ -66,6 +66,16 @@ auto unless_beyond(Measure&& measure) -> Answer<decltype(measure())> {
   }
 }
 
+/// m: with this margin the cubes about the two overlap, also where B is beside itself.
+double margin_of(const Body& A, const Body& B) {
+  double farthest = 0;
+  for (const Body* body : {&A, &B}) {
+    const Aabb box = fast::box(*body);
+    farthest = std::max({farthest, box.lo.cwiseAbs().maxCoeff(), box.hi.cwiseAbs().maxCoeff()});
+  }
+  return 4 * farthest;
+}
+
 class FastPairs : public Subject {
  public:
   FastPairs(const std::string& name, bool is_warm) : is_warm_(is_warm) {
@@ -83,12 +93,16 @@ class FastPairs : public Subject {
   Answer<Work> work(const std::string& query, const Scene& scene) override { return fast_work(*this, query, scene); }
 
   Answer<Distance> distance(const Scene& scene) override {
-    return unless_beyond([&] { return measured(scene.bodies[0], scene.bodies[1]); });
+    return unless_beyond([&] {
+      if (scene.bodies.size() < 2) throw InputError("bodies", "expected two");
+      return measured(scene.bodies[0], scene.bodies[1]);
+    });
   }
 
   Answer<Penetration> penetration(const Scene& scene) override {
-    const Body &A = scene.bodies[0], &B = scene.bodies[1];
     return unless_beyond([&] {
+      if (scene.bodies.size() < 2) throw InputError("bodies", "expected two");
+      const Body &A = scene.bodies[0], &B = scene.bodies[1];
       fast::PenetrationPair pair(A.shape, B.shape);
       if (is_warm_) pair.at(A.X_WB, beside(B.X_WB, A.X_WB.p_WB));
       return pair.at(A.X_WB, B.X_WB).answer;
@@ -97,7 +111,7 @@ class FastPairs : public Subject {
 
  private:
   Distance measured(const Body& A, const Body& B) const {
-    fast::Collider collider(std::make_unique<fast::AllPairs>(), always_near);
+    fast::Collider collider(std::make_unique<fast::AllPairs>(), margin_of(A, B));
     collider.insert(0, A.shape, A.X_WB);
     collider.insert(1, B.shape, is_warm_ ? beside(B.X_WB, A.X_WB.p_WB) : B.X_WB);
     collider.update();

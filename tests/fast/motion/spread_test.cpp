@@ -121,6 +121,21 @@ TEST_CASE("other moments are as near as they say, and that is near") {
   }
 }
 
+TEST_CASE("a quaternion that is rescaled may lose a component, and then nothing is exact") {
+  const Compound rescaled{{{{{0, 0, 0}, {0x1p500, 0x1p-700, 0, 0}}, Box{{1, 2, 3}}}}};
+  const ScaledC found = scaled_spread(rescaled);
+  CHECK(found.error > 0);
+  CHECK(found.error < 0x1p-185);
+}
+
+TEST_CASE("where a compound lies changes no moment") {
+  const auto at = [](double far) {
+    return scaled_spread(Compound{{{{{far, 0, 0}, askew}, Box{{1, 2, 3}}}, {{{far, far, 0}, {}}, Sphere{1}}}});
+  };
+  CHECK(scaled_spread(Compound{{{{{0x1p900, 0, 0}, askew}, Box{{1, 2, 3}}}}}).error < 0x1p-185);
+  CHECK(at(0x1p10).error < 0x1p-185);
+}
+
 TEST_CASE("equal moments of a dumbbell are known to be equal, and nearly equal ones as well as others") {
   const auto inertia_of = [](const Compound& compound) {
     Body body;

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <string>
+#include <variant>
 
 #include "oracle/subject.h"
 #include "properties/property.h"
@@ -46,6 +47,25 @@ TEST_CASE("the collider walks in each frame, and names the features where it end
     REQUIRE(said.feature_A);
     REQUIRE(said.feature_B);
     CHECK(said.feature_A->vertices.size() + said.feature_B->vertices.size() >= 4);
+  }
+}
+
+TEST_CASE("pairs that are followed answer far away, and say what they do not answer") {
+  Scene scene;
+  scene.bodies.resize(2);
+  scene.bodies[0].shape = scene.bodies[1].shape = Sphere{1};
+  scene.bodies[1].X_WB.p_WB.x() = 0x1p990;
+  scene.bodies[1].X_WB.q_WB = {1.7e308, 1.7e308, 1e308, -1.7e308};
+  for (const char* name : {"warm", "cold"}) {
+    const auto pairs = oracle::subjects::make_fast_pairs(name);
+    CHECK(std::get<Distance>(pairs->distance(scene)).distance == 0x1p990);
+    Scene compound = scene;
+    compound.bodies[0].shape = Compound{{Part{{}, Sphere{1}}}};
+    CHECK(std::holds_alternative<Abstains>(pairs->penetration(compound)));
+    Scene lone = scene;
+    lone.bodies.resize(1);
+    CHECK(std::holds_alternative<Abstains>(pairs->distance(lone)));
+    CHECK(std::holds_alternative<Abstains>(pairs->penetration(lone)));
   }
 }
 
