@@ -2,10 +2,16 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <type_traits>
+#include <variant>
+#include <vector>
 
+#include "model/box_vertices.h"
 #include "oracle/truth/world_points.h"
+#include "reference/rational.h"
 
 namespace touchstone::oracle {
 namespace {
@@ -84,6 +90,68 @@ Point normal_of(const Point& a, const Point& b, const Point& c) {
   return bc >= ca ? (b - a).cross(c - a) : (c - b).cross(a - b);
 }
 
+std::vector<Vec3> own_vertices(const Sphere&) { return {Vec3::Zero()}; }
+std::vector<Vec3> own_vertices(const Box& box) {
+  const auto corners = vertices_of(box);
+  return {corners.begin(), corners.end()};
+}
+std::vector<Vec3> own_vertices(const Polytope& polytope) { return polytope.vertices; }
+
+/// In the part's frame.
+std::vector<Vec3> own_vertices(const Body& body, int part) {
+  const auto of_convex = [](const auto& shape) { return own_vertices(shape); };
+  const auto of_body = [&](const auto& shape) {
+    if constexpr (std::is_same_v<std::decay_t<decltype(shape)>, Compound>) {
+      return std::visit(of_convex, shape.parts[static_cast<std::size_t>(part)].shape);
+    } else {
+      return own_vertices(shape);
+    }
+  };
+  return std::visit(of_body, body.shape);
+}
+
+using Triangle = std::array<std::size_t, 3>;  // indices into the claimed vertices
+
+/// From the plane through the first claimed point.
+double off_plane(const Points& claimed, const Points& all, const Point& n) {
+  const Point& origin = claimed[0];
+  Real off = 0, above = 0, below = 0;
+  for (const Point& p : claimed) off = std::max(off, std::abs(n.dot(p - origin)));
+  for (const Point& p : all) {
+    above = std::max(above, n.dot(p - origin));
+    below = std::max(below, n.dot(origin - p));
+  }
+  return static_cast<double>(std::max(off, std::min(above, below)));
+}
+
+/// The same without rounding, in the part's own frame: a triangle that is 10⁹ times as long as wide extends the
+/// rounding of its plane as many times.
+double exactly_off_plane(const Body& body, const Feature& feature, const Triangle& triangle) {
+  using reference::Rational;
+  const std::vector<Vec3> all = own_vertices(body, feature.part);
+  const auto corner = [&](std::size_t i) { return all[static_cast<std::size_t>(feature.vertices[triangle[i]])]; };
+  const auto minus = [](const Vec3& p, const Vec3& q) {
+    return std::array<Rational, 3>{Rational(p.x()) - q.x(), Rational(p.y()) - q.y(), Rational(p.z()) - q.z()};
+  };
+  const auto u = minus(corner(1), corner(0)), v = minus(corner(2), corner(0));
+  const std::array<Rational, 3> n{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+  const Rational nn = n[0] * n[0] + n[1] * n[1] + n[2] * n[2];
+  if (nn.sign() == 0) return 0;
+  const auto height = [&](const Vec3& p) {
+    const auto w = minus(p, all[static_cast<std::size_t>(feature.vertices[0])]);
+    const Rational h = n[0] * w[0] + n[1] * w[1] + n[2] * w[2];
+    return h.sign() * std::sqrt((h * h / nn).nearest());
+  };
+  double off = 0, above = 0, below = 0;
+  for (const int i : feature.vertices) off = std::max(off, std::abs(height(all[static_cast<std::size_t>(i)])));
+  for (const Vec3& p : all) {
+    const double h = height(p);
+    above = std::max(above, h);
+    below = std::max(below, -h);
+  }
+  return std::max(off, std::min(above, below));
+}
+
 }  // namespace
 
 std::optional<double> feature_gap(const Body& A, const Feature& feature_A, const Body& B, const Feature& feature_B) {
@@ -94,25 +162,23 @@ std::optional<double> feature_gap(const Body& A, const Feature& feature_A, const
 
 double off_one_face(const Body& body, const Feature& feature) {
   const Points points = claimed(body, feature), all = world_points(body, feature.part);
+  Triangle widest{};
   Point normal = Point::Zero(), along = Point::Zero();
   for (std::size_t i = 0; i < points.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) {
       if ((points[j] - points[i]).squaredNorm() > along.squaredNorm()) along = points[j] - points[i];
       for (std::size_t k = 0; k < j; ++k) {
         const Point n = normal_of(points[i], points[j], points[k]);
-        if (n.squaredNorm() > normal.squaredNorm()) normal = n;
+        if (!(n.squaredNorm() > normal.squaredNorm())) continue;
+        normal = n;
+        widest = {i, j, k};
       }
     }
   if (!(normal.squaredNorm() > 0)) return 0;
   const Real off_line = normal.norm() / along.norm();  // the height of the widest triangle, about
-  normal.normalize();
-  Real off = 0, above = 0, below = 0;
-  for (const Point& p : points) off = std::max(off, std::abs(normal.dot(p - points[0])));
-  for (const Point& p : all) {
-    above = std::max(above, normal.dot(p - points[0]));
-    below = std::max(below, normal.dot(points[0] - p));
-  }
-  return static_cast<double>(std::min(off_line, std::max(off, std::min(above, below))));
+  const double off = off_plane(points, all, normal.normalized());
+  if (off <= 0x1p-56 * static_cast<double>(along.norm())) return off;
+  return std::min(static_cast<double>(off_line), exactly_off_plane(body, feature, widest));
 }
 
 }  // namespace touchstone::oracle

@@ -21,7 +21,7 @@ std::optional<double> feature_gap(const Body& A, const Feature& feature_A, const
 /// How far the claimed vertices are from being those of one face of their part (m): the greatest distance of one of
 /// them from the plane through three of them, or of another vertex of the part beyond that plane; of all such planes
 /// that of the widest triangle. No more than about that triangle's height, for vertices that are nearly on one line; 0
-/// if they are fewer than three. Requires vertices that exist.
+/// if they are fewer than three. Without rounding, unless it is as good as 0. Requires vertices that exist.
 double off_one_face(const Body& body, const Feature& feature);
 
 }  // namespace touchstone::oracle

@@ -67,6 +67,18 @@ TEST_CASE("off_one_face: 0 for a vertex, an edge, a face or a part of one, else 
   CHECK(off_one_face(cube, {0, {0, 1, 6, 7}}) == Approx(std::sqrt(2)));
 }
 
+// Found by fuzzing: rounding of world coordinates by 4e-10 m tilts a triangle that is 4 m high by as much, and 4e9 m
+// away the plane is off by 0.04 m.
+TEST_CASE("off_one_face: of a face that is 10⁹ times as long as high") {
+  Polytope sliver;
+  sliver.vertices = {{-0x1p32, 0, 0}, {0, -4, 0}, {0x1p31, 0, 2}, {0, 0, 2}};
+  const Body body = posed(sliver, {0, 0, 0}, {0, 1, -1, 2});
+  for (std::vector<int> vertices : {std::vector<int>{0, 1, 2}, {0, 1, 3}, {0, 2, 3}, {1, 2, 3}})
+    CHECK(off_one_face(body, {0, vertices}) < 1e-9);
+  sliver.vertices.push_back({0, 0, -0x1p-10});
+  CHECK(off_one_face(posed(sliver, {0, 0, 0}, {0, 1, -1, 2}), {0, {0, 1, 2, 4}}) > 0x1p-11);
+}
+
 // Found by fuzzing: a side of 6e-11 m between two of 1 m, whose cross product is off by rounding of 1 m.
 TEST_CASE("off_one_face: of a sliver no more than rounding of its least side's direction") {
   Polytope sliver;

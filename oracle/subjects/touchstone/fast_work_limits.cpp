@@ -78,19 +78,19 @@ std::vector<WorkLimit> fast_work_limits() {
 /// Of two frames; those of penetration are twice those of one.
 std::vector<WorkLimit> fast_pairs_work_limits() {
   return {
-      {"distance", "walk_step", 16, {{"walk", 4}}},
+      {"distance", "walk_step", 32, {{"walk", 4}}},
       {"distance", "walk_in_doubles", 16, {{"walk", 2}}},
       {"distance", "walk_inside", 8, {{"walk", 2}}},
       {"distance", "walk_restart", 8, {{"walk", 1}}},
       {"distance", "face_scan", 16, {{"walk", 2}}},
       {"distance", "exact_proximity", 12, {}, generic},
-      {"distance", "exact_step", 8, {{"exact_proximity", 8}}},
+      {"distance", "exact_step", 16, {{"exact_proximity", 8}}},
 
       {"penetration", "exact_proximity", 24, {}, generic},
       {"penetration", "depth_exact", 320, {}, generic},
       {"penetration", "depth_step", 13000, {}, generic},
       {"penetration", "descent_step", 400, {}, generic},
-      {"penetration", "exact_step", 8, {{"exact_proximity", 8}}},
+      {"penetration", "exact_step", 16, {{"exact_proximity", 8}}},
   };
 }
 
