@@ -27,12 +27,7 @@ Distance distance(const Scene& scene) {
   const Solid B(scene.bodies[1].shape, Preparation::vertices);
   NearestParts found = nearest_parts(A, CachedPose(scene.bodies[0].X_WB), B, CachedPose(scene.bodies[1].X_WB));
   Proximity& nearest = found.proximity;
-  Distance answer;
-  answer.verdict = nearest.verdict;
-  answer.distance = nearest.distance;
-  answer.enclosure = nearest.enclosure;
-  answer.p_WCa = nearest.p_WCa;
-  answer.p_WCb = nearest.p_WCb;
+  Distance answer = as_distance(nearest);
   if (nearest.verdict == Verdict::overlapping) return answer;
   answer.feature_A = named(found.part_A, std::move(nearest.closest_vertices_A));
   answer.feature_B = named(found.part_B, std::move(nearest.closest_vertices_B));

@@ -5,14 +5,13 @@
 #include <tuple>
 #include <utility>
 
-#include "fast/exact/vector.h"
+#include "fast/exact/rotation.h"
 #include "fast/lin_canny/rotation.h"
 #include "fast/mark.h"
 
 namespace touchstone::fast {
 namespace {
 
-using exact::Dyadic;
 using lin_canny::Hull;
 
 /// A computed r·s, with r a row of R and s a unit vector along an edge: the error of R is 36u, that of the vector 5u,
@@ -20,24 +19,14 @@ using lin_canny::Hull;
 /// second order.
 constexpr double slope_error = 48 * u;
 
-struct ExactQuaternion {
-  Dyadic w, x, y, z;
-};
-
-ExactQuaternion product(const ExactQuaternion& a, const Quaternion& b) {
-  return {a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z, a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y,
-          a.w * b.y - a.x * b.z + a.y * b.w + a.z * b.x, a.w * b.z + a.x * b.y - a.y * b.x + a.z * b.w};
-}
-
-/// Row `axis` of |q|² R(q/|q|), exact; q is the product of the poses' quaternions.
+/// Row `axis` of R, times the |q|² of all poses, exactly.
 exact::Vector exact_row(std::span<const Pose> poses, int axis) {
-  ExactQuaternion q{1.0, 0.0, 0.0, 0.0};
-  for (const Pose& X : poses) q = product(q, X.q_WB);
-  const Dyadic two(2.0);
-  const Dyadic ww = q.w * q.w, xx = q.x * q.x, yy = q.y * q.y, zz = q.z * q.z;
-  if (axis == 0) return {ww + xx - yy - zz, two * (q.x * q.y - q.w * q.z), two * (q.x * q.z + q.w * q.y)};
-  if (axis == 1) return {two * (q.x * q.y + q.w * q.z), ww - xx + yy - zz, two * (q.y * q.z - q.w * q.x)};
-  return {two * (q.x * q.z - q.w * q.y), two * (q.y * q.z + q.w * q.x), ww - xx - yy + zz};
+  exact::Vector row{axis == 0 ? 1 : 0, axis == 1 ? 1 : 0, axis == 2 ? 1 : 0};
+  for (const Pose& X : poses) {
+    const exact::ScaledRotation R = exact::scaled_rotation(X.q_WB);
+    row = row.x * R.rows[0] + row.y * R.rows[1] + row.z * R.rows[2];
+  }
+  return row;
 }
 
 std::tuple<double, double, double> coordinates(const Vec3& p) { return {p.x(), p.y(), p.z()}; }

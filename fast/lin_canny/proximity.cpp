@@ -73,6 +73,16 @@ void prefetch_feature(const Hull& hull, const FeatureId& feature) {
 
 }  // namespace
 
+Distance as_distance(const Proximity& found) {
+  Distance answer;
+  answer.verdict = found.verdict;
+  answer.distance = found.distance;
+  answer.enclosure = found.enclosure;
+  answer.p_WCa = found.p_WCa;
+  answer.p_WCb = found.p_WCb;
+  return answer;
+}
+
 Proximity proximity(const Convex& A, const CachedPose& body_A, const Convex& B, const CachedPose& body_B,
                     FeaturePair& memory) {
   prefetch_feature(A.core, memory.a);

@@ -22,6 +22,9 @@ struct Proximity {
   std::vector<int> closest_vertices_B;
 };
 
+/// What it says of the two bodies, without features.
+Distance as_distance(const Proximity& found);
+
 /// `memory`: where the walk starts and, afterwards, where it ended; initially {}, or any features of the two. From {}
 /// it starts at features that face each other.
 ///

@@ -47,16 +47,7 @@ Quaternion axes(const Mat3& C) {
 
 /// |q|⁴ RᵀM R, without rounding.
 ExactMatrix turned(const ExactMatrix& M, const Quaternion& q) {
-  const ExactMatrix N = entries(exact::scaled_rotation(q).rows);
-  ExactMatrix D;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        for (std::size_t l = 0; l < 3; ++l) D[i][j] = D[i][j] + N[k][i] * M[k][l] * N[l][j];
-      }
-    }
-  }
-  return D;
+  return congruent(entries(exact::scaled_rotation({q.w, -q.x, -q.y, -q.z}).rows), M);
 }
 
 /// Removes by small rotations what doubles left off the diagonal (16u of the matrix), down to the rounding of q itself.

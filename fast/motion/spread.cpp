@@ -17,6 +17,8 @@ using exact::Dyadic;
 using Entries = std::array<Dyadic, 3>;
 
 Entries entries(const exact::Vector& x) { return {x.x, x.y, x.z}; }
+Dyadic dot(const Entries& a, const Entries& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+Entries product(const ExactMatrix& A, const Entries& v) { return {dot(A[0], v), dot(A[1], v), dot(A[2], v)}; }
 Dyadic magnitude(const Entries& x) { return magnitude(x[0]) + magnitude(x[1]) + magnitude(x[2]); }
 
 /// D = 6V, M = 24 V c and S = 120 ∫ x xᵀ dV, which take no division. C = S/120 − M Mᵀ/(96 D), so 480 D C = 4 D S −
@@ -110,22 +112,6 @@ struct Rotation {
     for (std::size_t i = 0; i < 3; ++i) R[i] = entries(factor * scaled.rows[i]);
   }
 
-  Entries operator*(const Entries& v) const {
-    Entries turned;
-    for (std::size_t i = 0; i < 3; ++i) turned[i] = R[i][0] * v[0] + R[i][1] * v[1] + R[i][2] * v[2];
-    return turned;
-  }
-  /// R S Rᵀ, of a symmetric S.
-  ExactMatrix around(const ExactMatrix& S) const {
-    ExactMatrix half, turned;
-    for (std::size_t i = 0; i < 3; ++i) half[i] = *this * S[i];  // S Rᵀ
-    for (std::size_t j = 0; j < 3; ++j) {
-      const Entries column = *this * Entries{half[0][j], half[1][j], half[2][j]};
-      for (std::size_t i = 0; i < 3; ++i) turned[i][j] = column[i];
-    }
-    return turned;
-  }
-
   ExactMatrix R;
   bool is_exact = false;
 };
@@ -166,6 +152,15 @@ ExactMatrix entries(const std::array<exact::Vector, 3>& rows) {
   return {entries(rows[0]), entries(rows[1]), entries(rows[2])};
 }
 
+ExactMatrix congruent(const ExactMatrix& A, const ExactMatrix& M) {
+  ExactMatrix D;
+  for (std::size_t j = 0; j < 3; ++j) {
+    const Entries whole = product(A, product(M, A[j]));  // column j
+    for (std::size_t i = 0; i < 3; ++i) D[i][j] = whole[i];
+  }
+  return D;
+}
+
 Dyadic trace(const ExactMatrix& M) { return M[0][0] + M[1][1] + M[2][2]; }
 
 ExactSpread exact_spread(const Polytope& polytope) {
@@ -201,8 +196,8 @@ ScaledC scaled_spread(const Compound& compound) {
     const auto* box = std::get_if<Box>(&part.shape);
     Moments turned = box ? moments(*box) : moments(std::get<Polytope>(part.shape));
     const Rotation R(part.X_BP.q_WB);
-    turned.M = R * turned.M;
-    turned.S = R.around(turned.S);
+    turned.M = product(R.R, turned.M);
+    turned.S = congruent(R.R, turned.S);
     is_exact = is_exact && R.is_exact;
     sum.add(turned, p);
   }

@@ -19,6 +19,8 @@ struct Spread {
 using ExactMatrix = std::array<std::array<exact::Dyadic, 3>, 3>;
 ExactMatrix entries(const std::array<exact::Vector, 3>& rows);
 exact::Dyadic trace(const ExactMatrix& M);
+/// A M Aᵀ.
+ExactMatrix congruent(const ExactMatrix& A, const ExactMatrix& M);
 
 /// C times a positive number, so that equal moments are equal.
 struct ScaledC {

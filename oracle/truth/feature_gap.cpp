@@ -5,11 +5,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <type_traits>
-#include <variant>
 #include <vector>
 
-#include "model/box_vertices.h"
 #include "oracle/truth/world_points.h"
 #include "reference/rational.h"
 
@@ -90,66 +87,43 @@ Point normal_of(const Point& a, const Point& b, const Point& c) {
   return bc >= ca ? (b - a).cross(c - a) : (c - b).cross(a - b);
 }
 
-std::vector<Vec3> own_vertices(const Sphere&) { return {Vec3::Zero()}; }
-std::vector<Vec3> own_vertices(const Box& box) {
-  const auto corners = vertices_of(box);
-  return {corners.begin(), corners.end()};
-}
-std::vector<Vec3> own_vertices(const Polytope& polytope) { return polytope.vertices; }
-
-/// In the part's frame.
-std::vector<Vec3> own_vertices(const Body& body, int part) {
-  const auto of_convex = [](const auto& shape) { return own_vertices(shape); };
-  const auto of_body = [&](const auto& shape) {
-    if constexpr (std::is_same_v<std::decay_t<decltype(shape)>, Compound>) {
-      return std::visit(of_convex, shape.parts[static_cast<std::size_t>(part)].shape);
-    } else {
-      return own_vertices(shape);
-    }
-  };
-  return std::visit(of_body, body.shape);
-}
-
 using Triangle = std::array<std::size_t, 3>;  // indices into the claimed vertices
 
-/// From the plane through the first claimed point.
-double off_plane(const Points& claimed, const Points& all, const Point& n) {
-  const Point& origin = claimed[0];
-  Real off = 0, above = 0, below = 0;
-  for (const Point& p : claimed) off = std::max(off, std::abs(n.dot(p - origin)));
-  for (const Point& p : all) {
-    above = std::max(above, n.dot(p - origin));
-    below = std::max(below, n.dot(origin - p));
-  }
-  return static_cast<double>(std::max(off, std::min(above, below)));
+/// `heights`: of all vertices of the part above the plane through the first claimed one.
+double off_plane(const Feature& feature, const std::vector<double>& heights) {
+  double off = 0;
+  for (const int i : feature.vertices) off = std::max(off, std::abs(heights[static_cast<std::size_t>(i)]));
+  const auto [lowest, highest] = std::ranges::minmax(heights);
+  return std::max(off, std::min(highest, -lowest));
+}
+
+std::vector<double> heights_above(const Points& all, const Point& origin, const Point& n) {
+  std::vector<double> heights;
+  for (const Point& p : all) heights.push_back(static_cast<double>(n.dot(p - origin)));
+  return heights;
 }
 
 /// The same without rounding, in the part's own frame: a triangle that is 10⁹ times as long as wide extends the
-/// rounding of its plane as many times.
-double exactly_off_plane(const Body& body, const Feature& feature, const Triangle& triangle) {
+/// rounding of its plane as many times. 0 if the corners are on one line.
+std::vector<double> exact_heights(const Body& body, const Feature& feature, const Triangle& triangle) {
   using reference::Rational;
   const std::vector<Vec3> all = own_vertices(body, feature.part);
-  const auto corner = [&](std::size_t i) { return all[static_cast<std::size_t>(feature.vertices[triangle[i]])]; };
+  const auto claimed_vertex = [&](std::size_t i) { return all[static_cast<std::size_t>(feature.vertices[i])]; };
   const auto minus = [](const Vec3& p, const Vec3& q) {
     return std::array<Rational, 3>{Rational(p.x()) - q.x(), Rational(p.y()) - q.y(), Rational(p.z()) - q.z()};
   };
-  const auto u = minus(corner(1), corner(0)), v = minus(corner(2), corner(0));
+  const Vec3 corner = claimed_vertex(triangle[0]), origin = claimed_vertex(0);
+  const auto u = minus(claimed_vertex(triangle[1]), corner), v = minus(claimed_vertex(triangle[2]), corner);
   const std::array<Rational, 3> n{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
   const Rational nn = n[0] * n[0] + n[1] * n[1] + n[2] * n[2];
-  if (nn.sign() == 0) return 0;
-  const auto height = [&](const Vec3& p) {
-    const auto w = minus(p, all[static_cast<std::size_t>(feature.vertices[0])]);
+  std::vector<double> heights(all.size());
+  if (nn.sign() == 0) return heights;
+  std::ranges::transform(all, heights.begin(), [&](const Vec3& p) {
+    const auto w = minus(p, origin);
     const Rational h = n[0] * w[0] + n[1] * w[1] + n[2] * w[2];
     return h.sign() * std::sqrt((h * h / nn).nearest());
-  };
-  double off = 0, above = 0, below = 0;
-  for (const int i : feature.vertices) off = std::max(off, std::abs(height(all[static_cast<std::size_t>(i)])));
-  for (const Vec3& p : all) {
-    const double h = height(p);
-    above = std::max(above, h);
-    below = std::max(below, -h);
-  }
-  return std::max(off, std::min(above, below));
+  });
+  return heights;
 }
 
 }  // namespace
@@ -176,9 +150,9 @@ double off_one_face(const Body& body, const Feature& feature) {
     }
   if (!(normal.squaredNorm() > 0)) return 0;
   const Real off_line = normal.norm() / along.norm();  // the height of the widest triangle, about
-  const double off = off_plane(points, all, normal.normalized());
+  const double off = off_plane(feature, heights_above(all, points[0], normal.normalized()));
   if (off <= 0x1p-56 * static_cast<double>(along.norm())) return off;
-  return std::min(static_cast<double>(off_line), exactly_off_plane(body, feature, widest));
+  return std::min(static_cast<double>(off_line), off_plane(feature, exact_heights(body, feature, widest)));
 }
 
 }  // namespace touchstone::oracle

@@ -12,32 +12,38 @@ Point placed(const Pose& X, const Point& p) {
   return q.normalized() * p + X.p_WB.cast<Real>();
 }
 
-Points vertices(const Sphere&) { return {Point::Zero()}; }
-Points points(const std::vector<Vec3>& vertices) {
-  Points cast;
-  for (const Vec3& v : vertices) cast.push_back(v.cast<Real>());
-  return cast;
-}
-Points vertices(const Box& box) { return points(vertices_of(box)); }
-Points vertices(const Polytope& polytope) { return points(polytope.vertices); }
+std::vector<Vec3> vertices(const Sphere&) { return {Vec3::Zero()}; }
+std::vector<Vec3> vertices(const Box& box) { return vertices_of(box); }
+std::vector<Vec3> vertices(const Polytope& polytope) { return polytope.vertices; }
 
-Points part_points(const Compound& compound, int part) {
-  if (part < 0 || part >= static_cast<int>(compound.parts.size())) return {};
-  const Part& chosen = compound.parts[static_cast<std::size_t>(part)];
-  Points points = std::visit([](const auto& shape) { return vertices(shape); }, chosen.shape);
-  for (Point& p : points) p = placed(chosen.X_BP, p);
-  return points;
+bool has_part(const Compound& compound, int part) {
+  return part >= 0 && part < static_cast<int>(compound.parts.size());
+}
+
+std::vector<Vec3> part_vertices(const Compound& compound, int part) {
+  if (!has_part(compound, part)) return {};
+  return std::visit([](const auto& shape) { return vertices(shape); },
+                    compound.parts[static_cast<std::size_t>(part)].shape);
 }
 template <class Convex>
-Points part_points(const Convex& shape, int part) {
-  return part == 0 ? vertices(shape) : Points{};
+std::vector<Vec3> part_vertices(const Convex& shape, int part) {
+  return part == 0 ? vertices(shape) : std::vector<Vec3>{};
 }
 
 }  // namespace
 
+std::vector<Vec3> own_vertices(const Body& body, int part) {
+  return std::visit([part](const auto& shape) { return part_vertices(shape, part); }, body.shape);
+}
+
 Points world_points(const Body& body, int part) {
-  Points points = std::visit([part](const auto& shape) { return part_points(shape, part); }, body.shape);
-  for (Point& p : points) p = placed(body.X_WB, p);
+  const auto* compound = std::get_if<Compound>(&body.shape);
+  Points points;
+  for (const Vec3& v : own_vertices(body, part)) {
+    Point p = v.cast<Real>();
+    if (compound != nullptr) p = placed(compound->parts[static_cast<std::size_t>(part)].X_BP, p);
+    points.push_back(placed(body.X_WB, p));
+  }
   return points;
 }
 

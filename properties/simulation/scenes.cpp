@@ -131,7 +131,7 @@ Finding first_impact_unchanged(const Scene& scene, const std::optional<Scene>& o
             [&] { return text(*event); },
             [&] {
               return text(*first_event(asked.said)) +
-                     (pace == 1 ? ", as before" : ", where time runs slower " + words::text(pace) + " times");
+                     (pace == 1 ? ", as before" : ", where time runs " + words::text(pace) + " times slower");
             });
       });
     });

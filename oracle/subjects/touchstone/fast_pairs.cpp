@@ -54,11 +54,13 @@ Pose beside(const Pose& X, const Vec3& from) {
   return moved;
 }
 
-/// The answer; an abstention if a number is beyond the range of doubles, or a depth that of compounds.
+/// What is measured of the first two bodies; an abstention if there are fewer, if a number is beyond the range of
+/// doubles, or of a depth of compounds.
 template <class Measure>
-auto unless_beyond(Measure&& measure) -> Answer<decltype(measure())> {
+auto unless_beyond(const Scene& scene, Measure&& measure) -> Answer<decltype(measure(Body(), Body()))> {
   try {
-    return measure();
+    if (scene.bodies.size() < 2) throw InputError("bodies", "expected two");
+    return measure(scene.bodies[0], scene.bodies[1]);
   } catch (const InputError& beyond) {
     return Abstains{beyond.what()};
   } catch (const std::range_error& beyond) {
@@ -93,16 +95,11 @@ class FastPairs : public Subject {
   Answer<Work> work(const std::string& query, const Scene& scene) override { return fast_work(*this, query, scene); }
 
   Answer<Distance> distance(const Scene& scene) override {
-    return unless_beyond([&] {
-      if (scene.bodies.size() < 2) throw InputError("bodies", "expected two");
-      return measured(scene.bodies[0], scene.bodies[1]);
-    });
+    return unless_beyond(scene, [&](const Body& A, const Body& B) { return measured(A, B); });
   }
 
   Answer<Penetration> penetration(const Scene& scene) override {
-    return unless_beyond([&] {
-      if (scene.bodies.size() < 2) throw InputError("bodies", "expected two");
-      const Body &A = scene.bodies[0], &B = scene.bodies[1];
+    return unless_beyond(scene, [&](const Body& A, const Body& B) {
       fast::PenetrationPair pair(A.shape, B.shape);
       if (is_warm_) pair.at(A.X_WB, beside(B.X_WB, A.X_WB.p_WB));
       return pair.at(A.X_WB, B.X_WB).answer;
@@ -121,12 +118,7 @@ class FastPairs : public Subject {
     }
     const NearestParts& nearest = collider.pairs().at(0).nearest;
     const fast::lin_canny::Proximity& found = nearest.proximity;
-    Distance answer;
-    answer.verdict = found.verdict;
-    answer.distance = found.distance;
-    answer.enclosure = found.enclosure;
-    answer.p_WCa = found.p_WCa;
-    answer.p_WCb = found.p_WCb;
+    Distance answer = as_distance(found);
     if (found.verdict == Verdict::overlapping) return answer;
     answer.feature_A = named(A.shape, nearest.part_A, found.closest_vertices_A, found.features.a);
     answer.feature_B = named(B.shape, nearest.part_B, found.closest_vertices_B, found.features.b);
