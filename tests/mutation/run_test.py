@@ -190,6 +190,10 @@ class Project(unittest.TestCase):
         self.assertEqual(self.reach.queries("fast/limit.h"), ["mass", "bounds"])
         self.assertEqual(self.reach.queries("fast/bounds.cpp"), ["bounds"])
 
+    def test_places_without_a_symbol_connect_nothing(self):
+        self.assertNotIn(None, self.reach.uses)
+        self.assertNotIn(None, set().union(*self.reach.uses.values()))
+
 
 class Limit(unittest.TestCase):
     def test_the_cpu_time_of_children_counts(self):
