@@ -45,7 +45,8 @@ std::vector<Interval> enclosures(const MassTruth& m, Part part) {
 }
 
 double bound(const Body& body, Part part, oracle::Precision precision) {
-  const MassBound all = tolerance::mass(body, precision);
+  const auto* given = std::get_if<MassProperties>(&body.mass);
+  const MassBound all = given ? tolerance::mass_as_kept(*given, precision) : tolerance::mass(body, precision);
   return part == Part::mass ? all.mass : part == Part::centre ? all.centre : all.inertia;
 }
 

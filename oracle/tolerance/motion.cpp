@@ -70,11 +70,16 @@ Real growth(const ImpactBody& body, Real rate) {
   return rate > 0 ? std::min(greatest_growth, std::sqrt(std::max(at_0, at_most) * 4 / 3) / rate) : 0;
 }
 
+Real start_of(const Scene& scene, std::size_t index) {
+  const std::vector<double>& starts = scene.motion->start_times;
+  return starts.empty() ? 0 : starts[index];
+}
+
 Facts facts(const Scene& scene, std::size_t index, double time, Precision precision) {
   const Body& body = scene.bodies[index];
   const Motion& motion = *scene.motion;
   Facts it;
-  it.tau = static_cast<Real>(time) - (motion.start_times.empty() ? 0 : motion.start_times[index]);
+  it.tau = static_cast<Real>(time) - start_of(scene, index);
   it.v = length(body.velocity.v_WBcm);
   it.w = length(body.velocity.w_WB);
   it.fixed = std::holds_alternative<Fixed>(body.mass);
@@ -133,27 +138,40 @@ Real turned(const Facts& it, Real theta, Real u) {
 //   point    at most ρ from the centre of mass: the error of the turn times ρ, and the error of the centre of mass.
 //   v + aτ   4u(|v| + aτ), and the error of a.
 //   ω        8uΩ, and, where it changes, that and the grown error.
-// An exact subject only rounds its answer: poses 2u(|c| + ρ), velocities 2u.
+//   times    told as doubles, the start's too: they are off by u of the start each, beyond the roundings of τ above. So
+//            the motion lasts 2u·start more or less, in which a point moves by (|v| + aτ + Ωρ), v changes by a, and ω
+//            by less than Ω² (|cᵢ| ≤ 1), per second.
 BallisticBound ballistic(const Scene& scene, std::size_t body, double time, Precision precision) {
+  const Facts it = facts(scene, body, time, precision);
+  const Real u = unit_roundoff(precision), clock = 4 * u * start_of(scene, body);
+  BallisticBound bound = rounded_state(scene, body, time, precision);
+  if (precision != Precision::exact) {
+    const Real p = length(scene.bodies[body].X_WB.p_WB), rho = radius(scene.bodies[body]) + it.centre;
+    const Real far = bound.farthest - rho, theta = it.w * it.tau, pushed = it.mass_error * it.a;
+    bound.place = static_cast<double>(u * (52 * (p + it.centre) + 14 * far) + pushed * it.tau * it.tau / 2 +
+                                      turned(it, theta, u) * rho + 2 * it.centre_error);
+    bound.velocity = static_cast<double>(4 * u * (it.v + it.a * it.tau) + pushed * it.tau);
+    bound.spin = static_cast<double>(
+        it.w * (8 * u + uneven(it, u) * (grown(it, theta) + 1) + into_own_axes * u * grown_from_start(it, theta)));
+  }
+  bound.place += static_cast<double>(clock * bound.fastest);
+  bound.velocity += static_cast<double>(clock * it.a);
+  if (!it.round) bound.spin += static_cast<double>(clock * it.w * it.w);
+  return bound;
+}
+
+// Poses 2u(|c| + ρ), velocities 2u.
+BallisticBound rounded_state(const Scene& scene, std::size_t body, double time, Precision precision) {
   const Facts it = facts(scene, body, time, precision);
   const Real u = unit_roundoff(precision), p = length(scene.bodies[body].X_WB.p_WB);
   const Real rho = radius(scene.bodies[body]) + it.centre;
-  const Real fall = it.a * it.tau * it.tau / 2, far = p + it.centre + it.v * it.tau + fall;
+  const Real far = p + it.centre + it.v * it.tau + it.a * it.tau * it.tau / 2;
   BallisticBound bound;
   bound.fastest = static_cast<double>(it.v + it.a * it.tau + it.w * rho);
   bound.farthest = static_cast<double>(far + rho);
-  if (precision == Precision::exact) {
-    bound.place = static_cast<double>(2 * u * (far + rho));
-    bound.velocity = static_cast<double>(2 * u * (it.v + it.a * it.tau));
-    bound.spin = static_cast<double>(2 * u * it.w);
-    return bound;
-  }
-  const Real theta = it.w * it.tau, pushed = it.mass_error * it.a;
-  bound.place = static_cast<double>(u * (52 * (p + it.centre) + 14 * far) + pushed * it.tau * it.tau / 2 +
-                                    turned(it, theta, u) * rho + 2 * it.centre_error);
-  bound.velocity = static_cast<double>(4 * u * (it.v + it.a * it.tau) + pushed * it.tau);
-  bound.spin = static_cast<double>(
-      it.w * (8 * u + uneven(it, u) * (grown(it, theta) + 1) + into_own_axes * u * grown_from_start(it, theta)));
+  bound.place = static_cast<double>(2 * u * (far + rho));
+  bound.velocity = static_cast<double>(2 * u * (it.v + it.a * it.tau));
+  bound.spin = static_cast<double>(2 * u * it.w);
   return bound;
 }
 

@@ -23,6 +23,9 @@ struct BallisticBound {
 /// Requires a completed scene with a motion, and a time not before the start.
 BallisticBound ballistic(const Scene& scene, std::size_t body, double time, Precision precision);
 
+/// What rounding a state to the precision takes, be it exact before.
+BallisticBound rounded_state(const Scene& scene, std::size_t body, double time, Precision precision);
+
 /// What a time-stepping method as declared may add to that, derived in docs/design/stepping.md; `fastest` and
 /// `farthest` stay 0.
 BallisticBound stepped(const Scene& scene, std::size_t body, double time, const Stepping& stepping,

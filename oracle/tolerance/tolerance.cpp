@@ -181,7 +181,8 @@ double size(const Body& body) { return solid(body).rho; }
 //   V = Σ V_t     n roundings more: δV ≤ (n + 8) u E.
 //   M = Σ V_t·(a + b + c)/4   3 sums and a product more, terms ≤ V_t ρ: δM ≤ (n + 12) u E ρ.
 //   J, second moments about o, terms ≤ V_t ρ²: δJ ≤ (n + 16) u E ρ².
-//   centre c = M/V, |c| ≤ ρ: δc ≤ (δM + |c| δV)/V + u|c| ≤ (2n + 21) u Eρ/V; and o + c: u of the body's radius.
+//   centre c = M/V, |c| ≤ ρ: δc ≤ (δM + |c| δV)/V + u|c| ≤ (2n + 21) u Eρ/V; and o + c: u of the body's radius,
+//     and 2u where o is another point, such as the mean of the vertices, since that is rounded too.
 //   I = J − V(|c|²1 − ccᵀ): δI ≤ δJ + 2Vρ δc + ρ² δV + 6uVρ² ≤ (6n + 72) u E ρ².
 // Times the density: 2u. A compound's parts are turned (44u, derived above) and placed (52u) within the body's radius
 // ρ:
@@ -194,8 +195,19 @@ MassBound mass(const Body& body, Precision precision) {
   const Solid s = solid(body);
   const double u = unit_roundoff(precision);
   return {.mass = density->value * (s.n + 10) * u * s.E,
-          .centre = (whole ? 2 * s.n + 21 : 4 * s.n + 90) * u * s.E * s.rho / s.V + u * radius(body),
+          .centre = (whole ? 2 * s.n + 21 : 4 * s.n + 90) * u * s.E * s.rho / s.V + 3 * u * radius(body),
           .inertia = density->value * (whole ? 6 * s.n + 74 : 20 * s.n + 510) * u * s.E * s.rho * s.rho};
+}
+
+// Given properties are told as an engine keeps them, which may be 1/m, the moments' inverses and the principal axes:
+//   m = 1/(1/m): 2u m and less than u² m. The centre: 3u of its distance from B's origin.
+//   I = R D Rᵀ: the eigenvalues from five sweeps of three plane rotations, 6u‖I‖ each: 90u; 1/(1/D): 2u; R from a unit
+//   quaternion, 12u an entry, twice: 42u; two products of matrices, 3u·√3 each: 11u. Together 145u‖I‖.
+MassBound mass_as_kept(const MassProperties& given, Precision precision) {
+  if (precision == Precision::exact) return {};
+  const double u = unit_roundoff(precision);
+  return {
+      .mass = 3 * u * given.mass, .centre = 3 * u * given.p_BBcm.norm(), .inertia = 145 * u * given.I_BBcm_B.norm()};
 }
 
 }  // namespace touchstone::oracle::tolerance

@@ -49,13 +49,17 @@ double pixel(const Scene& scene, Precision precision);
 inline constexpr int most_pixels_around = 1 << 24;
 int pixels_around(const Scene& scene, Precision precision);
 
-/// Error bounds of one body's mass (kg), centre of mass (m) and moments and products of inertia (kg m²). 0 for an exact
-/// subject, whose answer is in the truth's enclosure, and for given properties, which are returned unchanged.
+/// Error bounds of one body's mass (kg), centre of mass (m) and moments and products of inertia (kg m²), if they follow
+/// from the shape. 0 for given properties, and for an exact subject, whose answer is in the truth's enclosure.
 struct MassBound {
   double mass = 0;
   double centre = 0;
   double inertia = 0;
 };
 MassBound mass(const Body& body, Precision precision);
+
+/// The same of given properties that an engine keeps in its own form and returns: 1/m, the moments' inverses and the
+/// principal axes.
+MassBound mass_as_kept(const MassProperties& given, Precision precision);
 
 }  // namespace touchstone::oracle::tolerance

@@ -166,7 +166,7 @@ double displacement(const Body& body, const Pose& said, const Pose& expected) {
 tolerance::BallisticBound allowance(const Scene& ballistic_scene, std::size_t k, double time,
                                     oracle::Precision precision) {
   tolerance::BallisticBound allowed = tolerance::ballistic(ballistic_scene, k, time, precision);
-  const tolerance::BallisticBound own = tolerance::ballistic(ballistic_scene, k, time, oracle::Precision::exact);
+  const tolerance::BallisticBound own = tolerance::rounded_state(ballistic_scene, k, time, oracle::Precision::exact);
   const double roundings = 4 + std::ldexp(oracle::unit_roundoff(precision), 53);
   allowed.place += roundings * own.place;
   allowed.velocity += roundings * own.velocity;

@@ -78,7 +78,8 @@ std::vector<WorkLimit> fast_work_limits() {
 /// Of two frames; those of penetration are twice those of one.
 std::vector<WorkLimit> fast_pairs_work_limits() {
   return {
-      {"distance", "walk_step", 32, {{"walk", 4}}},
+      {"distance", "walk_step", 16, {{"walk", 4}, {"vertices", 2}}},
+      {"distance", "walk_step", 64, {{"walk", 4}, {"vertices", 2}}, generic},
       {"distance", "walk_in_doubles", 16, {{"walk", 2}}},
       {"distance", "walk_inside", 8, {{"walk", 2}}},
       {"distance", "walk_restart", 8, {{"walk", 1}}},
