@@ -66,13 +66,8 @@ void round(Event& event, const std::vector<double>& given) {
   round(event.after_b);
 }
 
-/// The states of fixed bodies are given too.
 void round_all(Subject&, const Scene& scene, Trajectory& said) {
-  for (std::vector<State>& states : said.states) {
-    for (std::size_t i = 0; i < states.size(); ++i) {
-      if (!std::holds_alternative<Fixed>(scene.bodies[i].mass)) round(states[i]);
-    }
-  }
+  for (std::vector<State>& states : said.states) std::ranges::for_each(states, [](State& state) { round(state); });
   if (!said.events) return;
   for (Event& event : *said.events) round(event, scene.motion->sample_times);
 }
@@ -101,10 +96,8 @@ oracle::subjects::Lies roundings() {
     round(said.depth);
     round(said.nhat_BA_W);
   };
-  lies.impulse = [](Subject&, const Scene& scene, Impulse& said) {
-    for (std::size_t k = 0; k < 2; ++k) {
-      if (!std::holds_alternative<Fixed>(scene.bodies[k].mass)) round(said.after[k]);
-    }
+  lies.impulse = [](Subject&, const Scene&, Impulse& said) {
+    for (Velocity& V : said.after) round(V);
     round(said.P_A_W);
     said.error.reset();
   };
