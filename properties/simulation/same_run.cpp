@@ -51,13 +51,15 @@ Trajectory in_units(Trajectory said, int lengths, int masses) {
 
 /// A run that comes to rest by ever smaller velocities ends with numbers whose products underflow, in one unit sooner
 /// than in the other.
-bool underflows(const Trajectory& said) {
-  const auto tiny = [](const Vec3& v) {
-    return std::any_of(v.begin(), v.end(), [](double x) { return x != 0 && std::abs(x) < 0x1p-200; });
+bool underflows(const Trajectory& said, oracle::Precision precision) {
+  const double least = precision == oracle::Precision::binary32 ? 0x1p-25 : 0x1p-200;
+  const auto tiny = [least](const Vec3& v) {
+    return std::any_of(v.begin(), v.end(), [=](double x) { return x != 0 && std::abs(x) < least; });
   };
   const auto in = [&](const State& state) { return tiny(state.velocity.v_WBcm) || tiny(state.velocity.w_WB); };
   return std::ranges::any_of(said.states, [&](const auto& states) { return std::ranges::any_of(states, in); }) ||
-         std::ranges::any_of(*said.events, [&](const Event& e) { return in(e.after_a) || in(e.after_b); });
+         std::ranges::any_of(*said.events,
+                             [&](const Event& e) { return in(e.after_a) || in(e.after_b) || tiny(e.P_A_W); });
 }
 
 /// Where two runs differ first, in words; "" if they do not. The text of `gave_up` may name lengths.
@@ -77,7 +79,7 @@ template <class Back>
 Finding same_run(const Scene& scene, const std::optional<Scene>& other, Defect defect, Back&& back, Subject& subject) {
   return of_timeline(scene, subject, [&](const TrajectoryCase& asked, const Timeline&) {
     if (asked.stepping) return judge::outside("a time-stepper");
-    if (underflows(asked.said)) return judge::outside("velocities whose products underflow");
+    if (underflows(asked.said, asked.precision)) return judge::outside("velocities whose products underflow");
     return of_moved(other, subject, [&](const Scene& changed) {
       return judge::given(subject.simulation(changed), [&](const Trajectory& said) {
         const std::string differs = difference(scene, back(said), asked.said);

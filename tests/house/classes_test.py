@@ -20,7 +20,7 @@ DEFENDED = {
     "oracle/finding.h: Finding": (
         1, 14, "is the record of one verdict, field by field as case files and reports have it."),
     "oracle/subjects/canaries/lie.h: Lies": (
-        0, 15, "has one lie for each of the eleven queries, three for all of them, and the stepping that the card claims."),
+        0, 16, "has one lie for each of the eleven queries, three for all of them, and two claims of the card."),
     "oracle/subject.h: Card": (
         0, 18, "is what a subject declares, field by field as the protocol has it."),
     "oracle/process/pipe.h: PipeSubject": (

@@ -12,7 +12,7 @@ namespace {
 Card introduced_as(Card card, const std::string& id, const std::string& says, const Lies& lies) {
   card.name = id;
   card.about = says;
-  card.precision = Precision::binary64;  // a lie must exceed the tolerance that engines get
+  card.precision = lies.precision;
   card.knows_touching = card.knows_touching && !lies.two_valued;
   card.stepping = lies.stepping;
   card.work_limits.clear();

@@ -27,10 +27,11 @@ struct Lies {
   Lie<TimeOfImpact> time_of_impact;
   Lie<Trajectory> simulation;
   Lie<Trajectory> constraint;
-  bool two_valued = false;                ///< reports touching as one of the other two verdicts
-  std::optional<Stepping> stepping = {};  ///< on the card
-  bool overworks = false;                 ///< takes two steps for each answer, and promises to take one
-  bool breaks = false;                    ///< answers every query with Breaks
+  bool two_valued = false;                    ///< reports touching as one of the other two verdicts
+  std::optional<Stepping> stepping = {};      ///< on the card
+  Precision precision = Precision::binary64;  ///< on the card: a lie must exceed the tolerance that engines get
+  bool overworks = false;                     ///< takes two steps for each answer, and promises to take one
+  bool breaks = false;                        ///< answers every query with Breaks
 };
 
 /// The lies are made again for each subject, so that their state belongs to that subject alone.
