@@ -138,9 +138,9 @@ Real turned(const Facts& it, Real theta, Real u) {
 //   point    at most ρ from the centre of mass: the error of the turn times ρ, and the error of the centre of mass.
 //   v + aτ   4u(|v| + aτ), and the error of a.
 //   ω        8uΩ, and, where it changes, that and the grown error.
-//   times    told as doubles, the start's too: they are off by u of the start each, beyond the roundings of τ above. So
-//            the motion lasts 2u·start more or less, in which a point moves by (|v| + aτ + Ωρ), v changes by a, and ω
-//            by less than Ω² (|cᵢ| ≤ 1), per second.
+//   times    those of an answer, the start's too, are next to the right ones: 2u of the start each, beyond what τ is
+//            rounded above. So the motion lasts 4u·start more or less, in which a point moves by (|v| + aτ + Ωρ), v
+//            changes by a, and ω by less than Ω² (|cᵢ| ≤ 1), per second.
 BallisticBound ballistic(const Scene& scene, std::size_t body, double time, Precision precision) {
   const Facts it = facts(scene, body, time, precision);
   const Real u = unit_roundoff(precision), clock = 4 * u * start_of(scene, body);

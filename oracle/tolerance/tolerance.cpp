@@ -199,7 +199,7 @@ MassBound mass(const Body& body, Precision precision) {
           .inertia = density->value * (whole ? 6 * s.n + 74 : 20 * s.n + 510) * u * s.E * s.rho * s.rho};
 }
 
-// Given properties are returned as an engine keeps them, which may be 1/m, the moments' inverses and the principal axes:
+// Given properties are returned as an engine keeps them: maybe 1/m, the moments' inverses and the principal axes.
 //   m = 1/(1/m): 2u m and less than u² m. The centre: 3u of its distance from B's origin.
 //   I = R D Rᵀ: the eigenvalues from five sweeps of three plane rotations, 6u‖I‖ each: 90u; 1/(1/D): 2u; R from a unit
 //   quaternion, 12u an entry, twice: 42u; two products of matrices, 3u·√3 each: 11u. Together 145u‖I‖.
