@@ -501,6 +501,25 @@ Scene onto_a_box(Random& random) {
   return run(random, std::move(bodies), motion_until(1, 8), {0, 0, -8});
 }
 
+/// A free box that a force on a ball or another box presses on, until it ends: they bounce, stay together and part.
+Scene pressed_together(Random& random) {
+  const bool is_ball = random.one_in(2);
+  Body below = with_mass(random, at_rest(Box{Vec3(1, 1, random.pick({0.5, 1.0}))}));
+  Body above = with_mass(random, is_ball ? at_rest(Sphere{0.5}) : at_rest(Box{Vec3::Constant(0.5)}));
+  const double top = std::get<Box>(below.shape).half_extents.z() + 0.5;
+  above.X_WB.p_WB = {0.25 * random.whole(-1, 1), 0, top + random.pick({0.0, 0x1p-20, 0.125, 0.5})};
+  below.material = above.material = {random.pick({0.0, 0.25, 0.5}), random.pick({0.0, 0.5})};
+  const int pushed = random.one_in(2) ? 1 : 0;
+  std::vector<Body> bodies = {std::move(below), std::move(above)};
+  if (pushed == 0) std::ranges::reverse(bodies);
+  Scene scene = run(random, std::move(bodies), motion_until(1, 4));
+  const Vec3 force(0, 0, -random.whole(1, 8));
+  scene.motion->force_bound = 8;
+  scene.motion->forces = {{0, pushed, force}};
+  if (random.one_in(2)) scene.motion->forces.push_back({0.5, pushed, Vec3::Zero()});
+  return scene;
+}
+
 /// A square bar that stands on one of its long edges, which is along y.
 Body bar_on_edge(Random& random) {
   const double half = random.whole(1, 2), length = random.whole(1, 3);
@@ -581,6 +600,7 @@ std::vector<Family> run_families() {
       {"runs.piles", "three bodies that rest on each other, rub, tip and fall", queries, true, piles},
       {"runs.carried", "bodies that slide on a box that moves, fixed or on ice", both, true, on_a_carrier},
       {"runs.onto_a_box", "a box that falls beside the middle of another one on ice", queries, true, onto_a_box},
+      {"runs.pressed_together", "a ball or a box that a force presses on a free box", queries, false, pressed_together},
       {"runs.edge_on_edge", "bars whose parallel edges meet, shifted along each other", queries, true, edge_on_edge},
       {"runs.far_apart", "two bodies that start 2^4 to 2^60 sizes apart", queries, false, far_apart},
   };

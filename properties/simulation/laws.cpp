@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "model/limits.h"
 #include "oracle/judge/words.h"
@@ -89,11 +90,13 @@ Sum<Point> momentum_of(const std::vector<ImpactBody>& bodies) {
   return sum;
 }
 
-// Impacts conserve the total momentum of free bodies. Gravity adds the total mass times g times the time.
+// Impacts conserve the total momentum of free bodies. Gravity adds the total mass times g times the time, and an
+// applied force its impulse; a stepper may let a force begin or end a step late.
 Finding momentum(const Scene& scene, Subject& subject) {
   return of_trajectory(scene, subject, [&](const TrajectoryCase& asked) {
-    if (any_fixed(scene) || !scene.motion->forces.empty() || !start_at_once(scene)) {
-      return judge::outside("a fixed body or an applied force changes momentum");
+    const bool pushed = !scene.motion->forces.empty();
+    if (any_fixed(scene) || !start_at_once(scene) || (pushed && !scene.motion->start_times.empty())) {
+      return judge::outside("a fixed body changes momentum, or bodies start one after the other");
     }
     const std::vector<ImpactBody> first = bodies_at(scene, first_states(scene));
     const Sum<Point> before = momentum_of(first);
@@ -106,11 +109,14 @@ Finding momentum(const Scene& scene, Subject& subject) {
     for (std::size_t sample = 0; sample < asked.samples(); ++sample) {
       const Real seconds = asked.time(sample) - start_of_all(scene);
       const Sum<Point> now = momentum_of(bodies_at(scene, asked.said.states[sample]));
+      const AppliedImpulse applied = applied_until(scene, asked.time(sample));
       const Point given = mass * seconds * scene.gravity.cast<Real>();
-      const Point expected = before.value + given;
-      const Real size = before.size + now.size + given.norm();
+      const Point expected = before.value + given + applied.total.cast<Real>();
+      const Real pushes = std::accumulate(applied.of_bodies.begin(), applied.of_bodies.end(), Real{0});
+      const Real size = before.size + now.size + given.norm() + pushes;
       judge::Allowance allowed = of_sum(asked, size, "ulps of the momenta");
-      allowed.bound += 2 * static_cast<double>(off * size);
+      const double late = asked.stepping ? asked.stepping->step * applied.changes : 0;
+      allowed.bound += 2 * static_cast<double>(off * size) + late;
       if (worse(worst, judge::at_most(
                            static_cast<double>((now.value - expected).norm()), allowed, Defect::wrong_momentum,
                            [&] { return oracle::words::text(Vec3(now.value.cast<double>())); },
