@@ -178,6 +178,7 @@ TEST_CASE("who is not there cannot move or go, what is no solid cannot come") {
   CHECK_THROWS_AS(collider.insert(0, Sphere{2}, {}), InputError);
   CHECK_THROWS_AS(collider.move(0, {Vec3(1e308, 0, 0), {}}), InputError);
   collider.insert(1, Sphere{1}, {Vec3(2, 0, 0), {}});
+  CHECK_THROWS_AS(collider.move(1, {Vec3(1e308, 0, 0), {}}), InputError);
   collider.update();
   REQUIRE(collider.pairs().size() == 1);
   CHECK(collider.pairs()[0].nearest.proximity.verdict == Verdict::touching);
