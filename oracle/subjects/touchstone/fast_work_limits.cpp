@@ -42,7 +42,7 @@ std::vector<WorkLimit> fast_work_limits() {
       {"time_of_impact", "toi_all_normals", 64, {{"toi_query", 2}}},
       {"time_of_impact", "tumble_step", 512, {{"toi_query", 3}}},
       {"time_of_impact", "walk", 128, {{"toi_query", 3}}},
-      {"time_of_impact", "walk_step", 32, {{"walk", 6}}},
+      {"time_of_impact", "walk_step", 32, {{"walk", 6}, {"vertices", 2}}},
       {"time_of_impact", "walk_in_doubles", 16, {{"walk", 2}}},
       {"time_of_impact", "walk_inside", 8, {{"walk", 2}}},
       {"time_of_impact", "walk_restart", 64, {{"toi_query", 2}}},
