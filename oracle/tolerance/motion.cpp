@@ -225,10 +225,22 @@ double longest_way(const Scene& scene, double seconds) {
   return seconds * (fastest_at_start(scene) + scene.gravity.norm() * seconds / 2);
 }
 
-// Each body has at most the speed of the fastest at the start, and what gravity adds. Spin may become speed: half the
-// energy ½ I w² ≤ ½ m ρ² w², with ρ the body's reach.
+/// m/s²: what applied forces add to g at most.
+double greatest_push(const Scene& scene) {
+  Real greatest = 0;
+  for (const AppliedForce& applied : scene.motion->forces) {
+    const auto i = static_cast<std::size_t>(applied.body);
+    const ImpactBody pushed = impact_body(scene, i, scene.bodies[i].X_WB.p_WB);
+    if (!pushed.fixed) greatest = std::max(greatest, length(applied.force_W) / pushed.mass);
+  }
+  return static_cast<double>(greatest);
+}
+
+// Each body has at most the speed of the fastest at the start, and what gravity and applied forces add. Spin may become
+// speed: half the energy ½ I w² ≤ ½ m ρ² w², with ρ the body's reach.
 double way_of_step(const Scene& scene, double step) {
-  return 2 * step * (fastest_at_start(scene) + scene.gravity.norm() * scene.motion->sample_times.back());
+  const double falls = scene.gravity.norm() + greatest_push(scene);
+  return 2 * step * (fastest_at_start(scene) + falls * scene.motion->sample_times.back());
 }
 
 // A shift stays, and a velocity adds to it. `place` bounds the error of the turn times rho as well. A turned body whose
