@@ -162,10 +162,6 @@ Energy energy(const Scene& scene, const std::vector<State>& states) {
   return all;
 }
 
-/// Roundings of the terms of two energies: a number of an answer is next to the right one, 2u. So v² is off by 4u; the
-/// axes of I by 8u, so that ωᵀIω is off by 20u of the greatest moment's, which is at most twice another one's share.
-constexpr double of_two_energies = 80;
-
 Finding energy_falls(const Scene& scene, Subject& subject) {
   return of_steps(scene, subject, [&](const Trajectory& said) {
     if (restitution_may_add_energy(scene)) return judge::outside("rebounds with friction of a body that is no ball");
@@ -173,7 +169,7 @@ Finding energy_falls(const Scene& scene, Subject& subject) {
       return judge::outside("an applied force or a moving fixed body may do work");
     const std::vector<State> before = first_states(scene);
     const double allowed = tolerance::energy_of_steps(scene);
-    const double roundings = 0x1p-40 + of_two_energies * oracle::unit_roundoff(subject.card().precision);
+    const double roundings = tolerance::rounding_of_energies(subject.card().precision);
     Energy last = energy(scene, before);
     Finding worst;
     for (std::size_t i = 0; i < said.states.size(); ++i) {
@@ -260,10 +256,6 @@ Finding cone(const Scene& scene, Subject& subject) {
   });
 }
 
-/// Roundings, where an engine keeps another point of a fixed body than its origin: R p to 12u + √3·3u, subtracted and
-/// added again.
-constexpr double of_kept_place = 40;
-
 Finding fixed(const Scene& scene, Subject& subject) {
   return of_steps(scene, subject, [&](const Trajectory& said) {
     Finding finding = judge::outside("no body is fixed and at rest");
@@ -271,8 +263,7 @@ Finding fixed(const Scene& scene, Subject& subject) {
       const Body& body = scene.bodies[k];
       if (!std::holds_alternative<Fixed>(body.mass) || body.velocity != Velocity{}) continue;
       finding = judge::holds();
-      const double far = body.X_WB.p_WB.norm() + tolerance::radius(body);
-      const double kept = of_kept_place * oracle::unit_roundoff(subject.card().precision) * far;
+      const double kept = tolerance::place_as_kept(body, subject.card().precision);
       for (const std::vector<State>& states : said.states) {
         const bool stays = (states[k].X_WB.p_WB - body.X_WB.p_WB).norm() <= kept && states[k].velocity == body.velocity;
         if (!stays) return judge::wrong(Defect::drifts, "a fixed body moves", "a fixed body does not move");

@@ -2,7 +2,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "oracle/judge/words.h"
 #include "oracle/tolerance/precision.h"
@@ -113,32 +112,19 @@ Finding angular_momentum(const Scene& scene, Subject& subject) {
   });
 }
 
-/// Roundings, where an engine keeps the velocity of a fixed body in the body's axes: 12u of an entry of R and √3·3u of
-/// the product with it, less than 18u, there and back.
-constexpr double of_kept_velocity = 36;
-
-/// Roundings of a pose, 4u of its parts and twice for a difference: a stepper may compute the velocity of a fixed body
-/// from two poses, h apart.
-constexpr double of_two_poses = 8;
-
 Finding fixed(const Scene& scene, Subject& subject) {
-  const std::optional<oracle::Stepping>& stepping = subject.card().stepping;
   return of_answered_impact(scene, subject, [&](const ImpactCase& asked, const SaidImpact& said) {
     for (std::size_t i = 0; i < 2; ++i) {
-      if (!asked.impact.bodies[i].fixed) continue;
-      const Velocity &before = asked.scene.bodies[i].velocity, &after = said.answer.after[i];
-      const Real radius = tolerance::radius(asked.scene.bodies[i]);
-      const Point dv = after.v_WBcm.cast<Real>() - before.v_WBcm.cast<Real>();
-      const Point dw = after.w_WB.cast<Real>() - before.w_WB.cast<Real>();
-      const Real change = dv.norm() + radius * dw.norm();
-      const Real speed = before.v_WBcm.cast<Real>().norm() + radius * before.w_WB.cast<Real>().norm();
-      const Real u = oracle::unit_roundoff(asked.precision);
-      const Real place = asked.scene.bodies[i].X_WB.p_WB.norm() + radius;
-      const Real bound = u * (of_kept_velocity * speed + (stepping ? of_two_poses * place / stepping->step : 0));
+      const oracle::ImpactBody& before = asked.impact.bodies[i];
+      if (!before.fixed) continue;
+      const Body& body = asked.scene.bodies[i];
+      const Moving& after = said.after[i];
+      const Real radius = tolerance::radius(body), speed = before.v_WBcm.norm() + radius * before.w_WB.norm();
+      const Real change = (after.v_WBcm - before.v_WBcm).norm() + radius * (after.w_WB - before.w_WB).norm();
+      const double bound = tolerance::velocity_as_kept(body, asked.precision, subject.card().stepping);
       return judge::at_most(
-          static_cast<double>(change), in_ulps_of(asked, speed, static_cast<double>(bound), "its speed"),
-          Defect::wrong_velocity, [&] { return text(said.after); },
-          [] { return std::string("the fixed body keeps its velocity"); });
+          static_cast<double>(change), in_ulps_of(asked, speed, bound, "its speed"), Defect::wrong_velocity,
+          [&] { return text(said.after); }, [] { return std::string("the fixed body keeps its velocity"); });
     }
     return judge::outside("no body is fixed");
   });

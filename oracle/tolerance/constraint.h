@@ -29,4 +29,7 @@ double overlap_of_step(const Scene& scene);
 /// J: upper bound of the rise of the energy of all bodies between two samples.
 double energy_of_steps(const Scene& scene);
 
+/// 1: what rounding may change the difference of two energies of all bodies, relative to the sizes of the terms of one.
+double rounding_of_energies(Precision precision);
+
 }  // namespace touchstone::oracle::tolerance

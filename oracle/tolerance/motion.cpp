@@ -129,6 +129,39 @@ Real turned(const Facts& it, Real theta, Real u) {
          into_own_axes * u * theta * grown_from_start(it, theta);
 }
 
+/// m, from W's origin: the body's at the start, its points' from the centre of mass, and the centre's in the end.
+struct Ways {
+  Real p = 0, rho = 0, far = 0;
+};
+
+Ways ways_of(const Scene& scene, std::size_t body, const Facts& it) {
+  const Real p = length(scene.bodies[body].X_WB.p_WB);
+  return {p, radius(scene.bodies[body]) + it.centre, p + it.centre + it.v * it.tau + it.a * it.tau * it.tau / 2};
+}
+
+// Poses 2u(|c| + ρ), velocities 2u.
+BallisticBound rounded(const Facts& it, const Ways& ways, Real u) {
+  const Real v = it.v + it.a * it.tau;
+  BallisticBound bound;
+  bound.fastest = static_cast<double>(v + it.w * ways.rho);
+  bound.farthest = static_cast<double>(ways.far + ways.rho);
+  bound.place = static_cast<double>(2 * u * (ways.far + ways.rho));
+  bound.velocity = static_cast<double>(2 * u * v);
+  bound.spin = static_cast<double>(2 * u * it.w);
+  return bound;
+}
+
+/// m/s²: what applied forces add to g at most.
+Real greatest_push(const Scene& scene) {
+  Real greatest = 0;
+  for (const AppliedForce& applied : scene.motion->forces) {
+    const auto i = static_cast<std::size_t>(applied.body);
+    const ImpactBody pushed = impact_body(scene, i, scene.bodies[i].X_WB.p_WB);
+    if (!pushed.fixed) greatest = std::max(greatest, length(applied.force_W) / pushed.mass);
+  }
+  return greatest;
+}
+
 }  // namespace
 
 // To first order in u, over τ seconds:
@@ -143,13 +176,13 @@ Real turned(const Facts& it, Real theta, Real u) {
 //            changes by a, and ω by less than Ω² (|cᵢ| ≤ 1), per second.
 BallisticBound ballistic(const Scene& scene, std::size_t body, double time, Precision precision) {
   const Facts it = facts(scene, body, time, precision);
+  const Ways ways = ways_of(scene, body, it);
   const Real u = unit_roundoff(precision), clock = 4 * u * start_of(scene, body);
-  BallisticBound bound = rounded_state(scene, body, time, precision);
+  BallisticBound bound = rounded(it, ways, u);
   if (precision != Precision::exact) {
-    const Real p = length(scene.bodies[body].X_WB.p_WB), rho = radius(scene.bodies[body]) + it.centre;
-    const Real far = bound.farthest - rho, theta = it.w * it.tau, pushed = it.mass_error * it.a;
-    bound.place = static_cast<double>(u * (52 * (p + it.centre) + 14 * far) + pushed * it.tau * it.tau / 2 +
-                                      turned(it, theta, u) * rho + 2 * it.centre_error);
+    const Real theta = it.w * it.tau, pushed = it.mass_error * it.a;
+    bound.place = static_cast<double>(u * (52 * (ways.p + it.centre) + 14 * ways.far) + pushed * it.tau * it.tau / 2 +
+                                      turned(it, theta, u) * ways.rho + 2 * it.centre_error);
     bound.velocity = static_cast<double>(4 * u * (it.v + it.a * it.tau) + pushed * it.tau);
     bound.spin = static_cast<double>(
         it.w * (8 * u + uneven(it, u) * (grown(it, theta) + 1) + into_own_axes * u * grown_from_start(it, theta)));
@@ -160,19 +193,9 @@ BallisticBound ballistic(const Scene& scene, std::size_t body, double time, Prec
   return bound;
 }
 
-// Poses 2u(|c| + ρ), velocities 2u.
 BallisticBound rounded_state(const Scene& scene, std::size_t body, double time, Precision precision) {
   const Facts it = facts(scene, body, time, precision);
-  const Real u = unit_roundoff(precision), p = length(scene.bodies[body].X_WB.p_WB);
-  const Real rho = radius(scene.bodies[body]) + it.centre;
-  const Real far = p + it.centre + it.v * it.tau + it.a * it.tau * it.tau / 2;
-  BallisticBound bound;
-  bound.fastest = static_cast<double>(it.v + it.a * it.tau + it.w * rho);
-  bound.farthest = static_cast<double>(far + rho);
-  bound.place = static_cast<double>(2 * u * (far + rho));
-  bound.velocity = static_cast<double>(2 * u * (it.v + it.a * it.tau));
-  bound.spin = static_cast<double>(2 * u * it.w);
-  return bound;
+  return rounded(it, ways_of(scene, body, it), unit_roundoff(precision));
 }
 
 // y = (R, ω/Ω) of a body with unequal moments follows y' = f(y), in units of 1/Ω. |R'| = 1; |ω'| ≤ 1/√3, as |c| ≤ 1 and
@@ -225,21 +248,10 @@ double longest_way(const Scene& scene, double seconds) {
   return seconds * (fastest_at_start(scene) + scene.gravity.norm() * seconds / 2);
 }
 
-/// m/s²: what applied forces add to g at most.
-double greatest_push(const Scene& scene) {
-  Real greatest = 0;
-  for (const AppliedForce& applied : scene.motion->forces) {
-    const auto i = static_cast<std::size_t>(applied.body);
-    const ImpactBody pushed = impact_body(scene, i, scene.bodies[i].X_WB.p_WB);
-    if (!pushed.fixed) greatest = std::max(greatest, length(applied.force_W) / pushed.mass);
-  }
-  return static_cast<double>(greatest);
-}
-
 // Each body has at most the speed of the fastest at the start, and what gravity and applied forces add. Spin may become
 // speed: half the energy ½ I w² ≤ ½ m ρ² w², with ρ the body's reach.
 double way_of_step(const Scene& scene, double step) {
-  const double falls = scene.gravity.norm() + greatest_push(scene);
+  const double falls = scene.gravity.norm() + static_cast<double>(greatest_push(scene));
   return 2 * step * (fastest_at_start(scene) + falls * scene.motion->sample_times.back());
 }
 

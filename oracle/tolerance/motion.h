@@ -40,9 +40,6 @@ double fastest_at_start(const Scene& scene);
 /// m: the longest way of a point of a body in so many seconds without impacts.
 double longest_way(const Scene& scene, double seconds);
 
-/// m/s²: what applied forces add to gravity at most.
-double greatest_push(const Scene& scene);
-
 /// m: how far two bodies may move towards each other in one step, before the stepper notices that they touch.
 double way_of_step(const Scene& scene, double step);
 

@@ -210,4 +210,18 @@ MassBound mass_as_kept(const MassProperties& given, Precision precision) {
       .mass = 3 * u * given.mass, .centre = 3 * u * given.p_BBcm.norm(), .inertia = 145 * u * given.I_BBcm_B.norm()};
 }
 
+// R p to 12u + √3·3u < 18u, subtracted and added again.
+double place_as_kept(const Body& body, Precision precision) {
+  return 40 * unit_roundoff(precision) * (body.X_WB.p_WB.norm() + radius(body));
+}
+
+// Into the body's axes and back, 18u each. The roundings of a pose are 4u of its parts, twice for a difference.
+double velocity_as_kept(const Body& body, Precision precision, const std::optional<Stepping>& stepping) {
+  const long double u = unit_roundoff(precision), rho = radius(body);
+  const long double speed =
+      body.velocity.v_WBcm.cast<long double>().norm() + rho * body.velocity.w_WB.cast<long double>().norm();
+  const long double of_poses = stepping ? 8 * (body.X_WB.p_WB.norm() + rho) / stepping->step : 0;
+  return static_cast<double>(u * (36 * speed + of_poses));
+}
+
 }  // namespace touchstone::oracle::tolerance

@@ -62,4 +62,11 @@ MassBound mass(const Body& body, Precision precision);
 /// principal axes.
 MassBound mass_as_kept(const MassProperties& given, Precision precision);
 
+/// m: the same of the place of a body at rest, of which an engine may keep another point.
+double place_as_kept(const Body& body, Precision precision);
+
+/// m/s: the same of the velocity of a fixed body's fastest point. An engine may keep it in the body's axes; a stepper
+/// may compute it from two poses.
+double velocity_as_kept(const Body& body, Precision precision, const std::optional<Stepping>& stepping);
+
 }  // namespace touchstone::oracle::tolerance

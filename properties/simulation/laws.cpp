@@ -90,8 +90,13 @@ Sum<Point> momentum_of(const std::vector<ImpactBody>& bodies) {
   return sum;
 }
 
+/// N s: a stepper may let a force begin, change or end a step late.
+double late(const TrajectoryCase& asked, const AppliedImpulse& applied) {
+  return asked.stepping ? asked.stepping->step * applied.changes : 0;
+}
+
 // Impacts conserve the total momentum of free bodies. Gravity adds the total mass times g times the time, and an
-// applied force its impulse; a stepper may let a force begin or end a step late.
+// applied force its impulse.
 Finding momentum(const Scene& scene, Subject& subject) {
   return of_trajectory(scene, subject, [&](const TrajectoryCase& asked) {
     const bool pushed = !scene.motion->forces.empty();
@@ -115,8 +120,7 @@ Finding momentum(const Scene& scene, Subject& subject) {
       const Real pushes = std::accumulate(applied.of_bodies.begin(), applied.of_bodies.end(), Real{0});
       const Real size = before.size + now.size + given.norm() + pushes;
       judge::Allowance allowed = of_sum(asked, size, "ulps of the momenta");
-      const double late = asked.stepping ? asked.stepping->step * applied.changes : 0;
-      allowed.bound += 2 * static_cast<double>(off * size) + late;
+      allowed.bound += 2 * static_cast<double>(off * size) + late(asked, applied);
       if (worse(worst, judge::at_most(
                            static_cast<double>((now.value - expected).norm()), allowed, Defect::wrong_momentum,
                            [&] { return oracle::words::text(Vec3(now.value.cast<double>())); },
@@ -245,8 +249,9 @@ Real stepped(const TrajectoryCase& asked, const std::vector<State>& states, doub
 // Judges the energy gain between consecutive samples, and if `kept` its loss too. A subject whose slower approaches do
 // not bounce may lose the energy of any of these, so its loss is not judged.
 Finding energy_between_samples(const TrajectoryCase& asked, bool kept) {
-  std::vector<State> states = first_states(asked.scene);
-  std::vector<ImpactBody> bodies = bodies_at(asked.scene, states);
+  const std::vector<State> first = first_states(asked.scene);
+  const std::vector<State>* last = &first;
+  std::vector<ImpactBody> bodies = bodies_at(asked.scene, first);
   Sum<Real> before = energy_of(asked, bodies);
   Real off = pose_error(asked, bodies);
   const Real lifted = lift(asked, bodies);
@@ -260,8 +265,8 @@ Finding energy_between_samples(const TrajectoryCase& asked, bool kept) {
     judge::Allowance allowed = of_sum(asked, size, "ulps of the energies");
     const double since = sample == 0 ? start_of_all(asked.scene) : asked.time(sample - 1);
     const double seconds = asked.time(sample) - since;
-    const Real explained = std::max(stepped(asked, states, seconds), stepped(asked, after, seconds));
-    states = after;
+    const Real explained = std::max(stepped(asked, *last, seconds), stepped(asked, after, seconds));
+    last = &after;
     allowed.bound += static_cast<double>(2 * (off * size + lifted) + explained);
     if (kept && asked.dynamics.restitution_threshold > 0 && -gain > allowed.bound) {
       return judge::outside("a loss that approaches slower than the " +
@@ -427,7 +432,6 @@ Finding level_momentum(const Scene& given, Subject& subject) {
       const AppliedImpulse applied = applied_until(scene, asked.time(sample));
       const Sum<Real> most = pressed(scene, first, *ice, applied, seconds);
       const Point expected = before + Point(applied.total.x(), applied.total.y(), 0);
-      const Real late = asked.stepping ? asked.stepping->step * applied.changes : 0;
       const Real turned = 2 * pose_error(asked, bodies);
       const auto judged = [&](Real error, Real size, Real off, Real more, const char* name) {
         const double unit = std::max(static_cast<double>(size), 0x1p-900);
@@ -441,7 +445,8 @@ Finding level_momentum(const Scene& given, Subject& subject) {
                            }));
       };
       const Real share = sideways(asked, *ice) + turned;
-      if (worse(worst, judged((now - expected).head<2>().norm(), most.value, share, late, "impulses of the table")))
+      if (worse(worst, judged((now - expected).head<2>().norm(), most.value, share, late(asked, applied),
+                              "impulses of the table")))
         return worst;
       if (!pushed && worse(worst, judged(std::abs(now.z() - before.z()), most.size, share_of_moments(asked, share), 0,
                                          "moments of the table's impulses"))) {
