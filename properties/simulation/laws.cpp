@@ -238,6 +238,7 @@ Real stepped(const TrajectoryCase& asked, const std::vector<State>& states, doub
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     if (bodies[i].fixed) continue;
     mass += bodies[i].mass;
+    now.bodies[i].X_WB = states[i].X_WB;
     now.bodies[i].velocity = states[i].velocity;
     const Real dw = tolerance::stepped(now, i, seconds, *asked.stepping, asked.precision).spin;
     swing += bodies[i].moments[2] * (bodies[i].w_WB.norm() + dw / 2) * dw;

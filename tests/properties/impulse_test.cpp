@@ -128,6 +128,24 @@ TEST_CASE("impulse: without a contact, or with squares beyond the subject's rang
   CHECK(judged("impulse.survives", hard, skidding()).outcome == Outcome::outside);
 }
 
+// 8 and 64 ulps are 16 and 128 roundings: 36 are of the body's axes, and 8 · 256 more of two poses 1/256 s apart.
+TEST_CASE("impulse: a fixed body's velocity may be kept in its axes, or computed from two poses") {
+  Scene scene = skid();
+  scene.bodies[1].velocity.w_WB = {0, 0, 1};
+  const auto judged_at = [&](double ulps, const std::optional<oracle::Stepping>& stepping) {
+    tests::FixedSubject subject;
+    subject.introduced.stepping = stepping;
+    Impulse said = skidding();
+    said.after[1].w_WB = {0, 0, 1 + ulps * 0x1p-52};
+    subject.said_impulse = said;
+    return properties::find("impulse.fixed").check(scene, subject).outcome;
+  };
+  CHECK(judged_at(8, std::nullopt) == Outcome::holds);
+  CHECK(judged_at(64, std::nullopt) == Outcome::fails);
+  CHECK(judged_at(64, oracle::Stepping{1.0 / 256, 1}) == Outcome::holds);
+  CHECK(judged_at(1 << 20, oracle::Stepping{1.0 / 256, 1}) == Outcome::fails);
+}
+
 TEST_CASE("impulse: the planar rod of literature, by three laws") {
   // K = [[5/2, −3/2], [−3/2, 5/2]] and u = (3, −5), five times the example's: slip stops at p = 3/4, p_c = 2.
   const auto u_n = [](Law law) {
