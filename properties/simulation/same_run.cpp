@@ -50,7 +50,7 @@ Trajectory in_units(Trajectory said, int lengths, int masses) {
 }
 
 /// A run that comes to rest by ever smaller velocities ends with numbers whose products underflow, in one unit sooner
-/// than in the other.
+/// than in the other. The limits are choices: a square of 2^-25 is 2^76 times the least normal single.
 bool underflows(const Trajectory& said, oracle::Precision precision) {
   const double least = precision == oracle::Precision::binary32 ? 0x1p-25 : 0x1p-200;
   const auto tiny = [least](const Vec3& v) {
@@ -79,7 +79,8 @@ template <class Back>
 Finding same_run(const Scene& scene, const std::optional<Scene>& other, Defect defect, Back&& back, Subject& subject) {
   return of_timeline(scene, subject, [&](const TrajectoryCase& asked, const Timeline&) {
     if (asked.stepping) return judge::outside("a time-stepper");
-    if (underflows(asked.said, asked.precision)) return judge::outside("velocities whose products underflow");
+    if (underflows(asked.said, asked.precision))
+      return judge::outside("velocities or impulses whose products underflow");
     return of_moved(other, subject, [&](const Scene& changed) {
       return judge::given(subject.simulation(changed), [&](const Trajectory& said) {
         const std::string differs = difference(scene, back(said), asked.said);

@@ -623,6 +623,14 @@ TEST_CASE("A run that does not scale with its scene, or with other states at fur
   CHECK(judged("scaled", turned_back()).defect == Defect::scaled);
   CHECK(judged("heavier", turned_back()).defect == Defect::scaled);
   CHECK(judged("sampled", turned_back()).defect == Defect::inconsistent);
+  // Products of velocities, or impulses, as slow as that underflow in singles, in one unit sooner than in the other.
+  Trajectory slow = turned_back();
+  event_of(slow).P_A_W.x() = 0x1p-30;
+  tests::FixedSubject singles;
+  singles.introduced.precision = oracle::Precision::binary32;
+  singles.said_simulation = slow;
+  CHECK(judged("scaled", slow).defect == Defect::scaled);
+  CHECK(properties::find("simulation.scaled").check(wall(), singles).outcome == Outcome::outside);
   Trajectory without_events = turned_back();
   without_events.events.reset();
   for (const char* property : {"scaled", "heavier", "sampled", "exact_ball"}) {

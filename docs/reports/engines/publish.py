@@ -113,6 +113,8 @@ def main():
     readme = with_table(readme, begin, summary("--subjects", ",".join(re.findall(r"(?m)^\| `([\w.]+)` ", before))))
     for name in ("index.html", "report.json"):
         text = (options.report / name).read_bytes()
+        for folder in (options.report, options.build):  # its commands: from the folder of the two
+            text = text.replace(f"{folder.resolve().parent}/".encode(), b"")
         (HERE / f"{name}.xz").write_bytes(lzma.compress(text, preset=9 | lzma.PRESET_EXTREME))
     (HERE / "README.md").write_text(page)
     (TOP / "README.md").write_text(readme)
