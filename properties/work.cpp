@@ -40,6 +40,14 @@ double placements(const Scene& scene) {
   return static_cast<double>(sum);
 }
 
+/// By how much the bodies would turn in the time of the motion if they kept their angular velocities.
+double radians(const Scene& scene) {
+  double sum = 0;
+  if (!scene.motion || scene.motion->sample_times.empty()) return sum;
+  for (const Body& body : scene.bodies) sum += scene.motion->sample_times.back() * body.velocity.w_WB.norm();
+  return sum;
+}
+
 /// A size of the scene by its name in oracle/work.h.
 std::optional<double> size_of(const Scene& scene, const std::string& name) {
   if (name == "bodies") return static_cast<double>(scene.bodies.size());
@@ -48,6 +56,8 @@ std::optional<double> size_of(const Scene& scene, const std::string& name) {
   if (name == "placements") return placements(scene);
   if (name == "pixels") return scene.raster ? double{1} * scene.raster->columns * scene.raster->rows : 0;
   if (name == "samples") return scene.motion ? static_cast<double>(scene.motion->sample_times.size()) : 0;
+  if (name == "radians") return radians(scene);
+  if (name == "aspect") return oracle::sizes_of(scene).aspect;
   return std::nullopt;
 }
 
@@ -171,9 +181,13 @@ bool can_be_asked(const std::string& name, const Scene& scene) {
   return !query.about_two_bodies || scene.bodies.size() == 2;
 }
 
-/// No subject has to answer about compounds where the specification defines no answer.
+/// No subject has to answer where the specification defines no answer: about compounds, and for `constraint` about
+/// bodies that start at different times.
 bool is_defined(const std::string& query, const Scene& scene) {
   if (query != "penetration" && query != "constraint") return true;
+  const bool starts_together =
+      !scene.motion || std::ranges::all_of(scene.motion->start_times, [](double start) { return start == 0; });
+  if (query == "constraint" && !starts_together) return false;
   return std::ranges::none_of(scene.bodies,
                               [](const Body& body) { return std::holds_alternative<Compound>(body.shape); });
 }

@@ -9,7 +9,8 @@ constexpr int generic = 16;
 
 // Most limits are a number of steps for each search, and a base for one search that takes long. A depth in a needle
 // takes hundreds of steps, and a pair that touches is decided by exact arithmetic, so the promises about distance and
-// penetration are about 16 generic placements together.
+// penetration are about 16 generic placements together. Bodies that turn within reach of each other are searched a part
+// of a radian at a time, and a sliver beside another body for a part of the angle that its thickness is seen under.
 std::vector<WorkLimit> fast_work_limits() {
   return {
       {"distance", "exact_proximity", 12, {}, generic},
@@ -19,7 +20,7 @@ std::vector<WorkLimit> fast_work_limits() {
       {"penetration", "exact_proximity", 12, {}, generic},
       {"penetration", "depth_exact", 160, {}, generic},
       {"penetration", "depth_step", 6500, {}, generic},
-      {"penetration", "descent_step", 200, {}, generic},
+      {"penetration", "descent_step", 200, {{"vertices", 2}}, generic},
       {"penetration", "exact_step", 8, {{"exact_proximity", 8}}},
 
       {"pair_history", "climb_step", 0, {{"climb", 64}}},
@@ -37,7 +38,7 @@ std::vector<WorkLimit> fast_work_limits() {
       {"impulse", "impulse_slide_off", 4},
 
       {"time_of_impact", "toi_balls", 32, {{"toi_search", 8}}},
-      {"time_of_impact", "toi_query", 32, {{"toi_search", 192}}},
+      {"time_of_impact", "toi_query", 32, {{"toi_search", 192}, {"radians", 4}, {"aspect", 0.0625}}},
       {"time_of_impact", "toi_wait", 32, {{"toi_search", 64}}},
       {"time_of_impact", "toi_all_normals", 64, {{"toi_query", 2}}},
       {"time_of_impact", "tumble_step", 512, {{"toi_query", 3}}},
@@ -50,7 +51,7 @@ std::vector<WorkLimit> fast_work_limits() {
       {"time_of_impact", "exact_proximity", 1, {{"toi_search", 1}}},
       {"time_of_impact", "exact_step", 8, {{"exact_proximity", 6}}},
 
-      {"simulation", "toi_query", 128, {{"toi_search", 6}}},
+      {"simulation", "toi_query", 128, {{"toi_search", 6}, {"radians", 4}, {"aspect", 0.0625}}},
       {"simulation", "tumble_step", 2048, {{"toi_query", 3}}},
       {"simulation", "walk", 2048, {{"toi_query", 4}, {"contact_round", 16}}},
       {"simulation", "walk_step", 64, {{"walk", 9}}},
@@ -90,7 +91,7 @@ std::vector<WorkLimit> fast_pairs_work_limits() {
       {"penetration", "exact_proximity", 24, {}, generic},
       {"penetration", "depth_exact", 320, {}, generic},
       {"penetration", "depth_step", 13000, {}, generic},
-      {"penetration", "descent_step", 400, {}, generic},
+      {"penetration", "descent_step", 400, {{"vertices", 4}}, generic},
       {"penetration", "exact_step", 16, {{"exact_proximity", 8}}},
   };
 }

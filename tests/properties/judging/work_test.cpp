@@ -41,6 +41,23 @@ TEST_CASE("work: a count is at most what is promised, for sizes of the scene and
         Outcome::fails);
 }
 
+TEST_CASE("work: sizes of a motion and of slender bodies") {
+  tests::FixedSubject subject;
+  Scene scene = tests::scene("cubes that share a face");
+  scene.bodies[0].velocity.w_WB = {0, 3, 4};
+  scene.motion.emplace().sample_times = {0.5, 2};
+  scene.bodies[1].shape = Box{{4, 0.5, 2}};  // 9 m from corner to corner, 1 m thick
+  const auto outcome_of = [&](double count, oracle::WorkLimit limit) {
+    subject.introduced.work_limits = {std::move(limit)};
+    subject.said_work = Work{{"step", static_cast<std::uint64_t>(count)}};
+    return properties::find("time_of_impact.work").check(scene, subject).outcome;
+  };
+  CHECK(outcome_of(10, {"time_of_impact", "step", 0, {{"radians", 1}}}) == Outcome::holds);
+  CHECK(outcome_of(11, {"time_of_impact", "step", 0, {{"radians", 1}}}) == Outcome::fails);
+  CHECK(outcome_of(9, {"time_of_impact", "step", 0, {{"aspect", 1.01}}}) == Outcome::holds);
+  CHECK(outcome_of(10, {"time_of_impact", "step", 0, {{"aspect", 1.01}}}) == Outcome::fails);
+}
+
 TEST_CASE("work: where nothing is promised, one step is too many, what is not counted is not taken") {
   CHECK(outcome({}, {{"distance", "exact"}}) == Outcome::holds);
   const oracle::Finding finding = judged({Work{{"exact", 1}}}, {{"distance", "exact"}});
@@ -111,4 +128,16 @@ TEST_CASE("work: no answer is no promise kept") {
   CHECK(finding.outcome == Outcome::fails);
   CHECK(finding.defect == Defect::refused);
   CHECK(judged(Breaks{Breaks::Kind::threw, "no"}, {{"distance", "step", 5}}).outcome == Outcome::breaks);
+}
+
+TEST_CASE("work: no promise is broken by no answer about bodies in constraint that start at different times") {
+  tests::FixedSubject subject;
+  subject.introduced.work_limits = {{"constraint", "step", 5}};
+  subject.said_work = Abstains{"they start at different times"};
+  Scene scene = tests::scene("cubes that share a face");
+  scene.motion.emplace().sample_times = {1};
+  const auto outcome_now = [&] { return properties::find("constraint.work").check(scene, subject).outcome; };
+  CHECK(outcome_now() == Outcome::fails);
+  scene.motion->start_times = {0, 0.5};
+  CHECK(outcome_now() == Outcome::abstains);
 }
