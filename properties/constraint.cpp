@@ -10,6 +10,7 @@
 #include "properties/cases/applied_impulse.h"
 #include "properties/cases/constraint_case.h"
 #include "properties/cases/restitution.h"
+#include "properties/cases/time_of_impact_case.h"
 #include "properties/cases/trajectory_case.h"
 #include "properties/queries.h"
 #include "properties/transforms/scene.h"
@@ -101,23 +102,24 @@ double overlap(const Scene& pair) {
 }
 
 /// Of the two of all bodies that overlap most, or the first two that overlap too much.
-Finding apart_at(const Scene& scene, const std::vector<State>& states, std::size_t sample) {
+Finding apart_at(const Scene& scene, const std::vector<State>& states, std::size_t sample, oracle::Precision in) {
   const Scene now = as_at(scene, states);
-  const double bound = tolerance::overlap_of_step(scene);
   Finding worst;
   for (std::size_t a = 0; a < now.bodies.size(); ++a) {
     for (std::size_t b = a + 1; b < now.bodies.size(); ++b) {
       if (is_fixed(now.bodies[a]) && is_fixed(now.bodies[b])) continue;
       Scene pair;
       pair.bodies = {now.bodies[a], now.bodies[b]};
-      const double depth = overlap(pair);
-      const Finding finding = judge::at_most(
-          depth, metres(bound, smaller(pair)), Defect::overdeep,
-          [&] {
-            return "bodies " + std::to_string(a) + " and " + std::to_string(b) + " overlap by " + text(depth) + " m" +
-                   at(scene, sample);
-          },
-          [] { return std::string("no overlap"); });
+      const double depth = overlap(pair), rounding = tolerance::rounding_of_places(scene, a, b, in);
+      const double bound = tolerance::overlap_of_step(scene) + rounding;
+      const Finding finding = counted(is_decisive(pair, rounding),
+                                      judge::at_most(
+                                          depth, metres(bound, smaller(pair)), Defect::overdeep,
+                                          [&] {
+                                            return "bodies " + std::to_string(a) + " and " + std::to_string(b) +
+                                                   " overlap by " + text(depth) + " m" + at(scene, sample);
+                                          },
+                                          [] { return std::string("no overlap"); }));
       if (finding.outcome == oracle::Outcome::fails) return finding;
       if (finding.error >= worst.error) worst = finding;
     }
@@ -130,7 +132,7 @@ Finding apart(const Scene& scene, Subject& subject) {
     if (said.states.empty()) return judge::silent("any state");
     Finding worst;
     for (std::size_t sample = 0; sample < said.states.size(); ++sample) {
-      const Finding finding = apart_at(scene, said.states[sample], sample);
+      const Finding finding = apart_at(scene, said.states[sample], sample, subject.card().precision);
       if (finding.outcome == oracle::Outcome::fails) return finding;
       if (finding.error >= worst.error) worst = finding;
     }
@@ -325,6 +327,7 @@ Finding mirrored_world(const Scene& scene, Subject& subject) {
 
 Finding survives_any(const Scene& scene, Subject& subject) {
   if (!scene.motion) return judge::outside("no motion");
+  if (overlap_at_start(scene)) return judge::outside("bodies that overlap at the start");
   return of_scene(scene, subject, [&] {
     return survives<Trajectory>(&Subject::constraint, scene, subject,
                                 [&](const Trajectory& said) { return fault_of_steps(scene, said); });
@@ -333,6 +336,7 @@ Finding survives_any(const Scene& scene, Subject& subject) {
 
 Finding repeats_itself(const Scene& scene, Subject& subject) {
   if (!scene.motion) return judge::outside("no motion");
+  if (overlap_at_start(scene)) return judge::outside("bodies that overlap at the start");
   Scene another = scene;
   another.gravity *= 0.5;
   return of_scene(scene, subject, [&] { return repeats<Trajectory>(&Subject::constraint, scene, another, subject); });

@@ -246,8 +246,10 @@ Finding coefficients(const Scene& scene, Subject& subject) {
                                body.material.friction += 0.5;
                              }
                              s.motion->law = Law::stronge;
-                             s.motion->envelope = 0x1p10 * envelope(s);
-                             return s.motion->envelope > 0 ? std::optional(s) : std::nullopt;
+                             const double wider = 0x1p10 * envelope(s);
+                             if (!(wider > 0 && is_decisive(s, wider))) return std::optional<Scene>();
+                             s.motion->envelope = wider;
+                             return std::optional(s);
                            }),
                    subject, Defect::inconsistent);
 }
@@ -304,6 +306,7 @@ Finding reversible(const Scene& scene, Subject& subject) {
 
 Finding survives_any(const Scene& scene, Subject& subject) {
   if (!scene.motion || scene.bodies.size() != 2) return judge::outside("not two bodies with a motion");
+  if (is_refused(scene)) return judge::outside("the bodies overlap at the start");
   return survives<TimeOfImpact>(&Subject::time_of_impact, scene, subject, [&](const TimeOfImpact& said) -> std::string {
     if (said.time && (*said.time < 0 || *said.time > (1 + 0x1p-20) * end_of(scene)))
       return "a time beyond the end of the motion";
@@ -315,6 +318,7 @@ Finding survives_any(const Scene& scene, Subject& subject) {
 
 Finding repeats_itself(const Scene& scene, Subject& subject) {
   if (!scene.motion || scene.bodies.size() != 2) return judge::outside("not two bodies with a motion");
+  if (is_refused(scene)) return judge::outside("the bodies overlap at the start");
   return repeats<TimeOfImpact>(&Subject::time_of_impact, scene, swapped(scene), subject);
 }
 

@@ -12,7 +12,7 @@ namespace {
 
 using Kind = Feature::Kind;
 
-constexpr double is_parallel = 0x1p-10;  // sine of the angle below which two edges have no unique crossing
+constexpr double is_parallel = 0x1p-10;  // sine of the angle below which two edges may touch in more than a crossing
 // Times `within`: so small that even at a sharp corner of a face a contact point is on the face within `within`.
 constexpr double beside = 0x1p-4;
 // Times `within`: faces whose corners are that near to the other part's face are nearly parallel to it. Their outermost
@@ -131,13 +131,17 @@ std::vector<ContactPoint> points_without_face(const Part& A, const Outline& of_A
   const std::size_t a = of_A.corners.size(), b = of_B.corners.size();
   if (a == 2 && b == 2) {
     const Vec3 d = (of_A.corners[1] - of_A.corners[0]).normalized();
-    if (d.cross((of_B.corners[1] - of_B.corners[0]).normalized()).norm() > is_parallel) {
-      if (ends_before_crossing(of_A, of_B, within) || ends_before_crossing(of_B, of_A, within)) return {};
-      return {{line(A, of_A), line(B, of_B)}};
+    if (d.cross((of_B.corners[1] - of_B.corners[0]).normalized()).norm() <= is_parallel) {
+      std::vector<ContactPoint> made;
+      for (const Vec3& p : common_of_edges(of_A, of_B)) {
+        // Of long edges that are hardly parallel, one end may be far beside the other edge.
+        if (is_beside(p, of_A, n, within) || is_beside(p, of_B, n, within)) continue;
+        made.push_back({point(A, p), plane(B, of_B.corners[0], n)});
+      }
+      if (!made.empty()) return made;
     }
-    std::vector<ContactPoint> made;
-    for (const Vec3& p : common_of_edges(of_A, of_B)) made.push_back({point(A, p), plane(B, of_B.corners[0], n)});
-    return made;
+    if (ends_before_crossing(of_A, of_B, within) || ends_before_crossing(of_B, of_A, within)) return {};
+    return {{line(A, of_A), line(B, of_B)}};
   }
   if (is_beside(a == 1 ? of_A.corners[0] : of_B.corners[0], a == 1 ? of_B : of_A, n, within)) return {};
   if (A.is_ball() || B.is_ball()) {

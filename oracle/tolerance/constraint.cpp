@@ -6,6 +6,7 @@
 #include "model/infinity.h"
 #include "model/limits.h"
 #include "oracle/tolerance/precision.h"
+#include "oracle/tolerance/tolerance.h"
 #include "reference/mass.h"
 
 namespace touchstone::oracle::tolerance {
@@ -124,6 +125,14 @@ std::vector<RollingBound> rolling(const Scene& scene, const reference::Constrain
 
 // The way of the fastest body in a step: a contact is detected after a step at the latest.
 double overlap_of_step(const Scene& scene) { return envelope(scene) + granted_step(scene) * 2 * greatest_speed(scene); }
+
+// A step sees where the one before has left the bodies, so what it rounds does not add up. Two bodies, each of which an
+// engine may keep by another point (place_as_kept() in oracle/tolerance/tolerance.h).
+double rounding_of_places(const Scene& scene, std::size_t a, std::size_t b, Precision precision) {
+  const double way = scene.motion->sample_times.back() * greatest_speed(scene);
+  return place_as_kept(scene.bodies[a], precision) + place_as_kept(scene.bodies[b], precision) +
+         80 * unit_roundoff(precision) * way;
+}
 
 // A step moves a body by v δ with the velocity at one end instead of the mean, so its height is off by ½ g δ² for each
 // step: for T/δ steps m g ½ g δ T. In addition overlapping bodies may be lifted apart: m g times overlap_of_step().

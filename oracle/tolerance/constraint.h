@@ -1,6 +1,7 @@
 // Error bounds of a first-order time-stepper against the exact ball, derived in oracle/tolerance/constraint.cpp.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "oracle/subject.h"
@@ -25,6 +26,9 @@ std::vector<RollingBound> rolling(const Scene& scene, const reference::Constrain
 
 /// m: how deep two bodies may overlap at a sample: as far as one moves in a granted step.
 double overlap_of_step(const Scene& scene);
+
+/// m: how deep bodies a and b may in addition, since the places of both are rounded.
+double rounding_of_places(const Scene& scene, std::size_t a, std::size_t b, Precision precision);
 
 /// J: upper bound of the rise of the energy of all bodies between two samples.
 double energy_of_steps(const Scene& scene);

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "model/limits.h"
+#include "oracle/tolerance/tolerance.h"
 #include "oracle/truth/impact.h"
 #include "oracle/truth/motion_in_doubles.h"
 #include "oracle/truth/world_points.h"
@@ -27,16 +28,17 @@ Velocity velocity_before(const TrajectoryCase& asked, const Timeline& timeline, 
 
 /// Whether two bodies in contact at C approach at C or elsewhere in their contact region. The region is in the convex
 /// hull of A's vertices near the plane through C, and in that of B's, and u_n is affine over it; so it does not
-/// approach if u_n ≥ 0 at all vertices of one of the two. Vertices count as near within four envelopes: the bodies are
-/// within one of each other, C is within one of both, and the rest leaves room for rounding. A ball has no such
-/// vertices.
-bool region_approaches(const Scene& pair, double envelope) {
+/// approach if u_n ≥ 0 at all vertices of one of the two. Vertices count as near within four envelopes, and what
+/// rounding moves both bodies by: the bodies are within one of each other, C is within one of both, and the rest leaves
+/// room for the normal. A ball has no such vertices.
+bool region_approaches(const Scene& pair, double envelope, oracle::Precision precision) {
   constexpr oracle::Real infinite = std::numeric_limits<oracle::Real>::infinity();
   const oracle::Impact impact = oracle::impact(pair);
   if (impact.u_n() < 0) return true;
   const oracle::Point C = pair.contact->p_WC.cast<oracle::Real>();
   const oracle::Point spin = impact.bodies[0].w_WB - impact.bodies[1].w_WB;
   oracle::Real bound = -infinite;  // of u_n over the region
+  const double near = 4 * envelope + 2 * oracle::tolerance::distance(pair, precision);
   for (std::size_t k = 0; k < 2; ++k) {
     oracle::Real least = infinite;
     for (int part = 0;; ++part) {
@@ -44,7 +46,7 @@ bool region_approaches(const Scene& pair, double envelope) {
       if (vertices.empty()) break;
       for (const oracle::Point& vertex : vertices) {
         const oracle::Point off = vertex - C;
-        const bool is_near = std::abs(impact.nhat_BA_W.dot(off)) <= 4 * envelope;
+        const bool is_near = std::abs(impact.nhat_BA_W.dot(off)) <= near;
         if (is_near) least = std::min(least, impact.nhat_BA_W.dot(impact.u + spin.cross(off)));
       }
     }
@@ -99,7 +101,7 @@ bool SimultaneousImpacts::approaches_before(std::size_t impact, std::size_t even
     pair.bodies.back().X_WB = after->X_WB;
     pair.bodies.back().velocity = velocity_before(asked_, timeline_, body, event);
   }
-  const bool answer = region_approaches(pair, envelope(asked_.scene));
+  const bool answer = region_approaches(pair, envelope(asked_.scene), asked_.precision);
   if (remembered != nullptr) *remembered = answer ? 1 : 0;
   return answer;
 }

@@ -86,13 +86,21 @@ std::optional<double> MotionCase::latest() const {
   return gap(end) < -slack ? std::optional(end) : std::nullopt;
 }
 
+bool is_refused(const Scene& pair) {
+  try {
+    oracle::truth::time_of_impact(pair);
+  } catch (const InputError&) {
+    return true;
+  }
+  const std::vector<double>& starts = pair.motion->start_times;
+  if (starts.empty() || starts[0] == starts[1]) return false;  // else the reference has refused it
+  return oracle::truth::distance(oracle::pair_at(pair, start_of(pair))).verdict == Verdict::overlapping;
+}
+
 std::optional<MotionCase> motion_case(const Scene& pair, oracle::Precision precision,
                                       const oracle::ContactTolerance& declared) {
-  try {
-    return MotionCase(pair, precision, declared);
-  } catch (const InputError&) {
-    return std::nullopt;
-  }
+  if (is_refused(pair)) return std::nullopt;
+  return MotionCase(pair, precision, declared);
 }
 
 oracle::judge::Allowance in_ulps_of_place(const MotionCase& asked, double bound) {

@@ -56,7 +56,10 @@ class MotionCase {
   std::optional<double> latest() const;
 };
 
-/// None where the reference refuses the question, because the two overlap at the start.
+/// Do the two overlap where the later one starts? The question is bad input then, and a subject may refuse it.
+bool is_refused(const Scene& pair);
+
+/// None where the two overlap at the start.
 std::optional<MotionCase> motion_case(const Scene& pair, oracle::Precision precision,
                                       const oracle::ContactTolerance& declared = {});
 

@@ -36,7 +36,7 @@ double start_time(const Scene& scene, std::size_t body) {
   return scene.motion->start_times.empty() ? 0 : scene.motion->start_times[body];
 }
 
-bool overlap_at_start(const Scene& scene, std::size_t i, std::size_t j) {
+bool two_overlap_at_start(const Scene& scene, std::size_t i, std::size_t j) {
   const Body &a = scene.bodies[i], &b = scene.bodies[j];
   if (is_fixed(a) && is_fixed(b)) return false;
   const double start = std::max(start_time(scene, i), start_time(scene, j));
@@ -52,7 +52,7 @@ bool overlap_at_start(const Scene& scene, std::size_t i, std::size_t j) {
 bool any_overlap_at_start(const Scene& scene) {
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     for (std::size_t j = i + 1; j < scene.bodies.size(); ++j) {
-      if (overlap_at_start(scene, i, j)) return true;
+      if (two_overlap_at_start(scene, i, j)) return true;
     }
   }
   return false;

@@ -11,6 +11,7 @@
 #include "oracle/tolerance/precision.h"
 #include "oracle/tolerance/tolerance.h"
 #include "oracle/truth/impact.h"
+#include "properties/cases/time_of_impact_case.h"
 #include "properties/cases/trajectory_case.h"
 #include "properties/queries.h"
 
@@ -210,10 +211,9 @@ Finding follows(const TrajectoryCase& asked, const Ride& ride, bool of_carrier, 
   const Track& track = of_carrier ? ride.of_carrier : ride.of_upper;
   const Real time = asked.time(sample), g = -scene.gravity.z();
   const Real speed = ride.of_upper.v.norm() + ride.of_carrier.v.norm() + ride.speeds + g * time;
-  Real rounding = 64 * oracle::unit_roundoff(asked.precision) * (1 + ride.friction) * speed;
-  if (asked.stepping) {
-    rounding += tolerance::rounding_of_steps(asked.time(sample), *asked.stepping, asked.precision) * speed;
-  }
+  const Real of_steps =
+      asked.stepping ? tolerance::rounding_of_steps(asked.time(sample), *asked.stepping, asked.precision) : 0;
+  const Real rounding = (64 * oracle::unit_roundoff(asked.precision) * (1 + ride.friction) + of_steps) * speed;
   // A step changes the velocity at once, at one of its ends.
   const Real in_a_step = (asked.stepping ? asked.stepping->step : 0) * track.a.norm();
   const Real dv = (of_carrier ? ride.ratio : 1) * freedom_of_upper(scene, ride) + rounding + in_a_step;
@@ -225,14 +225,17 @@ Finding follows(const TrajectoryCase& asked, const Ride& ride, bool of_carrier, 
   const auto at = [&] {
     return " of body " + std::to_string(index) + " at " + oracle::words::text(asked.time(sample)) + " s";
   };
-  const double allowed = static_cast<double>(time * dv) + envelope(scene) + tolerance::distance(scene, asked.precision);
-  Finding place = judge::at_most(
-      static_cast<double>(p.norm()), in_ulps_of_place(asked, allowed), Defect::wrong_motion,
-      [&] { return "place" + at() + " is off by " + words(p); },
-      [&] { return words(track.place(time, ride.slip_ends)); });
+  const Real of_coordinates = of_steps * (scene.bodies[index].X_WB.p_WB.norm() + speed * time);
+  const double allowed =
+      static_cast<double>(time * dv + of_coordinates) + envelope(scene) + tolerance::distance(scene, asked.precision);
+  Finding place = counted(is_decisive(scene.bodies[index], allowed),
+                          judge::at_most(
+                              static_cast<double>(p.norm()), in_ulps_of_place(asked, allowed), Defect::wrong_motion,
+                              [&] { return "place" + at() + " is off by " + words(p); },
+                              [&] { return words(track.place(time, ride.slip_ends)); }));
   // An engine that follows bodies in contact by steps finds the end of slip within a step.
   const bool slip_may_end = std::abs(time - ride.slip_ends) <= longest_step;
-  if (slip_may_end || place.outcome == oracle::Outcome::fails) return place;
+  if (slip_may_end || place.outcome != oracle::Outcome::holds) return place;
   const double unit = oracle::unit_roundoff(asked.precision) * static_cast<double>(speed);
   return judge::at_most(
       static_cast<double>(v.norm()),

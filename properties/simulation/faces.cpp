@@ -249,16 +249,16 @@ struct SteppedOnFace {
   Real place = 0;  ///< m, beside dv times the time
 };
 
-// A step finds the contact at its end, so friction may begin a step late; each step rounds the velocities. A method of
-// order 1 takes an acceleration a a h τ/2 too far.
+// A step finds the contact at its end, so friction may begin a step late; each step rounds velocities and places. A
+// method of order 1 takes an acceleration a a h τ/2 too far.
 SteppedOnFace stepped(const TrajectoryCase& asked, const FaceMotion& motion, Real time) {
   if (!asked.stepping) return {};
   const Real h = asked.stepping->step, friction = motion.load.friction * motion.load.press;
   const Real speeds = motion.on_face.speeds() + (motion.load.along.norm() + friction) * time;
-  const Real rounding =
-      tolerance::rounding_of_steps(static_cast<double>(time), *asked.stepping, asked.precision) * speeds;
+  const Real rounding = tolerance::rounding_of_steps(static_cast<double>(time), *asked.stepping, asked.precision);
   const Real too_far = asked.stepping->order > 1 ? 0 : (motion.load.along.norm() + friction) * h * time / 2;
-  return {friction * h + rounding, too_far};
+  const Real coordinates = asked.scene.bodies[motion.body].X_WB.p_WB.norm() + speeds * time;
+  return {friction * h + rounding * speeds, too_far + rounding * coordinates};
 }
 
 /// Whether friction has one direction from one time to another, although velocities along the face may differ by dv:
@@ -372,10 +372,10 @@ Finding slides(const Scene& given, Subject& subject) {
         }
         const double allowed = static_cast<double>(time * dv + steps.place) + envelope(scene) +
                                tolerance::distance(scene, asked.precision);
-        if (worse(worst, judge::at_most(
-                             static_cast<double>((p - expected->p).norm()), in_ulps_of_place(asked, allowed),
-                             Defect::wrong_motion, [&] { return "p = " + in_words(p) + " on the face" + at(); },
-                             [&] { return in_words(expected->p); }))) {
+        const Finding place = judge::at_most(
+            static_cast<double>((p - expected->p).norm()), in_ulps_of_place(asked, allowed), Defect::wrong_motion,
+            [&] { return "p = " + in_words(p) + " on the face" + at(); }, [&] { return in_words(expected->p); });
+        if (worse(worst, counted(is_decisive(scene.bodies[motion.body], allowed), place))) {
           return worst;
         }
       }

@@ -92,6 +92,28 @@ TEST_CASE("manifold: two edges that cross touch in one point, two that are paral
   check_places(A, along, {{0, 0, std::sqrt(2.0)}, {1, 0, std::sqrt(2.0)}});
 }
 
+// A's edge, 2 long, is turned about the vertical by twice 2⁻¹²: its ends are 2⁻¹¹ beside B's. By twice 2⁻²² they are
+// within 2⁻²⁰ of it.
+TEST_CASE("manifold: two edges that are hardly parallel touch where they cross, unless their ends are near the other") {
+  const double height = 2 * std::sqrt(2.0);
+  const Posed B(cube(), Vec3::Zero(), eighth_turn(x));
+  const auto above = [&](double half_turn) {  // the product of the turns about z and x
+    const double tan = std::sqrt(2.0) - 1;
+    return Quaternion{1, tan, half_turn * tan, half_turn};
+  };
+  const Posed crossing(cube(), Vec3(0, 0, height), above(0x1p-12)), alike(cube(), Vec3(0, 0, height), above(0x1p-22));
+  check_places(crossing, B, {{0, 0, std::sqrt(2.0)}});
+  const ContactPoint point = contact_points(crossing.part(), B.part(), z, within).front();
+  CHECK(point.a.kind == Kind::line);
+  CHECK(point.b.kind == Kind::line);
+  const std::vector<ContactPoint> ends = contact_points(alike.part(), B.part(), z, within);
+  CHECK(ends.size() == 2);
+  for (const ContactPoint& end : ends) {
+    const Vec3 found = nearness(end.a, alike.part().body, end.b, B.part().body, z).p_WC;
+    CHECK((found.cwiseAbs() - Vec3(1, 0, std::sqrt(2.0))).norm() < within);
+  }
+}
+
 // An edge of A along x, one of B along y from -1 to 1. First A's is at y = 1.25, then it begins at x = 0.25.
 TEST_CASE("manifold: two edges of which one ends before it crosses the other do not touch") {
   const Posed B(cube(), Vec3::Zero(), eighth_turn(y));
