@@ -543,6 +543,16 @@ Scene edge_on_edge(Random& random) {
   return turned_somehow(random, run(random, {std::move(below), std::move(above)}, motion_until(1, 4)));
 }
 
+/// Two bars whose edges cross at 2^-4 to 2^-19 of a radian: seen from the side they are one line, and touch in a point.
+Scene hardly_parallel(Random& random) {
+  Body below = bar_on_edge(random), above = bar_on_edge(random);
+  const double turn = random.sign() * std::exp2(-random.between(5, 20));
+  above.X_WB = {{turn * random.whole(-1, 1), random.whole(-2, 2), 6}, {1, 0, 0, turn}};
+  above.velocity.v_WBcm = {0, 0, -random.whole(4, 8)};
+  if (random.one_in(2)) below = fixed(std::move(below));
+  return turned_somehow(random, run(random, {std::move(below), std::move(above)}, motion_until(1, 4)));
+}
+
 /// A box that falls on one of its corners, turning.
 std::vector<Body> spinning(Random& random) {
   Body box = at_rest(Box{Vec3{random.whole(2, 4), random.whole(2, 3), random.whole(1, 2)} / 4});
@@ -602,6 +612,7 @@ std::vector<Family> run_families() {
       {"runs.onto_a_box", "a box that falls beside the middle of another one on ice", queries, true, onto_a_box},
       {"runs.pressed_together", "a ball or a box that a force presses on a free box", queries, false, pressed_together},
       {"runs.edge_on_edge", "bars whose parallel edges meet, shifted along each other", queries, true, edge_on_edge},
+      {"runs.hardly_parallel", "bars whose edges meet and are hardly parallel", queries, false, hardly_parallel},
       {"runs.far_apart", "two bodies that start 2^4 to 2^60 sizes apart", queries, false, far_apart},
   };
 }

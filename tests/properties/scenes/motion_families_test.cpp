@@ -197,6 +197,19 @@ TEST_CASE("drawn motions: runs.edge_on_edge has bars whose edges meet, and the o
   }
 }
 
+TEST_CASE("drawn motions: runs.hardly_parallel has edges that touch where they cross") {
+  const auto subject = oracle::subjects::make_fast();
+  for (const char* id : {"simulation.contacts", "simulation.impulses"}) {
+    const properties::Property& law = properties::find(id);
+    const auto holds = [&](const Scene& scene) {
+      const oracle::Outcome outcome = law.check(scene, *subject).outcome;
+      CHECK(outcome != oracle::Outcome::fails);
+      return outcome == oracle::Outcome::holds;
+    };
+    CHECK(count(drawn("runs.hardly_parallel", draws), holds) >= draws * 3 / 4);
+  }
+}
+
 TEST_CASE("drawn motions: tables.corner has bodies that rest in a corner, and bodies that come to its wall") {
   const std::vector<Scene> scenes = drawn("tables.corner", draws);
   const auto subject = oracle::subjects::make_fast();
