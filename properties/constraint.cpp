@@ -327,7 +327,6 @@ Finding mirrored_world(const Scene& scene, Subject& subject) {
 
 Finding survives_any(const Scene& scene, Subject& subject) {
   if (!scene.motion) return judge::outside("no motion");
-  if (overlap_at_start(scene)) return judge::outside("bodies that overlap at the start");
   return of_scene(scene, subject, [&] {
     return survives<Trajectory>(&Subject::constraint, scene, subject,
                                 [&](const Trajectory& said) { return fault_of_steps(scene, said); });
@@ -336,7 +335,6 @@ Finding survives_any(const Scene& scene, Subject& subject) {
 
 Finding repeats_itself(const Scene& scene, Subject& subject) {
   if (!scene.motion) return judge::outside("no motion");
-  if (overlap_at_start(scene)) return judge::outside("bodies that overlap at the start");
   Scene another = scene;
   another.gravity *= 0.5;
   return of_scene(scene, subject, [&] { return repeats<Trajectory>(&Subject::constraint, scene, another, subject); });

@@ -6,6 +6,8 @@
 #include "model/near_names.h"
 #include "oracle/query.h"
 #include "oracle/with_card.h"
+#include "properties/cases/time_of_impact_case.h"
+#include "properties/cases/timeline.h"
 #include "properties/queries.h"
 
 namespace touchstone::properties {
@@ -20,6 +22,21 @@ Property in_its_precision(Property property) {
     card.precision = precision;
     oracle::WithCard seen(subject, std::move(card));
     return check(scene, seen);
+  };
+  return property;
+}
+
+/// The same property, which is not asked where bodies overlap at the start: such a question is bad input, and a subject
+/// may refuse it.
+Property of_valid_start(Property property) {
+  const bool is_of_pair = property.query == "time_of_impact";
+  if (!is_of_pair && property.query != "simulation" && property.query != "constraint") return property;
+  property.check = [check = property.check, is_of_pair](const Scene& scene, oracle::Subject& subject) {
+    const bool is_asked = scene.motion && (!is_of_pair || scene.bodies.size() == 2);
+    if (is_asked && (is_of_pair ? is_refused(scene) : overlap_at_start(scene))) {
+      return oracle::judge::outside("the bodies overlap at the start");
+    }
+    return check(scene, subject);
   };
   return property;
 }
@@ -54,7 +71,7 @@ std::vector<Property> join() {
                             constraint_properties,
                             constraint_motion_properties,
                             work_properties}) {
-    for (Property& property : query()) joined.push_back(in_its_precision(std::move(property)));
+    for (Property& property : query()) joined.push_back(in_its_precision(of_valid_start(std::move(property))));
   }
   std::ranges::stable_sort(joined, {}, [names = oracle::query_names()](const Property& property) {
     return std::ranges::find(names, property.query) - names.begin();

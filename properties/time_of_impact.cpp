@@ -306,7 +306,6 @@ Finding reversible(const Scene& scene, Subject& subject) {
 
 Finding survives_any(const Scene& scene, Subject& subject) {
   if (!scene.motion || scene.bodies.size() != 2) return judge::outside("not two bodies with a motion");
-  if (is_refused(scene)) return judge::outside("the bodies overlap at the start");
   return survives<TimeOfImpact>(&Subject::time_of_impact, scene, subject, [&](const TimeOfImpact& said) -> std::string {
     if (said.time && (*said.time < 0 || *said.time > (1 + 0x1p-20) * end_of(scene)))
       return "a time beyond the end of the motion";
@@ -318,7 +317,6 @@ Finding survives_any(const Scene& scene, Subject& subject) {
 
 Finding repeats_itself(const Scene& scene, Subject& subject) {
   if (!scene.motion || scene.bodies.size() != 2) return judge::outside("not two bodies with a motion");
-  if (is_refused(scene)) return judge::outside("the bodies overlap at the start");
   return repeats<TimeOfImpact>(&Subject::time_of_impact, scene, swapped(scene), subject);
 }
 

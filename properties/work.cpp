@@ -10,8 +10,6 @@
 #include "oracle/minimise/scene_edit.h"
 #include "oracle/query.h"
 #include "oracle/tolerance/tolerance.h"
-#include "properties/cases/time_of_impact_case.h"
-#include "properties/cases/timeline.h"
 #include "properties/judging/asking.h"
 #include "properties/queries.h"
 #include "properties/random.h"
@@ -168,11 +166,6 @@ Answer<Work> asked(const std::string& query, const Scene& scene, int placements,
   return sum;
 }
 
-/// Is it bad input for a query about motion, since bodies overlap at the start?
-bool is_refused_at_start(const std::string& query, const Scene& scene) {
-  return query == "time_of_impact" ? is_refused(scene) : overlap_at_start(scene);
-}
-
 bool can_be_asked(const std::string& name, const Scene& scene) {
   const oracle::Query& query = *oracle::find_query(name);
   switch (query.needs) {
@@ -181,8 +174,7 @@ bool can_be_asked(const std::string& name, const Scene& scene) {
     case oracle::ScenePart::raster:
       return scene.raster.has_value();
     case oracle::ScenePart::motion:
-      return scene.motion.has_value() && (!query.about_two_bodies || scene.bodies.size() == 2) &&
-             !is_refused_at_start(name, scene);
+      return scene.motion.has_value() && (!query.about_two_bodies || scene.bodies.size() == 2);
     case oracle::ScenePart::none:
       break;
   }
@@ -201,8 +193,7 @@ bool is_defined(const std::string& query, const Scene& scene) {
 }
 
 Finding keeps_promise(const std::string& query, const Scene& scene, Subject& subject) {
-  if (!can_be_asked(query, scene))
-    return judge::outside("not exactly two bodies, a part of the scene is missing, or bodies overlap at the start");
+  if (!can_be_asked(query, scene)) return judge::outside("not exactly two bodies, or a part of the scene is missing");
   const auto limits = limits_of(query, scene, subject);
   if (limits.empty()) return judge::outside("the card promises nothing about the work for such a scene");
   return of_scene(scene, subject, [&] {

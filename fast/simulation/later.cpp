@@ -59,6 +59,11 @@ std::vector<PlaneBetween> planes_between(const BodyMotion& a, const BodyMotion& 
   return planes;
 }
 
+/// m: rotation moves no point of the body farther, but for points of a sphere, which take each other's places.
+double lever(const BodyMotion& body) {
+  return std::holds_alternative<Sphere>(body.body().shape) ? body.model().p_BBcm.norm() : body.radius();
+}
+
 /// A time (s) within which two bodies that touch cannot approach by more than a part of `within` (m). Two convex parts
 /// have a separating plane, so that, apart from rotation, only motion along its normal brings them closer. If one body
 /// slides on the other and no force presses them together, they never approach.
@@ -66,9 +71,9 @@ double time_apart(const BodyMotion& a, const BodyMotion& b, const Vec3& nhat_BA_
   const Vec3 u = a.path().velocity(now) - b.path().velocity(now), du_dt = a.path().a - b.path().a;
   double speed = 0, acceleration = 0;  // of rotation
   for (const BodyMotion* body : {&a, &b}) {
-    if (body->fixed() || body->kind() != Kind::other) continue;
-    speed += body->ballistic().rate() * body->radius();
-    acceleration += body->ballistic().acceleration_per_radius() * body->radius();
+    if (body->kind() != Kind::other) continue;  // a fixed body may turn too
+    speed += body->ballistic().rate() * lever(*body);
+    acceleration += body->ballistic().acceleration_per_radius() * lever(*body);
   }
   const auto time_along = [&](const PlaneBetween& plane) {
     const Vec3& n = plane.nhat_BA_W;

@@ -492,14 +492,12 @@ Finding whole(const Scene& scene, Subject& subject) {
 
 Finding survives_any(const Scene& scene, Subject& subject) {
   if (!scene.motion) return judge::outside("no motion");
-  if (overlap_at_start(scene)) return judge::outside("bodies that overlap at the start");
   return survives<Trajectory>(&Subject::simulation, scene, subject,
                               [&](const Trajectory& said) { return fault_in_form(scene, said); });
 }
 
 Finding repeats_itself(const Scene& scene, Subject& subject) {
   if (!scene.motion) return judge::outside("no motion");
-  if (overlap_at_start(scene)) return judge::outside("bodies that overlap at the start");
   Scene another = scene;
   std::erase_if(another.motion->sample_times, [&](double t) { return t > scene.motion->sample_times.front(); });
   for (Body& body : another.bodies) body.velocity.v_WBcm *= 0.5;
