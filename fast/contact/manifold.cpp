@@ -166,7 +166,7 @@ std::vector<ContactPoint> contact_points(const Part& A, const Part& B, const Vec
         points_on_face(A, wide_A, B, wide_B, is_on_face_of_B(wide_A, wide_B, slack), slack, within);
     if (!points.empty()) return points;
   }
-  return points_on_face(A, of_A, B, of_B, is_on_face_of_B(of_A, of_B, slack), slack);
+  return points_on_face(A, of_A, B, of_B, is_on_face_of_B(of_A, of_B, slack), slack, within);
 }
 
 ContactPoint contact_point_between(const Part& A, const Vec3& p_Wa, const Part& B, const Vec3& p_Wb, const Vec3& n) {
