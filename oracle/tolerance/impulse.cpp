@@ -211,9 +211,10 @@ bool impact_is_sure(const Impact& impact, Precision precision) {
   return solver(impact) * unit_roundoff(precision) < 1 && impact.condition() > 0;
 }
 
+double least_in_range(Precision precision) { return precision == Precision::binary32 ? 0x1p-100 : 0x1p-900; }
+
 bool impact_in_range(const Impact& impact, Precision precision) {
-  const bool single = precision == Precision::binary32;
-  const Real least = single ? 0x1p-100L : 0x1p-900L, most = single ? 0x1p100L : 0x1p900L;
+  const Real least = least_in_range(precision), most = 1 / least;
   const auto normal = [&](Real x) { return x == 0 || (x >= least && x <= most); };
   Real N = impact.energy_norm(impact.u);
   bool all = normal(N * N) && normal(impact.u.squaredNorm());

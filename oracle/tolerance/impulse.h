@@ -37,6 +37,9 @@ double cone(Real impulse, Real friction, Precision precision);
 /// long double, many?
 bool impact_is_sure(const Impact& impact, Precision precision);
 
+/// In SI units: of smaller numbers products may underflow.
+double least_in_range(Precision precision);
+
 /// Are the squares in the computation of an impact normal numbers in this precision, with room for their products?
 bool impact_in_range(const Impact& impact, Precision precision);
 

@@ -118,7 +118,8 @@ Finding add_up(const Scene& scene, Subject& subject) {
     Finding worst = judge::outside("no impulse that is reported");
     for (std::size_t e = 0; e < asked.events(); ++e) {
       const Event& event = (*asked.said.events)[e];
-      if (event.P_A_W.isZero(0) || (event.kind != Kind::impact && !sums_up(event))) continue;
+      if (event.kind != Kind::impact && !sums_up(event)) continue;
+      if (event.P_A_W.norm() < tolerance::least_in_range(asked.precision)) continue;
       const std::vector<Segment> segments = segments_into(timeline, asked.said, e);
       for (std::size_t k = 0; k < segments.size(); ++k) {
         if (asked.is_fixed(segments[k].body) || (!segments[k].ballistic && !sums_up(event))) continue;

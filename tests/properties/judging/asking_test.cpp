@@ -1,7 +1,9 @@
 // The laws that hold for every query: a hang is no other answer.
 #include "properties/judging/asking.h"
 
+#include "properties/property.h"
 #include "tests/catch.h"
+#include "tests/properties/fixed_subject.h"
 
 namespace touchstone::properties {
 namespace {
@@ -49,6 +51,51 @@ TEST_CASE("repeats: another answer, and any other break, is nondeterministic") {
   for (const Breaks::Kind kind : {Breaks::Kind::threw, Breaks::Kind::refused, Breaks::Kind::crashed}) {
     CHECK(repeated(2, false, kind).defect == Defect::nondeterministic);
   }
+}
+
+/// Refuses every question about motion.
+struct Refuses : tests::FixedSubject {
+  Answer<TimeOfImpact> time_of_impact(const Scene&) override { return refusal; }
+  Answer<Trajectory> simulation(const Scene&) override { return refusal; }
+  Answer<Trajectory> constraint(const Scene&) override { return refusal; }
+  Answer<oracle::Work> work(const std::string&, const Scene&) override { return refusal; }
+  Breaks refusal{Breaks::Kind::threw, "they overlap at the start"};
+};
+
+/// Two balls 2 m apart, of which one comes towards the other.
+Scene balls_in_motion() {
+  Scene scene;
+  scene.bodies.resize(2);
+  for (Body& body : scene.bodies) body.shape = Sphere{1};
+  scene.bodies[0].mass = Fixed{};
+  scene.bodies[1].mass = Density{1};
+  scene.bodies[1].X_WB.p_WB = {4, 0, 0};
+  scene.bodies[1].velocity.v_WBcm = {-1, 0, 0};
+  scene.motion.emplace().sample_times = {1};
+  return scene;
+}
+
+// A question about bodies that overlap at the start is bad input, which a subject may refuse.
+TEST_CASE("asking: no property about motion is asked where bodies overlap at the start") {
+  Refuses subject;
+  subject.introduced.work_limits = {{"time_of_impact", "step"}, {"simulation", "step"}, {"constraint", "step"}};
+  const Scene valid = balls_in_motion();
+  Scene overlapping = valid;
+  overlapping.bodies[1].X_WB.p_WB = {1, 0, 0};
+  Scene later = overlapping;  // where the later one starts, they overlap
+  later.bodies[0].mass = later.bodies[1].mass = Fixed{};
+  later.bodies[1].velocity = {};
+  later.motion->start_times = {0.25, 0};
+  int asked = 0;
+  for (const Property& property : all()) {
+    if (property.query != "time_of_impact" && property.query != "simulation" && property.query != "constraint")
+      continue;
+    INFO(property.id);
+    asked += property.check(valid, subject).outcome == Outcome::breaks;
+    CHECK(property.check(overlapping, subject).outcome == Outcome::outside);
+    if (property.query == "time_of_impact") CHECK(property.check(later, subject).outcome == Outcome::outside);
+  }
+  CHECK(asked >= 30);
 }
 
 }  // namespace

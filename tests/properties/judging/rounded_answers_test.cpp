@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "oracle/case.h"
 #include "oracle/subject.h"
 #include "oracle/subjects/canaries/lie.h"
 #include "oracle/subjects/touchstone/fast.h"
@@ -157,6 +158,16 @@ TEST_CASE("no false accusation: answers whose numbers are next to the right ones
 }
 
 TEST_CASE("no false accusation: answers in singles hold every property") { expect_all_held(Precision::binary32); }
+
+// Found by fuzzing such an engine: 2^23 m from the origin, and impacts whose contact regions rounding widens.
+TEST_CASE("no false accusation: answers in singles to cases of the corpus") {
+  const std::unique_ptr<Subject> subject = rounded(Precision::binary32);
+  for (const char* name : {"constraint/bodies_2_23_from_the_origin", "simulation/box_falls_onto_a_box_on_a_plate"}) {
+    const oracle::Case found =
+        oracle::read_case(TOUCHSTONE_SOURCE_DIR "/properties/corpus/" + std::string(name) + ".json");
+    CHECK(!oracle::failed(find(found.property).check(found.scene, *subject)));
+  }
+}
 
 // At an apex a body is so slow that the rounding of an event's time changes its velocity by far more than its own
 // rounding.
