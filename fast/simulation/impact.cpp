@@ -28,6 +28,18 @@ double arm(const BodyMotion& m, const Touch& touch) {
   return std::abs(touch.gap) > rounding_of_gap * r ? r + touch.gap / 2 : r;
 }
 
+/// Of the point of A, or of B, at C. The arm of a ball is along n: far from the origin that of C is rounding, and then
+/// spin would seem to approach.
+Vec3 velocity_at(const BodyMotion& m, const State& state, const Touch& touch, bool is_A) {
+  if (m.kind() != Kind::ball) return velocity_at(m, state, touch.p_WC);
+  const double along = is_A ? -arm(m, touch) : arm(m, touch);
+  return state.velocity.v_WBcm + along * state.velocity.w_WB.cross(touch.nhat_BA_W);
+}
+
+Vec3 relative_at(const BodyMotion& a, const State& at_a, const BodyMotion& b, const State& at_b, const Touch& touch) {
+  return velocity_at(a, at_a, touch, true) - velocity_at(b, at_b, touch, false);
+}
+
 double tangent_mobility(const BodyMotion& m, const Touch& touch) {
   const double r = arm(m, touch);
   return m.fixed() ? 0 : m.inverse_mass() + r * r * m.inverse_moment();
@@ -85,7 +97,7 @@ Vec3 relative_velocity(const BodyMotion& a, const State& at_a, const BodyMotion&
 
 double normal_velocity(const BodyMotion& a, const State& at_a, const BodyMotion& b, const State& at_b,
                        const Touch& touch) {
-  return touch.nhat_BA_W.dot(relative_velocity(a, at_a, b, at_b, touch.p_WC));
+  return touch.nhat_BA_W.dot(relative_at(a, at_a, b, at_b, touch));
 }
 
 namespace {
@@ -120,8 +132,7 @@ ImpactResult others_after(const BodyMotion& a, const State& at_a, const BodyMoti
 /// Adds u_n before the impact and the loss −(u + u')·P/2.
 ImpactResult with_loss(ImpactResult result, const BodyMotion& a, const State& at_a, const BodyMotion& b,
                        const State& at_b, const Touch& touch, const Vec3& u) {
-  const Vec3 u_after =
-      velocity_at(a, {at_a.X_WB, result.after_a}, touch.p_WC) - velocity_at(b, {at_b.X_WB, result.after_b}, touch.p_WC);
+  const Vec3 u_after = relative_at(a, {at_a.X_WB, result.after_a}, b, {at_b.X_WB, result.after_b}, touch);
   result.u_n = touch.nhat_BA_W.dot(u);
   result.loss = -(u + u_after).dot(result.P_A_W) / 2;
   return result;
@@ -131,7 +142,7 @@ ImpactResult with_loss(ImpactResult result, const BodyMotion& a, const State& at
 
 ImpactResult impact(const BodyMotion& a, const State& at_a, const BodyMotion& b, const State& at_b, const Touch& touch,
                     const Coefficients& c) {
-  const Vec3 u = velocity_at(a, at_a, touch.p_WC) - velocity_at(b, at_b, touch.p_WC);
+  const Vec3 u = relative_at(a, at_a, b, at_b, touch);
   const bool balls = is_ball_or_fixed(a) && is_ball_or_fixed(b);
   const ImpactResult result = balls ? balls_after(a, at_a, b, at_b, touch, impulse_of_balls(a, b, touch, u, c, false))
                                     : others_impact(a, at_a, b, at_b, touch, c);
@@ -140,13 +151,13 @@ ImpactResult impact(const BodyMotion& a, const State& at_a, const BodyMotion& b,
 
 ImpactResult impulse_at(const BodyMotion& a, const State& at_a, const BodyMotion& b, const State& at_b,
                         const Touch& touch, const Vec3& P) {
-  const Vec3 u = velocity_at(a, at_a, touch.p_WC) - velocity_at(b, at_b, touch.p_WC);
+  const Vec3 u = relative_at(a, at_a, b, at_b, touch);
   return with_loss(others_after(a, at_a, b, at_b, touch, P), a, at_a, b, at_b, touch, u);
 }
 
 ImpactResult micro_collision(const BodyMotion& a, const State& at_a, const BodyMotion& b, const State& at_b,
                              const Touch& touch, Coefficients c, double speed) {
-  const Vec3 n = touch.nhat_BA_W, u = velocity_at(a, at_a, touch.p_WC) - velocity_at(b, at_b, touch.p_WC);
+  const Vec3 n = touch.nhat_BA_W, u = relative_at(a, at_a, b, at_b, touch);
   const Vec3 shift = -(n.dot(u) + speed) / 2 * n;  // to u_n'
   c.restitution = 1;
   c.law = Law::poisson;
