@@ -3,8 +3,9 @@
 
 For each query, mutants of fast are drawn as ./touchstone mutate draws them, from the sources of that query alone, until
 enough of them were found by anything: check, or fuzz. check quick and then standard ask the mutant as a subject; three
-times `fuzz --empty-corpus` asks it in its own process, with seeds 1, 2 and 3; once, where neither check nor the first of
-these found it. A property that fails on the same scene without the fault is not asked. A table goes to stdout.
+times `fuzz --empty-corpus` asks it in its own process, with seeds 1, 2 and 3. Where check does not find it, it is fuzzed
+for a minute first, and no more if that finds nothing: it may change nothing. A property that fails on the same scene
+without the fault is not asked. A table goes to stdout.
 
 The build folder is that of ./touchstone mutate, which must have been run in it. What is measured is kept there, in a
 folder beside that of mutate, so both may run at one time."""
@@ -27,6 +28,7 @@ import workshop  # noqa: E402
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 SEEDS = (1, 2, 3)
+PROBE = 60  # s: how long a mutant is fuzzed first that check does not find
 FOLDER_OF = {"distance": "lin_canny"}  # of the others: their own name
 
 
@@ -82,10 +84,12 @@ class Times:
                 name = "fast.warm" if is_followed else "fast"
                 subject = self.shop.link(f"touchstone-subject-{name}", objects, folder)
                 program = self.shop.link("touchstone", objects, folder)
-                found.update(builds=True, check=self.check(query, subject, folder),
-                             fuzz=[self.fuzz(query, f"inproc:{name}", program, SEEDS[0], folder)])
-                if is_found(found):
-                    found["fuzz"] += [self.fuzz(query, f"inproc:{name}", program, seed, folder) for seed in SEEDS[1:]]
+                check = self.check(query, subject, folder)
+                found.update(builds=True, check=check, fuzz=[])
+                for seed in SEEDS:
+                    if check or any(found["fuzz"]) or not found["fuzz"]:
+                        longest = self.options.time if check or found["fuzz"] else PROBE
+                        found["fuzz"].append(self.fuzz(query, f"inproc:{name}", program, seed, longest, folder))
         except workshop.DoesNotLink:
             pass
         finally:
@@ -110,13 +114,13 @@ class Times:
                 return {"seconds": round(spent, 1), "effort": effort, "by": kill.by}
         return None
 
-    def fuzz(self, query, subject, program, seed, folder):
+    def fuzz(self, query, subject, program, seed, longest, folder):
         """CPU seconds until it is found, and by what; None: it is not."""
         while True:
             words = [program, "fuzz", query, "--subject", subject, "--properties", *self.properties[query],
-                     "--empty-corpus", "--first-failure", "--time", self.options.time, "--seed", seed, "--out",
+                     "--empty-corpus", "--first-failure", "--time", longest, "--seed", seed, "--out",
                      folder / "findings", "--json"]
-            run = limited.run(list(map(str, words)), 2 * self.options.time)
+            run = limited.run(list(map(str, words)), 2 * longest)
             if run.code == 0 and run.in_time:
                 return None
             if run.code not in (1, 3) or not run.in_time:
