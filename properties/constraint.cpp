@@ -104,7 +104,7 @@ double overlap(const Scene& pair) {
 /// Of the two of all bodies that overlap most, or the first two that overlap too much.
 Finding apart_at(const Scene& scene, const std::vector<State>& states, std::size_t sample, oracle::Precision in) {
   const Scene now = as_at(scene, states);
-  Finding worst;
+  Finding worst = judge::outside("no two bodies of which one moves");
   for (std::size_t a = 0; a < now.bodies.size(); ++a) {
     for (std::size_t b = a + 1; b < now.bodies.size(); ++b) {
       if (is_fixed(now.bodies[a]) && is_fixed(now.bodies[b])) continue;
@@ -120,8 +120,7 @@ Finding apart_at(const Scene& scene, const std::vector<State>& states, std::size
                                                    " overlap by " + text(depth) + " m" + at(scene, sample);
                                           },
                                           [] { return std::string("no overlap"); }));
-      if (finding.outcome == oracle::Outcome::fails) return finding;
-      if (finding.error >= worst.error) worst = finding;
+      if (worse(worst, finding)) return worst;
     }
   }
   return worst;
@@ -130,11 +129,9 @@ Finding apart_at(const Scene& scene, const std::vector<State>& states, std::size
 Finding apart(const Scene& scene, Subject& subject) {
   return of_steps(scene, subject, [&](const Trajectory& said) {
     if (said.states.empty()) return judge::silent("any state");
-    Finding worst;
+    Finding worst = judge::outside("no two bodies of which one moves");
     for (std::size_t sample = 0; sample < said.states.size(); ++sample) {
-      const Finding finding = apart_at(scene, said.states[sample], sample, subject.card().precision);
-      if (finding.outcome == oracle::Outcome::fails) return finding;
-      if (finding.error >= worst.error) worst = finding;
+      if (worse(worst, apart_at(scene, said.states[sample], sample, subject.card().precision))) break;
     }
     return worst;
   });

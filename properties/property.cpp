@@ -26,17 +26,21 @@ Property in_its_precision(Property property) {
   return property;
 }
 
-/// The same property, which is not asked where bodies overlap at the start: such a question is bad input, and a subject
-/// may refuse it.
+/// The same property where bodies do not overlap at the start. That is bad input, which a subject may refuse; only the
+/// form, survival and repetition of an answer are asked there.
 Property of_valid_start(Property property) {
   const bool is_of_pair = property.query == "time_of_impact";
   if (!is_of_pair && property.query != "simulation" && property.query != "constraint") return property;
-  property.check = [check = property.check, is_of_pair](const Scene& scene, oracle::Subject& subject) {
-    const bool is_asked = scene.motion && (!is_of_pair || scene.bodies.size() == 2);
-    if (is_asked && (is_of_pair ? is_refused(scene) : overlap_at_start(scene))) {
-      return oracle::judge::outside("the bodies overlap at the start");
-    }
-    return check(scene, subject);
+  const auto is_named = [&](const char* law) { return property.id == property.query + "." + law; };
+  const bool is_of_any_answer = is_named("survives") || is_named("repeats") || is_named("ordered");
+  property.check = [check = property.check, is_of_pair, is_of_any_answer](const Scene& scene,
+                                                                          oracle::Subject& subject) {
+    const bool is_motion = scene.motion && (!is_of_pair || scene.bodies.size() == 2);
+    if (!is_motion || !(is_of_pair ? is_refused(scene) : overlap_at_start(scene))) return check(scene, subject);
+    const oracle::Finding outside = oracle::judge::outside("the bodies overlap at the start");
+    if (!is_of_any_answer) return outside;
+    const oracle::Finding found = check(scene, subject);
+    return found.defect == oracle::Defect::threw ? outside : found;
   };
   return property;
 }

@@ -247,8 +247,10 @@ Finding coefficients(const Scene& scene, Subject& subject) {
                              }
                              s.motion->law = Law::stronge;
                              const double wider = 0x1p10 * envelope(s);
-                             if (!(wider > 0 && is_decisive(s, wider))) return std::optional<Scene>();
-                             s.motion->envelope = wider;
+                             const bool is_valid = std::ranges::all_of(s.bodies, [wider](const Body& body) {
+                               return is_fixed(body) || is_decisive(body, wider);
+                             });
+                             if (wider > 0 && is_valid) s.motion->envelope = wider;
                              return std::optional(s);
                            }),
                    subject, Defect::inconsistent);

@@ -40,11 +40,16 @@ double placements(const Scene& scene) {
   return static_cast<double>(sum);
 }
 
-/// By how much the bodies would turn in the time of the motion if they kept their angular velocities.
+/// By how much the bodies would turn in the time of the motion if they kept their angular velocities. A ball that turns
+/// about its centre stays where it is.
 double radians(const Scene& scene) {
   double sum = 0;
   if (!scene.motion || scene.motion->sample_times.empty()) return sum;
-  for (const Body& body : scene.bodies) sum += scene.motion->sample_times.back() * body.velocity.w_WB.norm();
+  for (const Body& body : scene.bodies) {
+    const bool about_its_centre =
+        std::holds_alternative<Sphere>(body.shape) && !std::holds_alternative<MassProperties>(body.mass);
+    if (!about_its_centre) sum += scene.motion->sample_times.back() * body.velocity.w_WB.norm();
+  }
   return sum;
 }
 
@@ -57,7 +62,7 @@ std::optional<double> size_of(const Scene& scene, const std::string& name) {
   if (name == "pixels") return scene.raster ? double{1} * scene.raster->columns * scene.raster->rows : 0;
   if (name == "samples") return scene.motion ? static_cast<double>(scene.motion->sample_times.size()) : 0;
   if (name == "radians") return radians(scene);
-  if (name == "aspect") return oracle::sizes_of(scene).aspect;
+  if (name == "aspect") return std::min(oracle::sizes_of(scene).aspect, 0x1p20);  // a greater one says nothing
   return std::nullopt;
 }
 

@@ -8,21 +8,24 @@ namespace {
 
 using Kind = Feature::Kind;
 
-/// The point of the line p + s d that is nearest to the line q + t e.
+/// The point of the line p + s d that is nearest to the line q + t e. By cross products, whose error grows with the
+/// inverse of the sine of the angle, where that of 1 − (d·e)² grows with its square.
 Vec3 nearest_on_line(const Vec3& p, const Vec3& d, const Vec3& q, const Vec3& e) {
-  const double mixed = d.dot(e);
-  const Vec3 between = q - p;
-  return p + (d.dot(between) - mixed * e.dot(between)) / (1 - mixed * mixed) * d;
+  const Vec3 across = d.cross(e);
+  return p + (q - p).cross(e).dot(across) / across.squaredNorm() * d;
 }
 
 Nearness point_and_plane(const Vec3& p, double radius, const Vec3& on, const Vec3& n) {
   return {n.dot(p - on) - radius, n, p - radius * n};
 }
 
+/// The gap is that of the nearest points, which are close to each other: n may be off by the rounding of d over the
+/// sine of the angle.
 Nearness two_lines(const Vec3& p, const Vec3& d, const Vec3& q, const Vec3& e, const Vec3& about) {
   Vec3 n = d.cross(e).normalized();
   if (n.dot(about) < 0) n = -n;
-  return {n.dot(p - q), n, nearest_on_line(p, d, q, e)};
+  const Vec3 on_p = nearest_on_line(p, d, q, e), on_q = nearest_on_line(q, e, p, d);
+  return {n.dot(on_p - on_q), n, on_p};
 }
 
 /// `p` and `q`: centres of balls, or the points of lines nearest to them.

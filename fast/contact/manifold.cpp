@@ -5,7 +5,6 @@
 
 #include "fast/contact/clip_polygon.h"
 #include "fast/contact/support.h"
-#include "model/infinity.h"
 
 namespace touchstone::fast::contact {
 namespace {
@@ -89,7 +88,7 @@ std::vector<Vec3> common_of_edges(const Outline& a, const Outline& b) {
 
 /// The corners of what is over a face of B, or of A, and at most `highest` above it.
 std::vector<ContactPoint> points_on_face(const Part& A, const Outline& of_A, const Part& B, const Outline& of_B,
-                                         bool is_face_of_B, double slack, double highest = infinity) {
+                                         bool is_face_of_B, double slack, double highest) {
   std::vector<ContactPoint> made;
   const Outline &face = is_face_of_B ? of_B : of_A, &other = is_face_of_B ? of_A : of_B;
   const double radius = (is_face_of_B ? A : B).convex->radius;
@@ -104,14 +103,14 @@ std::vector<ContactPoint> points_on_face(const Part& A, const Outline& of_A, con
   return made;
 }
 
-/// Whether an edge ends more than `within` before the place where its line is nearest to that of the other edge. The
-/// two are not parallel.
+/// Whether an edge ends more than `within` before the place where its line is nearest to that of the other edge; if the
+/// two are parallel, there is no such place.
 bool ends_before_crossing(const Outline& edge, const Outline& other, double within) {
   const Vec3 side = edge.corners[1] - edge.corners[0], e = (other.corners[1] - other.corners[0]).normalized();
   const double length = side.norm();
-  const Vec3 d = side / length, between = other.corners[0] - edge.corners[0];
-  const double along = between.dot(d - d.dot(e) * e) / d.cross(e).squaredNorm();
-  return along < -within || along > length + within;
+  const Vec3 d = side / length, between = other.corners[0] - edge.corners[0], across = d.cross(e);
+  const double along = between.cross(e).dot(across) / across.squaredNorm();
+  return !(along >= -within && along <= length + within);
 }
 
 /// Whether a corner is more than `within` beside a corner or an edge, seen along n. Where rounding tilts n, the lowest

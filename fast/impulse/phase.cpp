@@ -20,9 +20,8 @@ constexpr double shortest_turn = 1.0 / 64;
 /// tan of half a turn of 53°. A choice: beyond it the series seldom converges within its order.
 constexpr double longest_turn = 0.5;
 
-/// In units of 1/rate: the terms of the series limit a phase, this one only where both of the last underflow. Near a
-/// double root θ_0 of η slip turns by 1/t, so each phase is some times as long as all before it: a limit of 8 made
-/// millions of them.
+/// In units of 1/rate. The terms of the series limit most phases. Near a double root of η slip turns by 1/t, so each
+/// phase is some times as long as all before it: a limit of 8 made millions of them.
 constexpr double longest_time = 0x1p20;
 
 constexpr auto inverses = [] {

@@ -28,16 +28,22 @@ double arm(const BodyMotion& m, const Touch& touch) {
   return std::abs(touch.gap) > rounding_of_gap * r ? r + touch.gap / 2 : r;
 }
 
-/// Of the point of A, or of B, at C. The arm of a ball is along n: far from the origin that of C is rounding, and then
-/// spin would seem to approach.
-Vec3 velocity_at(const BodyMotion& m, const State& state, const Touch& touch, bool is_A) {
+bool is_ball_or_fixed(const BodyMotion& m) { return m.kind() == Kind::ball || m.fixed(); }
+
+/// Of the point of a ball, or of a fixed body, at C. The arm of a ball is along n: far from the origin that of C is
+/// rounding, and then spin would seem to approach.
+Vec3 velocity_along(const BodyMotion& m, const State& state, const Touch& touch, bool is_A) {
   if (m.kind() != Kind::ball) return velocity_at(m, state, touch.p_WC);
   const double along = is_A ? -arm(m, touch) : arm(m, touch);
   return state.velocity.v_WBcm + along * state.velocity.w_WB.cross(touch.nhat_BA_W);
 }
 
+/// With the arms by which the impulse acts: of other pairs, fast::impact takes those of C.
 Vec3 relative_at(const BodyMotion& a, const State& at_a, const BodyMotion& b, const State& at_b, const Touch& touch) {
-  return velocity_at(a, at_a, touch, true) - velocity_at(b, at_b, touch, false);
+  if (!is_ball_or_fixed(a) || !is_ball_or_fixed(b)) {
+    return velocity_at(a, at_a, touch.p_WC) - velocity_at(b, at_b, touch.p_WC);
+  }
+  return velocity_along(a, at_a, touch, true) - velocity_along(b, at_b, touch, false);
 }
 
 double tangent_mobility(const BodyMotion& m, const Touch& touch) {
@@ -80,8 +86,6 @@ Mat3 mobility(const BodyMotion& m, const State& state, const Vec3& p_WC) {
   S << 0, -r.z(), r.y(), r.z(), 0, -r.x(), -r.y(), r.x(), 0;
   return m.inverse_mass() * Mat3::Identity() - S * (R * inertia(m).inverse() * R.transpose()) * S;
 }
-
-bool is_ball_or_fixed(const BodyMotion& m) { return m.kind() == Kind::ball || m.fixed(); }
 
 }  // namespace
 

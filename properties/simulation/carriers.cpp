@@ -235,7 +235,7 @@ Finding follows(const TrajectoryCase& asked, const Ride& ride, bool of_carrier, 
                               [&] { return words(track.place(time, ride.slip_ends)); }));
   // An engine that follows bodies in contact by steps finds the end of slip within a step.
   const bool slip_may_end = std::abs(time - ride.slip_ends) <= longest_step;
-  if (slip_may_end || place.outcome != oracle::Outcome::holds) return place;
+  if (slip_may_end || place.outcome == oracle::Outcome::fails) return place;
   const double unit = oracle::unit_roundoff(asked.precision) * static_cast<double>(speed);
   return judge::at_most(
       static_cast<double>(v.norm()),

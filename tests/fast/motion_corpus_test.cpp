@@ -18,8 +18,8 @@ TEST_CASE("masses, distances, impacts and motions of the corpus: what once went 
        {std::pair("distance", 6), std::pair("impulse", 2), std::pair("mass", 4), std::pair("time_of_impact", 5),
         std::pair("simulation", 10), std::pair("constraint", 1)}) {
     int cases = 0;
-    for (const auto& entry :
-         std::filesystem::directory_iterator(std::filesystem::path(TOUCHSTONE_SOURCE) / "properties/corpus" / query)) {
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(std::filesystem::path(TOUCHSTONE_SOURCE) /
+                                                                           "properties/corpus" / query)) {
       if (entry.path().extension() != ".json") continue;
       const oracle::Case asked = oracle::read_case(entry.path().string());
       const oracle::Finding found = properties::find(asked.property).check(asked.scene, *fast);

@@ -92,6 +92,11 @@ TEST_CASE("manifold: two edges that cross touch in one point, two that are paral
   check_places(A, along, {{0, 0, std::sqrt(2.0)}, {1, 0, std::sqrt(2.0)}});
 }
 
+TEST_CASE("manifold: parallel edges that have no part in common do not touch") {
+  const Posed A(cube(), Vec3(3, 0, 2 * std::sqrt(2.0)), eighth_turn(x)), B(cube(), Vec3::Zero(), eighth_turn(x));
+  check_places(A, B, {});
+}
+
 // A's edge, 2 long, is turned about the vertical by twice 2⁻¹²: its ends are 2⁻¹¹ beside B's. By twice 2⁻²² they are
 // within 2⁻²⁰ of it.
 TEST_CASE("manifold: two edges that are hardly parallel touch where they cross, unless their ends are near the other") {

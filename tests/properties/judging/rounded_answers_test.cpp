@@ -162,7 +162,8 @@ TEST_CASE("no false accusation: answers in singles hold every property") { expec
 // Found by fuzzing such an engine: 2^23 m from the origin, and impacts whose contact regions rounding widens.
 TEST_CASE("no false accusation: answers in singles to cases of the corpus") {
   const std::unique_ptr<Subject> subject = rounded(Precision::binary32);
-  for (const char* name : {"constraint/bodies_2_23_from_the_origin", "simulation/box_falls_onto_a_box_on_a_plate"}) {
+  for (const char* name :
+       {"constraint/bodies_2_23_from_the_origin", "simulation/fuzzed/box_falls_onto_a_box_on_a_plate"}) {
     const oracle::Case found =
         oracle::read_case(TOUCHSTONE_SOURCE_DIR "/properties/corpus/" + std::string(name) + ".json");
     CHECK(!oracle::failed(find(found.property).check(found.scene, *subject)));
