@@ -10,6 +10,7 @@
 #include "oracle/minimise/scene_edit.h"
 #include "oracle/query.h"
 #include "oracle/tolerance/tolerance.h"
+#include "properties/cases/central_ball.h"
 #include "properties/judging/asking.h"
 #include "properties/queries.h"
 #include "properties/random.h"
@@ -46,9 +47,7 @@ double radians(const Scene& scene) {
   double sum = 0;
   if (!scene.motion || scene.motion->sample_times.empty()) return sum;
   for (const Body& body : scene.bodies) {
-    const bool about_its_centre =
-        std::holds_alternative<Sphere>(body.shape) && !std::holds_alternative<MassProperties>(body.mass);
-    if (!about_its_centre) sum += scene.motion->sample_times.back() * body.velocity.w_WB.norm();
+    if (!is_central_ball(body)) sum += scene.motion->sample_times.back() * body.velocity.w_WB.norm();
   }
   return sum;
 }

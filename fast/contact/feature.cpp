@@ -8,10 +8,9 @@ namespace {
 
 using Kind = Feature::Kind;
 
-/// The point of the line p + s d that is nearest to the line q + t e. By cross products, whose error grows with the
-/// inverse of the sine of the angle, where that of 1 − (d·e)² grows with its square.
-Vec3 nearest_on_line(const Vec3& p, const Vec3& d, const Vec3& q, const Vec3& e) {
-  const Vec3 across = d.cross(e);
+/// The point of the line p + s d that is nearest to the line q + t e; `across` is d × e. By cross products, whose error
+/// grows with the inverse of the sine of the angle, where that of 1 − (d·e)² grows with its square.
+Vec3 nearest_on_line(const Vec3& p, const Vec3& d, const Vec3& q, const Vec3& e, const Vec3& across) {
   return p + (q - p).cross(e).dot(across) / across.squaredNorm() * d;
 }
 
@@ -22,9 +21,10 @@ Nearness point_and_plane(const Vec3& p, double radius, const Vec3& on, const Vec
 /// The gap is that of the nearest points, which are close to each other: n may be off by the rounding of d over the
 /// sine of the angle.
 Nearness two_lines(const Vec3& p, const Vec3& d, const Vec3& q, const Vec3& e, const Vec3& about) {
-  Vec3 n = d.cross(e).normalized();
+  const Vec3 across = d.cross(e);
+  Vec3 n = across.normalized();
   if (n.dot(about) < 0) n = -n;
-  const Vec3 on_p = nearest_on_line(p, d, q, e), on_q = nearest_on_line(q, e, p, d);
+  const Vec3 on_p = nearest_on_line(p, d, q, e, across), on_q = nearest_on_line(q, e, p, d, -across);
   return {n.dot(on_p - on_q), n, on_p};
 }
 

@@ -2,6 +2,7 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "fast/impulse.h"
@@ -28,7 +29,11 @@ double arm(const BodyMotion& m, const Touch& touch) {
   return std::abs(touch.gap) > rounding_of_gap * r ? r + touch.gap / 2 : r;
 }
 
-bool is_ball_or_fixed(const BodyMotion& m) { return m.kind() == Kind::ball || m.fixed(); }
+/// Each of the two a ball, or fixed.
+bool are_balls(const BodyMotion& a, const BodyMotion& b) {
+  return std::ranges::all_of(std::array{&a, &b},
+                             [](const BodyMotion* m) { return m->kind() == Kind::ball || m->fixed(); });
+}
 
 /// Of the point of a ball, or of a fixed body, at C. The arm of a ball is along n: far from the origin that of C is
 /// rounding, and then spin would seem to approach.
@@ -40,9 +45,7 @@ Vec3 velocity_along(const BodyMotion& m, const State& state, const Touch& touch,
 
 /// With the arms by which the impulse acts: of other pairs, fast::impact takes those of C.
 Vec3 relative_at(const BodyMotion& a, const State& at_a, const BodyMotion& b, const State& at_b, const Touch& touch) {
-  if (!is_ball_or_fixed(a) || !is_ball_or_fixed(b)) {
-    return velocity_at(a, at_a, touch.p_WC) - velocity_at(b, at_b, touch.p_WC);
-  }
+  if (!are_balls(a, b)) return relative_velocity(a, at_a, b, at_b, touch.p_WC);
   return velocity_along(a, at_a, touch, true) - velocity_along(b, at_b, touch, false);
 }
 
@@ -147,9 +150,9 @@ ImpactResult with_loss(ImpactResult result, const BodyMotion& a, const State& at
 ImpactResult impact(const BodyMotion& a, const State& at_a, const BodyMotion& b, const State& at_b, const Touch& touch,
                     const Coefficients& c) {
   const Vec3 u = relative_at(a, at_a, b, at_b, touch);
-  const bool balls = is_ball_or_fixed(a) && is_ball_or_fixed(b);
-  const ImpactResult result = balls ? balls_after(a, at_a, b, at_b, touch, impulse_of_balls(a, b, touch, u, c, false))
-                                    : others_impact(a, at_a, b, at_b, touch, c);
+  const ImpactResult result = are_balls(a, b)
+                                  ? balls_after(a, at_a, b, at_b, touch, impulse_of_balls(a, b, touch, u, c, false))
+                                  : others_impact(a, at_a, b, at_b, touch, c);
   return with_loss(result, a, at_a, b, at_b, touch, u);
 }
 
@@ -165,7 +168,7 @@ ImpactResult micro_collision(const BodyMotion& a, const State& at_a, const BodyM
   const Vec3 shift = -(n.dot(u) + speed) / 2 * n;  // to u_n'
   c.restitution = 1;
   c.law = Law::poisson;
-  if (is_ball_or_fixed(a) && is_ball_or_fixed(b)) {
+  if (are_balls(a, b)) {
     const Vec3 P = impulse_of_balls(a, b, touch, u + shift, c, true);
     return with_loss(balls_after(a, at_a, b, at_b, touch, P), a, at_a, b, at_b, touch, u);
   }

@@ -45,7 +45,6 @@ std::set<std::pair<int, int>> in_contact(const std::vector<Event>& events, doubl
 template <class JudgeIt>
 oracle::Finding of_steps(const Scene& scene, oracle::Subject& subject, JudgeIt&& judge_it) {
   if (!scene.motion) return oracle::judge::outside("no motion");
-  if (overlap_at_start(scene)) return oracle::judge::outside("bodies that overlap at the start");
   return of_scene(scene, subject, [&] {
     return oracle::judge::given(subject.constraint(scene), [&](const Trajectory& said) {
       const std::string fault = fault_of_steps(scene, said);

@@ -2,15 +2,9 @@
 
 #include <algorithm>
 
+#include "properties/cases/central_ball.h"
+
 namespace touchstone::properties {
-namespace {
-
-bool is_central_ball(const Body& body) {
-  const auto* given = std::get_if<MassProperties>(&body.mass);
-  return std::holds_alternative<Sphere>(body.shape) && (given == nullptr || given->p_BBcm.isZero(0));
-}
-
-}  // namespace
 
 bool restitution_may_add_energy(const Scene& scene) {
   const auto rebound_and_rub = [](const Body& a, const Body& b) {

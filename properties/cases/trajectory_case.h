@@ -56,7 +56,6 @@ inline constexpr oracle::Real negligible = 0x1p-40L;
 template <class JudgeIt>
 oracle::Finding of_trajectory(const Scene& scene, oracle::Subject& subject, JudgeIt&& judge_it) {
   if (!scene.motion) return oracle::judge::outside("no motion");
-  if (overlap_at_start(scene)) return oracle::judge::outside("bodies that overlap at the start");
   return of_scene(scene, subject, [&] {
     return oracle::judge::given(subject.simulation(scene), [&](const Trajectory& said) {
       if (!fault_in_form(scene, said).empty())

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "properties/cases/central_ball.h"
 #include "properties/transforms/exact_sum.h"
 
 namespace touchstone::properties {
@@ -11,12 +12,6 @@ namespace {
 bool start_at_once(const Scene& scene) {
   const std::vector<double>& starts = scene.motion->start_times;
   return std::ranges::all_of(starts, [&](double t) { return t == starts.front(); });
-}
-
-/// A ball whose centre of mass is its centre.
-bool is_ball(const Body& body) {
-  const auto* given = std::get_if<MassProperties>(&body.mass);
-  return std::holds_alternative<Sphere>(body.shape) && (given == nullptr || given->p_BBcm.isZero(0));
 }
 
 // Multiplies by 2^k. Returns whether that can be undone.
@@ -114,7 +109,7 @@ std::optional<Scene> weightless(Scene scene) {
 std::optional<Scene> spun_balls(Scene scene) {
   bool any = false;
   for (Body& body : scene.bodies) {
-    if (!is_ball(body)) continue;
+    if (!is_central_ball(body)) continue;
     body.velocity.w_WB = body.velocity.w_WB.isZero(0) ? Vec3(1, -2, 3) : Vec3(0, 0, 0);
     any = true;
   }
@@ -128,7 +123,7 @@ std::optional<Scene> taken_up_at(Scene scene, double time) {
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     Body& body = scene.bodies[i];
     const auto tau = exact_sum({time, -motion.start_times[i]});
-    if (!tau || *tau < 0 || !(body.velocity.w_WB.isZero(0) || is_ball(body))) return std::nullopt;
+    if (!tau || *tau < 0 || !(body.velocity.w_WB.isZero(0) || is_central_ball(body))) return std::nullopt;
     for (Eigen::Index k = 0; k < 3; ++k) {
       const double g = is_fixed(body) ? 0 : scene.gravity[k];
       if (!fly(body.X_WB.p_WB[k], body.velocity.v_WBcm[k], g, *tau)) return std::nullopt;

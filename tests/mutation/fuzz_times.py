@@ -11,6 +11,7 @@ The build folder is that of ./touchstone mutate, which must have been run in it.
 folder beside that of mutate, so both may run at one time."""
 
 import argparse
+import functools
 import json
 import pathlib
 import shutil
@@ -85,11 +86,10 @@ class Times:
                 subject = self.shop.link(f"touchstone-subject-{name}", objects, folder)
                 program = self.shop.link("touchstone", objects, folder)
                 check = self.check(query, subject, folder)
-                found.update(builds=True, check=check, fuzz=[])
-                for seed in SEEDS:
-                    if check or any(found["fuzz"]) or not found["fuzz"]:
-                        longest = self.options.time if check or found["fuzz"] else PROBE
-                        found["fuzz"].append(self.fuzz(query, f"inproc:{name}", program, seed, longest, folder))
+                fuzz = functools.partial(self.fuzz, query, f"inproc:{name}", program, folder)
+                found.update(builds=True, check=check, fuzz=[fuzz(SEEDS[0], self.options.time if check else PROBE)])
+                if is_found(found):
+                    found["fuzz"] += [fuzz(seed, self.options.time) for seed in SEEDS[1:]]
         except workshop.DoesNotLink:
             pass
         finally:
@@ -114,7 +114,7 @@ class Times:
                 return {"seconds": round(spent, 1), "effort": effort, "by": kill.by}
         return None
 
-    def fuzz(self, query, subject, program, seed, longest, folder):
+    def fuzz(self, query, subject, program, folder, seed, longest):
         """CPU seconds until it is found, and by what; None: it is not."""
         spent = 0.0
         while True:

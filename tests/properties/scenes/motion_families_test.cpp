@@ -53,6 +53,16 @@ double period(const Body& body) {
   return 4 * (std::numbers::pi / (2 * a)) / std::sqrt(high / (m[0] * m[1] * m[2]));
 }
 
+/// On how many scenes the property holds; it fails on none.
+int held(const char* property, const std::vector<Scene>& scenes, oracle::Subject& subject) {
+  const properties::Property& law = properties::find(property);
+  return count(scenes, [&](const Scene& scene) {
+    const oracle::Outcome outcome = law.check(scene, subject).outcome;
+    CHECK(outcome != oracle::Outcome::fails);
+    return outcome == oracle::Outcome::holds;
+  });
+}
+
 bool is_tumbling(const Body& body) {
   const auto* given = std::get_if<MassProperties>(&body.mass);
   return given != nullptr && given->I_BBcm_B(0, 0) != given->I_BBcm_B(1, 1);
@@ -187,26 +197,15 @@ TEST_CASE("drawn motions: runs.edge_on_edge has bars whose edges meet, and the o
   const std::vector<Scene> scenes = drawn("runs.edge_on_edge", draws);
   const auto subject = oracle::subjects::make_fast();
   for (const char* id : {"simulation.together_relabelled", "simulation.together_renumbered"}) {
-    const properties::Property& law = properties::find(id);
-    const auto holds = [&](const Scene& scene) {
-      const oracle::Outcome outcome = law.check(scene, *subject).outcome;
-      CHECK(outcome != oracle::Outcome::fails);
-      return outcome == oracle::Outcome::holds;
-    };
-    CHECK(count(scenes, holds) >= 30);
+    CHECK(held(id, scenes, *subject) >= 30);
   }
 }
 
 TEST_CASE("drawn motions: runs.hardly_parallel has edges that touch where they cross") {
   const auto subject = oracle::subjects::make_fast();
+  const std::vector<Scene> scenes = drawn("runs.hardly_parallel", draws);
   for (const char* id : {"simulation.contacts", "simulation.impulses"}) {
-    const properties::Property& law = properties::find(id);
-    const auto holds = [&](const Scene& scene) {
-      const oracle::Outcome outcome = law.check(scene, *subject).outcome;
-      CHECK(outcome != oracle::Outcome::fails);
-      return outcome == oracle::Outcome::holds;
-    };
-    CHECK(count(drawn("runs.hardly_parallel", draws), holds) >= draws * 3 / 4);
+    CHECK(held(id, scenes, *subject) >= draws * 3 / 4);
   }
 }
 
