@@ -25,8 +25,8 @@ struct BallisticTruth {
 /// positive definite exactly.
 /// Error: enclosed; where the value is known, each end is within some ulps of it.
 /// Gives up: a tumbling body (three different moments of inertia) has infinite intervals where its motion is within
-/// some 2^-100 of a rotation about a principal axis, or of the motion that ends at the middle axis, without being one
-/// of them.
+/// some 2^-100 of the motion that ends at the middle axis, without being it; and where it is that near to a rotation
+/// about a principal axis, once it may be 2^-64 off that, which takes many turns.
 /// Cost: 0.1 ms; 1.3 ms for a tumbling body, however far it has turned.
 BallisticTruth ballistic_state(const Scene& scene, std::size_t body, double time);
 

@@ -96,6 +96,16 @@ Closest vertex_face(const PosedHull& A, int v, const PosedHull& B, int f) {
   return c;
 }
 
+/// The s of the point of the line p + s d that is nearest to the line q + r g, w = q − p: s|d × g|² = (w × g)·(d × g).
+/// The cross product of directions that round by turn_error is right to 2^-47 of |d||g|; what is below 2^-46 is mostly
+/// rounding, and any s will do.
+double of_nearly_parallel(const Vec3& d, const Vec3& g, const Vec3& w) {
+  constexpr double parallel = 0x1p-92;
+  const Vec3 across = d.cross(g);
+  const double square = across.squaredNorm();
+  return square > parallel * d.squaredNorm() * g.squaredNorm() ? w.cross(g).dot(across) / square : 0;
+}
+
 /// On lines p + s d and q + r e the closest points have s|d|² − r d·e = d·w and s d·e − r|e|² = e·w with w = q − p;
 /// clamped to the edges one after the other. (For parallel edges any s will do; r follows from it.)
 Closest edge_edge(const PosedHull& A, int e, const PosedHull& B, int f) {
@@ -115,9 +125,10 @@ Closest edge_edge(const PosedHull& A, int e, const PosedHull& B, int f) {
   const double gw = g.dot(w);
   const double sine = dd * gg - dg * dg;
   // The squared sine. d and g round by at most turn_error each and dd·gg and dg² by a few u more: together less than
-  // 2^-46. What is below 2^-44 is mostly rounding.
-  constexpr double parallel = 0x1p-44;
-  double s = sine > parallel * dd * gg ? std::clamp((gg * dw - dg * gw) / sine, 0.0, 1.0) : 0.0;
+  // 2^-46 of dd·gg.
+  constexpr double nearly_parallel = 0x1p-20;
+  double s = sine > nearly_parallel * dd * gg ? (gg * dw - dg * gw) / sine : of_nearly_parallel(d, g, w);
+  s = std::clamp(s, 0.0, 1.0);
   const double r = std::clamp((s * dg - gw) / gg, 0.0, 1.0);
   s = std::clamp((r * dg + dw) / dd, 0.0, 1.0);
   const OnEdge a = on_edge(A, e, p, d, s);

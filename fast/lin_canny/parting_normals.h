@@ -41,7 +41,7 @@ inline Vec3 across_both(Vec3 n, const Vec3& e, const Vec3& f) {
 /// beside one of them, at a slope above 2⁻³⁰ and rounding, is left out: it is along no face of the Minkowski
 /// difference, so it is not needed, and few of the thousands of planes are.
 template <class Found>
-bool any_parting_normal(const PosedHull& A, const PosedHull& B, Found&& found, double least_sine = 0x1p-20) {
+bool any_parting_normal(const PosedHull& A, const PosedHull& B, Found&& found, double least_sine = 0x1p-40) {
   for (int f = 0; f < A.hull->face_count(); ++f) {
     if (found(Vec3(-A.turned_out(A.hull->face(f).normal)), FeaturePair{{Kind::face, f}, {}})) return true;
   }

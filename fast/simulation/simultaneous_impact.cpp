@@ -172,8 +172,14 @@ struct ContactImpulse {
   std::optional<Vec3> P_A_W;
 };
 
-/// The impulses of contacts that share bodies which move.
-void act_together(const Run& run, const std::vector<PairPoints>& contacts, std::vector<ContactImpulse>& impulses) {
+ContactImpulse lone_impulse(const Run& run, const PairPoints& points) {
+  return {points.front().a, points.front().b, centre_of_pressure(run, points), {}};
+}
+
+/// The impulses of contacts that share bodies which move. If one of them alone presses, it is a lone contact.
+std::vector<ContactImpulse> act_together(const Run& run, const std::vector<PairPoints>& contacts) {
+  std::vector<ContactImpulse> impulses;
+  std::vector<std::size_t> presses;  // contacts
   Bodies bodies;
   std::vector<simultaneous::Region> regions;
   std::vector<std::size_t> region_of, first_of;  // indexed by contact: its region, and the first of its points there
@@ -197,7 +203,9 @@ void act_together(const Run& run, const std::vector<PairPoints>& contacts, std::
     };
     if (row(0).friction > 0) {
       for (std::size_t k = 0; k < points.size(); ++k) {
-        if (!row(k).P.isZero(0)) impulses.push_back({points[k].a, points[k].b, points[k].touch, row(k).P});
+        if (row(k).P.isZero(0)) continue;
+        impulses.push_back({points[k].a, points[k].b, points[k].touch, row(k).P});
+        if (presses.empty() || presses.back() != i) presses.push_back(i);
       }
       continue;
     }
@@ -206,7 +214,10 @@ void act_together(const Run& run, const std::vector<PairPoints>& contacts, std::
     Vec3 P = Vec3::Zero();
     for (std::size_t k = 0; k < points.size(); ++k) P += row(k).P;
     impulses.push_back({points.front().a, points.front().b, *centre, P});
+    presses.push_back(i);
   }
+  if (presses.size() == 1) return {lone_impulse(run, contacts[presses.front()])};
+  return impulses;
 }
 
 /// The contacts, in components that share no body which moves.
@@ -382,11 +393,11 @@ void resolve_impacts(Run& run, const std::vector<PairPoints>& contacts) {
         std::ranges::all_of(part, [&](const PairPoints& p) { return is_one_region(p, part.front()); }))
       part = pressing(run, part);
     if (part.size() == 1) {
-      const ImpactCandidate& first = part.front().front();
-      impulses.push_back({first.a, first.b, centre_of_pressure(run, part.front()), {}});
+      impulses.push_back(lone_impulse(run, part.front()));
     } else {
       mark(Mark::impact_together);
-      act_together(run, part, impulses);
+      const std::vector<ContactImpulse> together = act_together(run, part);
+      impulses.insert(impulses.end(), together.begin(), together.end());
     }
   }
   std::ranges::stable_sort(impulses, {},

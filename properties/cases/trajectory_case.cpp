@@ -114,10 +114,17 @@ tolerance::BallisticBound granted(const TrajectoryCase& asked, const Scene& ball
   return bound;
 }
 
+/// Where the reference gives up (reference/ballistic_motion.h).
+bool is_known(const State& state) { return std::isfinite(state.X_WB.q_WB.w); }
+
+oracle::Finding unknown() { return oracle::judge::outside("the reference does not know this motion"); }
+
 // Angular velocities count times the radius.
 oracle::Finding moves(const TrajectoryCase& asked, const Scene& ballistic_scene, std::size_t k, double time,
                       const Velocity& said) {
-  const Velocity expected = oracle::ballistic_state(ballistic_scene, k, time).velocity;
+  const State state = oracle::ballistic_state(ballistic_scene, k, time);
+  if (!is_known(state)) return unknown();
+  const Velocity& expected = state.velocity;
   const tolerance::BallisticBound allowed = granted(asked, ballistic_scene, k, time);
   const double radius = tolerance::radius(ballistic_scene.bodies[k]);
   const double off = (said.v_WBcm - expected.v_WBcm).norm() + radius * (said.w_WB - expected.w_WB).norm();
@@ -177,10 +184,12 @@ tolerance::BallisticBound allowance(const Scene& ballistic_scene, std::size_t k,
 oracle::Finding check_pose(const TrajectoryCase& asked, const Scene& ballistic_scene, std::size_t k, double time,
                            const Pose& said) {
   const Body& body = ballistic_scene.bodies[k];
+  const State state = oracle::ballistic_state(ballistic_scene, k, time);
+  if (!is_known(state)) return unknown();
+  const Pose& expected = state.X_WB;
   const double rounding = allowance(ballistic_scene, k, time, asked.precision).place;
   const double allowed = granted(asked, ballistic_scene, k, time).place;
   const bool decisive = is_decisive(body, rounding) && allowed < tolerance::size(body);
-  const Pose expected = oracle::ballistic_state(ballistic_scene, k, time).X_WB;
   return counted(decisive,
                  oracle::judge::at_most(
                      displacement(body, said, expected), in_ulps_of_place(asked, allowed), oracle::Defect::wrong_motion,

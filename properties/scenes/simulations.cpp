@@ -546,7 +546,7 @@ Scene edge_on_edge(Random& random) {
 /// Two bars whose edges cross at 2^-4 to 2^-19 of a radian: seen from the side they are one line, and touch in a point.
 Scene hardly_parallel(Random& random) {
   Body below = bar_on_edge(random), above = bar_on_edge(random);
-  const double turn = random.sign() * std::exp2(-random.between(5, 20));
+  const double turn = random.sign() * std::exp2(-random.between(5, 48));
   above.X_WB = {{turn * random.whole(-1, 1), random.whole(-2, 2), 6}, {1, 0, 0, turn}};
   above.velocity.v_WBcm = {0, 0, -random.whole(4, 8)};
   if (random.one_in(2)) below = fixed(std::move(below));

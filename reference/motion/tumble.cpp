@@ -82,6 +82,9 @@ Rotor<Enclosure> in_doubles(const Rotor<Wide>& q) {
 constexpr double negligible = 0x1p-300, left_out = 0x1p-288;
 constexpr int most_terms = 512;
 
+/// Of a motion near a rotation about an axis: the error of its angular velocity, rad/s, and of its attitude, rad.
+constexpr double negligible_spread = 0x1p-64;
+
 Wide pi() { return acos(Wide(-1)); }
 
 }  // namespace
@@ -99,13 +102,18 @@ struct Tumble::Invariants {
 Tumble::Tumble(const Square<mpq_class>& I_B, const std::array<mpq_class, 4>& q, const Three<mpq_class>& w_B) {
   turning_ = anything<Wide>();
   for (std::size_t i = 0; i < 4; ++i) wide_.q[i] = enclosed<Wide>(q[i]);
+  const PrincipalAxes found = principal_axes(I_B);
+  set_tumble(I_B, w_B, found);
+  if (!wide_.known) set_near_axis(enclosed<Wide>(w_B), found);
+}
+
+void Tumble::set_tumble(const Square<mpq_class>& I_B, const Three<mpq_class>& w_B, const PrincipalAxes& found) {
   const Three<mpq_class> L_B = times(I_B, w_B);
   const mpq_class L_squared = inner(L_B, L_B), twice_T = inner(L_B, w_B), ratio = L_squared / twice_T;
   Square<mpq_class> left = I_B;
   for (std::size_t i = 0; i < 3; ++i) left[i][i] -= ratio;
   wide_.returns = determinant(left) != 0;  // else L²/2T is a moment: the middle one, since ω is not along an axis
 
-  const PrincipalAxes found = principal_axes(I_B);
   const Wide beyond = enclosed<Wide>(ratio) - found.moments[1];
   const bool about_greatest = middle(beyond) > 0;  // if k = 1, both choices are right
   if (wide_.returns && !(lower(beyond) > 0 || upper(beyond) < 0)) return;
@@ -169,6 +177,29 @@ Tumble::Tumble(const Square<mpq_class>& I_B, const std::array<mpq_class, 4>& q, 
     narrow_.series.push_back({converted<Enclosure>(x.plain), converted<Enclosure>(x.alternating),
                               converted<Enclosure>(x.real), converted<Enclosure>(x.imaginary)});
   }
+}
+
+/// For a motion near a rotation about the axis e with ω_0 = ω·e: with δ the rest of ω, |ω| ≤ Ω = |L|/(least moment) and
+/// κ = max |c_i|, Euler's equations give |δ| ≤ g = |δ_0| exp(κ Ω τ) and |ω·e − ω_0| ≤ κ g² τ. The attitude is within
+/// half the integral of the sum of these of a rotation about e at the rate ω_0.
+void Tumble::set_near_axis(const Coordinates<Wide>& w, const PrincipalAxes& found) {
+  const auto size = [&](const Coordinates<Wide>& e) { return abs(middle(dot(e, w))); };
+  const auto& e = *std::ranges::max_element(found.axes, {}, size);
+  const auto& I = found.moments;
+  const auto coefficient = [&](std::size_t i) {
+    const Wide c = (I[(i + 1) % 3] - I[(i + 2) % 3]) / I[i];
+    return greater(upper(c), Float(-lower(c)));
+  };
+  const Coordinates<Wide> of_axes = components(found.axes, w);
+  const Wide L = length(entrywise(Coordinates<Wide>{I[0], I[1], I[2]}, of_axes)), rate = dot(e, w);
+  const Wide unequal = thin(greater(coefficient(0), greater(coefficient(1), coefficient(2))));
+  wide_near_ = {wide_.q, e, rate, length(Coordinates<Wide>(w - rate * e)), unequal * L / I[0], unequal};
+  narrow_near_ = {in_doubles(wide_.q),
+                  in_doubles(e),
+                  converted<Enclosure>(rate),
+                  converted<Enclosure>(wide_near_.off),
+                  converted<Enclosure>(wide_near_.growth),
+                  converted<Enclosure>(unequal)};
 }
 
 /// For k < 1.
@@ -285,18 +316,40 @@ Tumble::At<E> Tumble::in_P(const Constants<E>& constants, const E& tau) {
 }
 
 template <class E>
-Tumble::At<E> Tumble::at(const Constants<E>& constants, const E& tau) {
-  if (!constants.known) {
+Tumble::At<E> Tumble::at(const NearAxis<E>& near, const E& tau) {
+  using P = decltype(lower(tau));
+  const E time = thin(greater(upper(tau), P(-lower(tau))));
+  const E aside = near.off / decayed(E(near.growth * time));
+  const E spread = aside + near.unequal * aside * aside * time, angle = spread * time / E(2);
+  const P most = negligible_spread;
+  if (!(upper(spread) <= most && upper(angle) <= most)) {
     const E any = anything<E>();
     return {{any, any, any, any}, {any, any, any}};
   }
+  const auto around_zero = [](const E& x) { return between(P(-upper(x)), upper(x)); };
+  const Coordinates<E>& e = near.axis;
+  const auto [cosine, sine] = cosine_and_sine(E(near.rate * tau / E(2)));
+  At<E> now = {near.q * Rotor<E>{cosine, E(sine * e.x), E(sine * e.y), E(sine * e.z)}, near.rate * e};
+  E length_squared(0);
+  for (const E& part : near.q) length_squared += part * part;
+  for (E& part : now.q) part += around_zero(E(root(length_squared) * angle));
+  for (E* part : {&now.w_B.x, &now.w_B.y, &now.w_B.z}) *part += around_zero(spread);
+  return now;
+}
+
+template <class E>
+Tumble::At<E> Tumble::at(const Constants<E>& constants, const E& tau) {
   const At<E> there = in_P(constants, tau);
   const Rotor<E> turn = constants.back * there.q;
   const Coordinates<E> v = combined(constants.axes, {turn[1], turn[2], turn[3]});
   return {constants.q * Rotor<E>{turn[0], v.x, v.y, v.z}, combined(constants.axes, there.w_B)};
 }
 
-Tumble::At<Enclosure> Tumble::at(const Enclosure& tau) const { return at(narrow_, tau); }
-Tumble::At<WideEnclosure> Tumble::at(const WideEnclosure& tau) const { return at(wide_, tau); }
+Tumble::At<Enclosure> Tumble::at(const Enclosure& tau) const {
+  return narrow_.known ? at(narrow_, tau) : at(narrow_near_, tau);
+}
+Tumble::At<WideEnclosure> Tumble::at(const WideEnclosure& tau) const {
+  return wide_.known ? at(wide_, tau) : at(wide_near_, tau);
+}
 
 }  // namespace touchstone::reference

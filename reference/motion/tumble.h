@@ -28,13 +28,16 @@
 #include "reference/exact/linear.h"
 #include "reference/exact/quaternion.h"
 #include "reference/exact/tiers.h"
+#include "reference/motion/principal_axes.h"
 
 namespace touchstone::reference {
 
 class Tumble {
  public:
-  /// Starts at τ = 0 with attitude q (of any length) and angular velocity w_B, not about a principal axis. Nothing is
-  /// known where 76 digits hardly distinguish the motion from one about an axis, or from one with k = 1 (some 2^-100).
+  /// Starts at τ = 0 with attitude q (of any length) and angular velocity w_B, not about a principal axis. Where 76
+  /// digits hardly distinguish the motion from one about an axis (some 2^-100), it is one about this axis up to an
+  /// error that grows exponentially with time, and nothing is known once it is beyond 2^-64; nor is anything known
+  /// where they hardly distinguish it from another one with k = 1.
   Tumble(const Square<mpq_class>& I_B, const std::array<mpq_class, 4>& q, const Three<mpq_class>& w_B);
 
   template <class E>
@@ -72,6 +75,15 @@ class Tumble {
     Rotor<E> back;                       ///< q_PN at τ = 0
   };
 
+  /// A motion near a rotation about an axis (tumble.cpp).
+  template <class E>
+  struct NearAxis {
+    Rotor<E> q;              ///< q_WB at τ = 0
+    Coordinates<E> axis;     ///< e, in B
+    E rate;                  ///< ω_0
+    E off, growth, unequal;  ///< |δ_0|, κ Ω and κ
+  };
+
   /// cn s, sn s and dn s, each up to a constant, and a number whose argument is σ arg θ_4.
   template <class E>
   struct Wave {
@@ -79,6 +91,8 @@ class Tumble {
   };
 
   struct Invariants;
+  void set_tumble(const Square<mpq_class>& I_B, const Three<mpq_class>& w_B, const PrincipalAxes& found);
+  void set_near_axis(const Coordinates<WideEnclosure>& w, const PrincipalAxes& found);
   void set_waves(const Invariants& of);
   void set_last_wave(const Invariants& of);
   template <class E>
@@ -88,10 +102,14 @@ class Tumble {
   template <class E>
   static At<E> in_P(const Constants<E>& constants, const E& tau);
   template <class E>
+  static At<E> at(const NearAxis<E>& near, const E& tau);
+  template <class E>
   static At<E> at(const Constants<E>& constants, const E& tau);
 
   Constants<WideEnclosure> wide_;
   Constants<Enclosure> narrow_;
+  NearAxis<WideEnclosure> wide_near_;  ///< in place of these, where they are not known
+  NearAxis<Enclosure> narrow_near_;
   WideEnclosure turning_;
 };
 

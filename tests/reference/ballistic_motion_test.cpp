@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "model/infinity.h"
 #include "model/input_error.h"
 #include "tests/catch.h"
 #include "tests/reference/fine_motion.h"
@@ -208,6 +209,21 @@ TEST_CASE("A tumbling body is where Euler's series says: about either axis, near
   for (const Vec3& w : {Vec3(1, 1, 1), Vec3(-1, 2, 1), Vec3(1, -0.5, -1)}) {
     for (const double time : {0.25, 4.0}) agrees_with_series(Vec3(2, 5, 6), w, time);
   }
+}
+
+TEST_CASE("Hardly off a principal axis a body turns about it, until the middle one may have been left") {
+  const Vec3 I(2, 3, 4);
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double off : {0x1p-60, 0x1p-90, 0x1p-110, 0x1p-124, 0x1p-125, 0x1p-126, 0x1p-200}) {
+      Vec3 w = Vec3::Constant(off);
+      w[axis] = -3;
+      for (const double time : {0.5, 8.0}) agrees_with_series(I, w, time);
+    }
+  }
+  // 2^-200 is at most e^(3 t) times that after t seconds: the rate is 2/3 of |L|/I_1 = 9/2.
+  const Scene middle = spinning(I.asDiagonal(), Vec3(0x1p-200, 3, 0x1p-200), {1, 0, 0, 0});
+  CHECK(widest(ballistic_state(middle, 0, 12)) < 1e-12);
+  CHECK(widest(ballistic_state(middle, 0, 4096)) == infinity);
 }
 
 TEST_CASE("A tumbling body is never lost: 10,000 radians and more are as exact as one") {

@@ -54,6 +54,23 @@ Scene small_round_pair(Dice& dice, double reach) {
 /// linear: Lin and Canny observed it, but no theorem guarantees it.
 std::size_t step_bound(const Hull& A, const Hull& B) { return features(A).size() + features(B).size(); }
 
+/// A tetrahedron with an edge from (0, −2, 0) to (0, 2, 0), above or below which the rest is.
+Polytope edge_along_y(double z) {
+  return reference::convex_hull({Vec3(0, -2, 0), Vec3(0, 2, 0), Vec3(-1, 0, z), Vec3(1, 0, z)});
+}
+
+TEST_CASE("edges that cross at 2^-10 to 2^-38 of a radian are nearest where they cross, within rounding") {
+  for (int k = 11; k < 40; ++k) {
+    const double t = std::exp2(-k), tangent = 2 * t / (1 - t * t);
+    const Pair pair(tests::pair_of(
+        {{edge_along_y(-1), Vec3::Zero(), {}}, {edge_along_y(1), Vec3(tangent, 0, 0.5), Quaternion{1, 0, 0, t}}}));
+    const Proximity found = pair.from({});
+    // The places and the directions round by some 2^-49, and the crossing by that over the sine.
+    CHECK((found.p_WCa - Vec3(0, 1, 0)).norm() <= 0x1p-49 / tangent);
+    CHECK((found.p_WCb - Vec3(0, 1, 0.5)).norm() <= 0x1p-49 / tangent);
+  }
+}
+
 TEST_CASE("from every seed one answer, nearer at each step, in few steps") {
   Dice dice(5);
   std::size_t walks = 0;
