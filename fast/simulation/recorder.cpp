@@ -14,14 +14,17 @@ Recorder::Recorder(const World& world, const Islands& islands, bool keep_events)
   if (keep_events) trajectory_.events.emplace();
 }
 
-void Recorder::sample_before(double time) {
+double Recorder::next_sample() const {
   const std::vector<double>& times = world_->motion().sample_times;
-  for (; sampled_ < times.size() && times[sampled_] < time; ++sampled_) sample(times[sampled_]);
+  return sampled_ < times.size() ? times[sampled_] : never;
+}
+
+void Recorder::sample_before(double time) {
+  for (; next_sample() < time; ++sampled_) sample(next_sample());
 }
 
 void Recorder::sample_through(double time) {
-  const std::vector<double>& times = world_->motion().sample_times;
-  for (; sampled_ < times.size() && times[sampled_] <= time; ++sampled_) sample(times[sampled_]);
+  for (; next_sample() <= time; ++sampled_) sample(next_sample());
 }
 
 void Recorder::sample(double time) {

@@ -11,6 +11,7 @@ class Recorder {
   /// The world and the islands must outlive the recorder. Without `keep_events` events are only counted.
   Recorder(const World& world, const Islands& islands, bool keep_events);
 
+  double next_sample() const;  ///< s; never if there is none
   /// Samples the states at the scene's sample times before `time`; those at `time` itself show what its events change.
   void sample_before(double time);
   /// Also those at `time`, after its events.

@@ -28,13 +28,19 @@ Run::Run(const Scene& scene, const SimulationOptions& given)
 }
 
 void Run::advance_to(double time) {
-  recorder.sample_before(time);
+  if (recorder.next_sample() < time) {
+    const MarkCounts before = mark_counts;
+    recorder.sample_before(time);
+    guard.leave_out(marks_since(before));
+  }
   world.advance_to(time);
 }
 
 void Run::end_frame() {
   if (!stopped()) world.advance_to(schedule.frame_end());
+  const MarkCounts before = mark_counts;
   recorder.sample_through(stopped() ? guard.stopped()->time : world.now());
+  guard.leave_out(marks_since(before));
 }
 
 void Run::stop_before_now(BodyId a, BodyId b, const char* why) {

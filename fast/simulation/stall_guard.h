@@ -36,6 +36,9 @@ class StallGuard {
   /// Stops the run if the residual of a step (m) exceeds its bound.
   void check_residual(double residual, double bound, double now, BodyId a, BodyId b);
 
+  /// Does not count this work: samples do not decide where a run is given up.
+  void leave_out(const MarkCounts& counts) { work_.leave_out(counts); }
+
   /// Stops the run at the pair, or at a alone.
   void stop(double now, BodyId a, std::optional<BodyId> b, const char* why);
   const std::optional<Stopped>& stopped() const { return stopped_; }

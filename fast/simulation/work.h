@@ -1,6 +1,7 @@
 // How much a run has cost: counted, so that it is the same on every machine.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include "fast/mark.h"
@@ -14,6 +15,10 @@ class Work {
  public:
   Work() : before_(mark_counts) {}
   std::int64_t done() const;  ///< ns
+  /// Takes out what was counted for something that is not to count.
+  void leave_out(const MarkCounts& counts) {
+    for (std::size_t m = 0; m < counts.size(); ++m) before_[m] += counts[m];
+  }
 
  private:
   MarkCounts before_;

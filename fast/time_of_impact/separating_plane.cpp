@@ -15,7 +15,7 @@ double first_root(double z, double s, double c) {
   if (square < 0) return infinity;
   const double root = std::sqrt(square);
   if (s > 0) return c < 0 ? (s + root) / -c : infinity;
-  if (!(z > 0)) return c > 0 && s == 0 ? infinity : 0;
+  if (!(z > 0)) return 0;
   return root - s > 0 ? 2 * z / (root - s) : infinity;
 }
 

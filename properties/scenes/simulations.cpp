@@ -543,7 +543,7 @@ Scene edge_on_edge(Random& random) {
   return turned_somehow(random, run(random, {std::move(below), std::move(above)}, motion_until(1, 4)));
 }
 
-/// Two bars whose edges cross at 2^-4 to 2^-19 of a radian: seen from the side they are one line, and touch in a point.
+/// Two bars whose edges cross at 2^-4 to 2^-47 of a radian: seen from the side they are one line, and touch in a point.
 Scene hardly_parallel(Random& random) {
   Body below = bar_on_edge(random), above = bar_on_edge(random);
   const double turn = random.sign() * std::exp2(-random.between(5, 48));

@@ -18,6 +18,17 @@ TEST_CASE("work: counts from its own beginning, and in proportion") {
   CHECK(all.done() == 3 * one);
 }
 
+TEST_CASE("work: what is left out does not count") {
+  Work work;
+  mark(Mark::toi_query);
+  const std::int64_t one = work.done();
+  const MarkCounts before = mark_counts;
+  mark(Mark::toi_query, 5);
+  mark(Mark::contact_round);
+  work.leave_out(marks_since(before));
+  CHECK(work.done() == one);
+}
+
 TEST_CASE("work: what costs more counts more") {
   const auto of = [](Mark place) {
     const Work work;
