@@ -82,7 +82,8 @@ Rotor<Enclosure> in_doubles(const Rotor<Wide>& q) {
 constexpr double negligible = 0x1p-300, left_out = 0x1p-288;
 constexpr int most_terms = 512;
 
-/// Of a motion near a rotation about an axis: the error of its angular velocity, rad/s, and of its attitude, rad.
+/// Of a motion near a rotation about an axis: the error of its angular velocity, as a share of it, and of its attitude,
+/// rad.
 constexpr double negligible_spread = 0x1p-64;
 
 Wide pi() { return acos(Wide(-1)); }
@@ -180,8 +181,8 @@ void Tumble::set_tumble(const Square<mpq_class>& I_B, const Three<mpq_class>& w_
 }
 
 /// For a motion near a rotation about the axis e with ω_0 = ω·e: with δ the rest of ω, |ω| ≤ Ω = |L|/(least moment) and
-/// κ = max |c_i|, Euler's equations give |δ| ≤ g = |δ_0| exp(κ Ω τ) and |ω·e − ω_0| ≤ κ g² τ. The attitude is within
-/// half the integral of the sum of these of a rotation about e at the rate ω_0.
+/// κ = max |c_i|, Euler's equations give |ω'| ≤ κ Ω², |δ| ≤ g = |δ_0| exp(κ Ω τ) and |ω·e − ω_0| ≤ κ g² τ. The attitude
+/// is within half the integral of the sum of these of a rotation about e at the rate ω_0.
 void Tumble::set_near_axis(const Coordinates<Wide>& w, const PrincipalAxes& found) {
   const auto size = [&](const Coordinates<Wide>& e) { return abs(middle(dot(e, w))); };
   const auto& e = *std::ranges::max_element(found.axes, {}, size);
@@ -192,8 +193,9 @@ void Tumble::set_near_axis(const Coordinates<Wide>& w, const PrincipalAxes& foun
   };
   const Coordinates<Wide> of_axes = components(found.axes, w);
   const Wide L = length(entrywise(Coordinates<Wide>{I[0], I[1], I[2]}, of_axes)), rate = dot(e, w);
-  const Wide unequal = thin(greater(coefficient(0), greater(coefficient(1), coefficient(2))));
-  wide_near_ = {wide_.q, e, rate, length(Coordinates<Wide>(w - rate * e)), unequal * L / I[0], unequal};
+  const Wide unequal = thin(greater(coefficient(0), greater(coefficient(1), coefficient(2)))), fastest = L / I[0];
+  turning_ = thin(upper(Wide((Wide(1) + unequal) * fastest * fastest)));
+  wide_near_ = {wide_.q, e, rate, length(Coordinates<Wide>(w - rate * e)), unequal * fastest, unequal};
   narrow_near_ = {in_doubles(wide_.q),
                   in_doubles(e),
                   converted<Enclosure>(rate),
@@ -321,8 +323,8 @@ Tumble::At<E> Tumble::at(const NearAxis<E>& near, const E& tau) {
   const E time = thin(greater(upper(tau), P(-lower(tau))));
   const E aside = near.off / decayed(E(near.growth * time));
   const E spread = aside + near.unequal * aside * aside * time, angle = spread * time / E(2);
-  const P most = negligible_spread;
-  if (!(upper(spread) <= most && upper(angle) <= most)) {
+  const E most(negligible_spread), fastest = most * near.rate;
+  if (!(upper(spread) <= greater(lower(fastest), P(-upper(fastest))) && upper(angle) <= lower(most))) {
     const E any = anything<E>();
     return {{any, any, any, any}, {any, any, any}};
   }

@@ -224,6 +224,12 @@ TEST_CASE("Hardly off a principal axis a body turns about it, until the middle o
   const Scene middle = spinning(I.asDiagonal(), Vec3(0x1p-200, 3, 0x1p-200), {1, 0, 0, 0});
   CHECK(widest(ballistic_state(middle, 0, 12)) < 1e-12);
   CHECK(widest(ballistic_state(middle, 0, 4096)) == infinity);
+  // The same in other units of time.
+  const Scene slow = spinning(I.asDiagonal(), Vec3(0x1p-280, 0x3p-80, 0x1p-280), {1, 0, 0, 0});
+  const BallisticTruth truth = ballistic_state(slow, 0, 0x1p83);
+  for (std::size_t i = 0; i < 3; ++i) CHECK(width(truth.w_WB[i]) <= 0x1p-130);  // two ulps of 3·2^-80
+  CHECK(width(truth.q_WB[2]) < 1e-15);
+  CHECK(width(ballistic_state(slow, 0, 0x1p92).w_WB[1]) == infinity);
 }
 
 TEST_CASE("A tumbling body is never lost: 10,000 radians and more are as exact as one") {
