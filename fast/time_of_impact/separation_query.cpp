@@ -150,9 +150,11 @@ void go_on_along_ties(const PosedHull& A, const PosedHull& B, lin_canny::Closest
     feature = is_A ? beyond(*A.hull, before, A.turned_in(n), 4 * rounding)
                    : beyond(*B.hull, before, B.turned_in(-n), 4 * rounding);
     if (feature == before) continue;
-    const lin_canny::Closest tied = lin_canny::closest(A, B, next);
+    lin_canny::Closest tied = lin_canny::closest(A, B, next);
     const double at_most = std::sqrt(closest.squared) + 2 * rounding;
-    if (!tied.below && tied.squared <= at_most * at_most) closest = tied;
+    if (tied.below || tied.squared > at_most * at_most) continue;
+    tied.features = next;  // also where its closest point is on its border
+    closest = tied;
   }
 }
 

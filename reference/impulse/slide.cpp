@@ -433,7 +433,11 @@ template <class T>
 void Slide<T>::foresee() {
   const auto to = converging(tangent_, now_);
   if (!to) return;
-  settled_ = abs(to->delta) <= ldexp(T(1), -Places<T>::bits_kept);
+  // A series that is cut at 2^-bits_kept may leave the direction somewhat farther away than that, in each step again.
+  // The accuracy that is stated leaves room for 2^4 times as much.
+  const T off = abs(to->delta), cut = ldexp(T(1), -Places<T>::bits_kept);
+  settled_ = off <= cut || (off >= off_before_ && off <= 16 * cut);
+  off_before_ = off;
   if (stop_ || to->g >= 0) return;
   // If g is nearly 0 (perhaps exactly 0, but for rounding), slip stops so late, if ever, that p and W would lose their
   // digits by cancellation.

@@ -62,6 +62,7 @@ class Slide {
   std::vector<std::unique_ptr<Phase<T>>> pieces_;  ///< pieces of the last series, the next one last
   std::optional<Slip<T>> stop_;                    ///< where slip will stop, once known
   bool settled_ = false;                           ///< the direction of slip is constant to the last bit kept
+  T off_before_ = 4;                               ///< rad: of the direction that slip approaches, a step before
   std::optional<T> stopped_;
 
   ImpactState<T> impact_state(const Slip<T>& slip) const;

@@ -318,5 +318,25 @@ TEST_CASE("an edge that turns about its end meets a ball, at first as near as th
   check_holds(time_of_impact_of(scene), std::asin(0x1p-18 / r), 1e-7);
 }
 
+// A ball of radius r, and a sliver that turns about a corner √2 r from the ball's centre. One edge there touches the
+// ball at the start and turns away; the other, 1 m long, comes after half a turn. From 3/4 π on it is nearer than the
+// corner, by less than rounding until it has turned by 1e-7.
+TEST_CASE("an edge that turns about its end meets a speck beside the end, and no sooner") {
+  constexpr double r = 0x1p-30;
+  Scene scene = balls();
+  scene.bodies[0].shape = Sphere{r};
+  scene.bodies[1].shape = Polytope{{{0, 0, -0x1p-9}, {0, 0x1p-20, -0x1p-9}, {-1, 0, 0}, {0, 0, 0}},
+                                   {{0, 1, 3}, {0, 2, 1}, {0, 3, 2}, {1, 2, 3}}};
+  scene.bodies[0].X_WB.p_WB = Vec3::Zero();
+  scene.bodies[1].X_WB.p_WB = Vec3(-r, 0, r);
+  for (Body& body : scene.bodies) {
+    body.mass = Fixed{};
+    body.velocity = {};
+  }
+  scene.bodies[1].velocity.w_WB = Vec3(0, 1, 0);
+  scene.motion->sample_times = {4};
+  check_holds(time_of_impact_of(scene), std::acos(-1.0), 1e-4);
+}
+
 }  // namespace
 }  // namespace touchstone::fast
