@@ -9,6 +9,10 @@
 namespace touchstone::fast::impulse {
 namespace {
 
+/// How much of the change of a slope within a series its rounding may be. A choice: u_n is known to 2^-50 or so of its
+/// terms, and rises by 2^-20 of them at least where a series is worth to be followed.
+constexpr double rounded_slope = 0x1p-30;
+
 /// Newton's method inside a shrinking bracket where x rises from below the target to it or above. It squares its error:
 /// a step of 2^-28 of the root is the last that matters. (Not of the bracket: it may be 2^30 times as long as the
 /// root.) `below` and `above`: x − target at lo and hi.
@@ -95,8 +99,8 @@ std::optional<double> first_reach(const Series& x, double target, double length,
   const double start = x.x[0], slope_at_start = x.x[1];
   const auto [end, slope_at_end] = x.both(length);
   if (end >= target) return crossing(x, target, 0, length, start - target, end - target);
-  // Work is restored from where u_n is 0, so its slope begins with 0, but for rounding.
-  const bool rises = slope_at_start > 0 || x.x[2] > 0;
+  // Work is restored from where u_n is 0, so its slope begins with 0, but for rounding: a share of how much it changes.
+  const bool rises = slope_at_start > 0 || (x.x[2] > 0 && slope_at_start >= -rounded_slope * x.x[2] * length);
   if (!(rises && slope_at_end < 0)) return std::nullopt;
   const double top = summit(x, 0, length), miss = x(top) - target;
   closest_miss = std::min(closest_miss, std::abs(miss));
