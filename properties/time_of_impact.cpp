@@ -100,10 +100,11 @@ Finding tight(const Scene& scene, Subject& subject) {
                                                     std::max(asked.precision, oracle::Precision::binary64));
     const double lo = std::clamp(said.enclosure->lo, asked.start, asked.end);
     const double hi = std::clamp(said.enclosure->hi, asked.start, asked.end);
-    const double proved_at = std::max(0.0, -asked.gap(asked.truth.time.hi));
+    double deep = -asked.deepest(hi);
+    if (deep > 0) deep -= std::max(0.0, -asked.gap(asked.truth.time.hi));
     return judge::at_most(
-        std::max(asked.gap(lo), -asked.deepest(hi) - proved_at), in_ulps_of_place(asked, 4 * slack),
-        Defect::loose_enclosure, [&] { return text(said); }, [&] { return text(asked.truth); });
+        std::max(asked.gap(lo), deep), in_ulps_of_place(asked, 4 * slack), Defect::loose_enclosure,
+        [&] { return text(said); }, [&] { return text(asked.truth); });
   });
 }
 

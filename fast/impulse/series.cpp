@@ -9,8 +9,8 @@
 namespace touchstone::fast::impulse {
 namespace {
 
-/// How much of the change of a slope within a series its rounding may be. A choice: u_n is known to 2^-50 or so of its
-/// terms, and rises by 2^-20 of them at least where a series is worth to be followed.
+/// How much of the change of a slope within a series its rounding may be. A choice: u_n is known to some 2^-50 of its
+/// terms. Where it changes by less than 2^-20 of them within a series, a negative slope counts as falling.
 constexpr double rounded_slope = 0x1p-30;
 
 /// Newton's method inside a shrinking bracket where x rises from below the target to it or above. It squares its error:

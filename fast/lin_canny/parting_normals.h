@@ -28,6 +28,9 @@ struct TurnedEdge {
   std::array<Vec3, 2> into;
 };
 
+/// A choice: the least sine of two edges whose cross product defines a direction. Its error is some u over that.
+inline constexpr double least_crossing = 0x1p-40;
+
 /// Of n, a multiple of e × f for nearly parallel unit vectors, what is perpendicular to both: the rest is rounding.
 inline Vec3 across_both(Vec3 n, const Vec3& e, const Vec3& f) {
   n -= n.dot(e) * e;
@@ -37,11 +40,11 @@ inline Vec3 across_both(Vec3 n, const Vec3& e, const Vec3& f) {
 
 /// Whether `found` returns true for one of the normals, from B to A, of planes along a face of B, a face of A, or an
 /// edge of each: found(n, features), where a vertex stands for no feature. Calls it in a fixed order, and stops at the
-/// first true. Edges within `least_sine` of parallel define no direction. A plane along two edges that cuts a face
-/// beside one of them, at a slope above 2⁻³⁰ and rounding, is left out: it is along no face of the Minkowski
+/// first true. Edges that cross at less than least_crossing define no direction. A plane along two edges that cuts a
+/// face beside one of them, at a slope above 2⁻³⁰ and rounding, is left out: it is along no face of the Minkowski
 /// difference, so it is not needed, and few of the thousands of planes are.
 template <class Found>
-bool any_parting_normal(const PosedHull& A, const PosedHull& B, Found&& found, double least_sine = 0x1p-40) {
+bool any_parting_normal(const PosedHull& A, const PosedHull& B, Found&& found) {
   for (int f = 0; f < A.hull->face_count(); ++f) {
     if (found(Vec3(-A.turned_out(A.hull->face(f).normal)), FeaturePair{{Kind::face, f}, {}})) return true;
   }
@@ -58,7 +61,7 @@ bool any_parting_normal(const PosedHull& A, const PosedHull& B, Found&& found, d
       const FeaturePair edges{{Kind::edge, i}, {Kind::edge, j}};
       Vec3 n = a.along.cross(b.along);
       const double size = n.norm(), unit = a.length * b.length;
-      if (!(size > least_sine * unit)) continue;
+      if (!(size > least_crossing * unit)) continue;
       if (size < 0x1p-20 * unit) n = across_both(n, a.along / a.length, b.along / b.length);
       const double flat = std::max(0x1p-30 * size, 16 * u * unit);
       const double flat_A = flat * a.length, flat_B = flat * b.length;

@@ -41,9 +41,6 @@ std::optional<double> gap_above(double least, const PosedHull& A, const PosedHul
   return apart - top_A - top_B;
 }
 
-/// A choice: the least sine of two edges whose cross product defines a direction. Its error is some u over that.
-constexpr double least_crossing = 0x1p-40;
-
 /// Finds the direction of greatest gap among several.
 class Widest {
  public:
@@ -66,7 +63,7 @@ class Widest {
       ask(-from_B);
       return false;
     };
-    lin_canny::any_parting_normal(A_, B_, ask_it, least_crossing);
+    lin_canny::any_parting_normal(A_, B_, ask_it);
   }
   bool has_one() const { return gap_ > -infinity; }
   double found_gap() const { return gap_; }
@@ -220,7 +217,7 @@ double SeparationQuery::clear_until(const SeparatingPlane& plane, double h_max) 
 std::optional<Vec3> SeparationQuery::turn_with_edges(const Vec3& n, const Vec3& along_A, const Vec3& along_B) const {
   const Vec3 e = along_A.normalized(), f = along_B.normalized();
   const double crossing = n.dot(e.cross(f));
-  if (std::abs(crossing) < least_crossing) return std::nullopt;
+  if (std::abs(crossing) < lin_canny::least_crossing) return std::nullopt;
   return Vec3(perpendicular(A_.w.cross(e).cross(f) + e.cross(B_.w.cross(f)), n) / crossing);
 }
 
@@ -252,7 +249,7 @@ Vec3 SeparationQuery::direction_of_features() const {
   const Vec3 e = A_.core.edge_vector(a.index).normalized(), f = B_.core.edge_vector(b.index).normalized();
   const Vec3 crossed = e.cross(f);
   const double sine = crossed.norm();
-  if (sine * sine > lin_canny::clearly_crossing || sine < least_crossing) return n;
+  if (sine * sine > lin_canny::clearly_crossing || sine < lin_canny::least_crossing) return n;
   Widest widest(A_.core, B_.core);
   widest.ask(n);
   const Vec3 m = lin_canny::across_both(crossed / sine, e, f).normalized();

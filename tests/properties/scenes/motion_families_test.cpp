@@ -204,7 +204,7 @@ TEST_CASE("drawn motions: runs.edge_on_edge has bars whose edges meet, and the o
 TEST_CASE("drawn motions: runs.hardly_parallel has edges that touch where they cross") {
   const auto subject = oracle::subjects::make_fast();
   const std::vector<Scene> scenes = drawn("runs.hardly_parallel", draws);
-  for (const char* id : {"simulation.contacts", "simulation.impulses"}) {
+  for (const char* id : {"simulation.contacts", "simulation.impulses", "simulation.none_missed"}) {
     CHECK(held(id, scenes, *subject) >= draws * 3 / 4);
   }
 }
