@@ -20,16 +20,16 @@ constexpr const char* head = R"(# Simulations: error and time
 ![error against time, log-log, a panel a scene, a point for each step](simulation.svg)
 
 A scene is simulated to its end, each run in a process of its own; CPU time, short runs repeated, on a machine that others were using too. The error is that of the
-scene's own truth, the worst of all its looks: a share of a length or an energy. *impacts*: those that were resolved one by one; *changes*: contacts that began,
+scene's own truth, the greatest over all samples: a share of a length or an energy. *impacts*: those that were resolved one by one; *changes*: contacts that began,
 changed between stick and slip, or ended. Engines that step were run with each number of steps a second that the figures list for the scene, from 16 to 4096 (256 is
-their own), but for flights of milliseconds or hours, which have so many in a unit of their own; where one did not end, finer ones were not run. Here stands the run with
+their own), but for motions of milliseconds or hours, which have so many in a unit of their own; where one did not end, finer ones were not run. Here stands the run with
 the least error of these. An empty cell: it was not run.
 )";
 
 constexpr const char* saving_head = R"(
 ## What asking only near pairs saves
-Pairs are asked when they may meet only if their boxes over a frame of 1/30 s intersect; beside it, boxes as long as the flight, so that all pairs that could ever
-meet are asked. Paths are the same, bit for bit, where closed forms do. Below 1x the frames cost more than they save: bodies are few, or their ways do not cross.
+Pairs are asked when they may meet only if their boxes over a frame of 1/30 s intersect; beside it, boxes over the whole motion, so that all pairs that could ever
+meet are asked. The trajectories are the same, bit for bit, where they have closed forms. Below 1x the frames cost more than they save: bodies are few, or their paths do not cross.
 
 | scene | near pairs, ms | all, ms | saved |
 |---|---:|---:|---:|
