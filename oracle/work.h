@@ -13,11 +13,12 @@ using Work = std::map<std::string, std::uint64_t>;
 
 /// A promise about the answers to one query: the count is at most base + Σ per[x]·x. A name x is another count of the
 /// same answer, or a size of the scene:
-/// - "bodies", and "vertices" of all bodies (a ball has one, a compound those of its parts);
+/// - "bodies", "pairs" of them, and "vertices" of all bodies (a ball has one, a compound those of its parts);
 /// - "frames" and "placements" of a sequence;
 /// - "pixels" of a raster;
-/// - "samples" of a motion, and "radians" by which its bodies, but for balls about their centres, would turn until
-///   its end at their first angular velocities, together;
+/// - "samples" of a motion, its "seconds", these times the number of bodies ("body_seconds"), and the "radians" by
+///   which its bodies, but for balls about their centres, would turn until its end at their first angular velocities,
+///   together;
 /// - "aspect" of the most slender body, its length over its thickness (oracle/domain.h), but at most 2^20.
 /// A fault that exact arithmetic or a further iteration repairs changes no answer, but breaks this.
 struct WorkLimit {

@@ -70,6 +70,7 @@ std::vector<Property> join() {
                             simulation_same_run_properties,
                             simulation_exact_ball_properties,
                             simulation_impulse_properties,
+                            simulation_completed_properties,
                             simulation_lasting_contact_properties,
                             simulation_face_impulse_properties,
                             constraint_properties,

@@ -32,6 +32,7 @@ std::vector<Property> simulation_same_run_properties();
 std::vector<Property> simulation_exact_ball_properties();
 std::vector<Property> simulation_impulse_properties();
 std::vector<Property> simulation_lasting_contact_properties();
+std::vector<Property> simulation_completed_properties();
 std::vector<Property> simulation_face_impulse_properties();
 std::vector<Property> constraint_properties();
 std::vector<Property> constraint_motion_properties();

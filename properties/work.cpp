@@ -41,25 +41,32 @@ double placements(const Scene& scene) {
   return static_cast<double>(sum);
 }
 
+double seconds(const Scene& scene) {
+  return scene.motion && !scene.motion->sample_times.empty() ? scene.motion->sample_times.back() : 0;
+}
+
 /// By how much the bodies would turn in the time of the motion if they kept their angular velocities. A ball that turns
 /// about its centre stays where it is.
 double radians(const Scene& scene) {
   double sum = 0;
-  if (!scene.motion || scene.motion->sample_times.empty()) return sum;
   for (const Body& body : scene.bodies) {
-    if (!is_central_ball(body)) sum += scene.motion->sample_times.back() * body.velocity.w_WB.norm();
+    if (!is_central_ball(body)) sum += seconds(scene) * body.velocity.w_WB.norm();
   }
   return sum;
 }
 
 /// A size of the scene by its name in oracle/work.h.
 std::optional<double> size_of(const Scene& scene, const std::string& name) {
-  if (name == "bodies") return static_cast<double>(scene.bodies.size());
+  const auto bodies = static_cast<double>(scene.bodies.size());
+  if (name == "bodies") return bodies;
+  if (name == "pairs") return bodies * (bodies - 1) / 2;
   if (name == "vertices") return vertices(scene);
   if (name == "frames") return static_cast<double>(scene.frames.size());
   if (name == "placements") return placements(scene);
   if (name == "pixels") return scene.raster ? double{1} * scene.raster->columns * scene.raster->rows : 0;
   if (name == "samples") return scene.motion ? static_cast<double>(scene.motion->sample_times.size()) : 0;
+  if (name == "seconds") return seconds(scene);
+  if (name == "body_seconds") return bodies * seconds(scene);
   if (name == "radians") return radians(scene);
   if (name == "aspect") return std::min(oracle::sizes_of(scene).aspect, 0x1p20);  // a greater one says nothing
   return std::nullopt;

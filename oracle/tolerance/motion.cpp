@@ -317,6 +317,16 @@ double through_impact(const Scene& scene, const Impact& impact, const std::array
   return of_input(scene, impact, arms, at_contact(impact, before, arms)) + static_cast<double>(remain);
 }
 
+// v is e times the speed before, or n̂·v as reported: in each v + w × r with an arm from C and the centre, 4u of
+// either's distance from the origin and 8u of the speeds; the normal, 4u more; n̂·v, 3u. So 19u of the speeds for each
+// of the two, 38u. g_n: a normal and three products, 8u of |g|. 1 − e, the products and the quotient: 4u. The sum: u of
+// `end`, and as much for the time of the impact.
+double end_of_bounces(const Bounces& bounces, double end, Precision precision) {
+  const Real u = unit_roundoff(precision), seconds = bounces.seconds();
+  const Real of_seconds = 38 * bounces.speeds / bounces.speed + 8 * bounces.gravity / bounces.presses + 4;
+  return static_cast<double>(u * (of_seconds * seconds + 2 * end));
+}
+
 // (p_WCa − p_WCb)/|…|: the errors of two witness points over their distance. If that is more than 1/1024, the two
 // practically touch, and features give the normal at least as well.
 double normal(const Scene& scene, double apart, Precision precision) {

@@ -58,6 +58,20 @@ double granted(const Scene& scene, const ContactTolerance& declared);
 /// m/s: error of the relative velocity at C before an impact; `arms` (m) bounds the errors of p_BcmC_W of A and B.
 double at_contact(const Impact& impact, const std::array<BallisticBound, 2>& before, const std::array<double, 2>& arms);
 
+/// A ball that leaves a fixed plane at the speed v, pressed by g_n, bounces for 2v/(g_n (1 − e)).
+struct Bounces {
+  Real speed = 0;    ///< m/s: v
+  Real speeds = 0;   ///< m/s: of all points of the ball, before and after, as far from its centre as the origin is
+  Real presses = 0;  ///< m/s²: g_n
+  Real gravity = 0;  ///< m/s²: |g|
+  double restitution = 0;
+
+  Real seconds() const { return 2 * speed / (presses * (1 - Real{restitution})); }
+};
+
+/// s: error of the computed time `end` at which they end.
+double end_of_bounces(const Bounces& bounces, double end, Precision precision);
+
 /// √J: effect of the same errors on the velocities after an impact.
 double through_impact(const Scene& scene, const Impact& impact, const std::array<BallisticBound, 2>& before,
                       const std::array<double, 2>& arms);

@@ -74,6 +74,7 @@ const std::vector<Caught> caught = {
     {"canary.damped_together", "simulation.together_energy", "runs.cradle", 0},
     {"canary.kicks_together", "simulation.together_energy", "runs.together", 0},
     {"canary.sums_up_the_last", "simulation.impulses_add_up", "runs.bouncing", 0},
+    {"canary.ends_bounces_early", "simulation.bounces_end", "runs.bouncing", 0},
     {"canary.nanometre", "simulation.scaled", "runs.ties", 0},
     {"canary.carries_air", "simulation.heavier", "runs.solids", 0},
     {"canary.rounded_by_samples", "simulation.sampled", "runs.ties", 0},

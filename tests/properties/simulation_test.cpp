@@ -945,3 +945,41 @@ TEST_CASE("simulation.rests: a stack on a belt moves with it, and one that stand
   scene.bodies[2].X_WB.p_WB.x() = 0.125;  // not above each other: they may stand or not
   CHECK(judged_with(v) == Outcome::outside);
 }
+
+// After the impact the ball has 2⁻¹² m/s. Under 10 m/s², with e = 1/2, its bounces last 2 · 2⁻¹²/(10 · (1 − 1/2)) s.
+TEST_CASE("simulation: bounces end when the series of them does, or when something else happens") {
+  Scene scene = over_table(ball({0, 0, 1}, {0, 0, 0}), 2);
+  scene.bodies[0].mass = Density{};
+  const double seconds = 2 * 0x1p-12 / 5;
+  const auto event = [](Event::Kind kind, double time, double speed) {
+    Event of_ball;
+    of_ball.kind = kind;
+    of_ball.time = time;
+    of_ball.b = 1;
+    of_ball.p_WC = {0, 0, 0};
+    of_ball.nhat_BA_W = {0, 0, 1};
+    of_ball.after_a = at({0, 0, 0.5}, {0, 0, speed});
+    of_ball.after_b = of_table();
+    return of_ball;
+  };
+  const auto judged_with = [&](const std::vector<double>& completed, std::optional<double> release) {
+    tests::FixedSubject subject;
+    Trajectory said;
+    said.states = {{at({0, 0, 0.5}, {0, 0, 0}), of_table()}};
+    said.events.emplace(1, event(Event::Kind::impact, 1, 0x1p-12));
+    for (const double time : completed) said.events->push_back(event(Event::Kind::completed, time, 0));
+    if (release) said.events->push_back(event(Event::Kind::release, *release, 0));
+    subject.said_simulation = said;
+    return properties::find("simulation.bounces_end").check(scene, subject);
+  };
+  const double end = 1 + seconds, within = 1 + seconds / 2;
+  CHECK(judged_with({end}, {}).outcome == Outcome::holds);
+  CHECK(judged_with({end + 0x1p-45}, {}).defect == Defect::too_late);
+  CHECK(judged_with({end - 0x1p-45}, {}).defect == Defect::too_early);
+  CHECK(judged_with({within, end}, {}).outcome == Outcome::holds);
+  CHECK(judged_with({within}, {}).defect == Defect::too_early);
+  CHECK(judged_with({within}, within).outcome == Outcome::holds);
+  CHECK(judged_with({within}, end).defect == Defect::too_early);
+  CHECK(judged_with({end + 0x1p-45}, end + 0x1p-45).defect == Defect::too_late);
+  CHECK(judged_with({}, {}).outcome == Outcome::outside);
+}

@@ -37,6 +37,8 @@ TEST_CASE("work: a count is at most what is promised, for sizes of the scene and
   CHECK(outcome({{"step", 6}, {"walk", 2}}, {{"distance", "step", 0, {{"walk", 3}}}}) == Outcome::holds);
   CHECK(outcome({{"step", 7}, {"walk", 2}}, {{"distance", "step", 0, {{"walk", 3}}}}) == Outcome::fails);
   CHECK(outcome({{"step", 9}}, {{"distance", "step", 5, {{"bodies", 2}}}}) == Outcome::holds);
+  CHECK(outcome({{"step", 8}}, {{"distance", "step", 5, {{"pairs", 3}}}}) == Outcome::holds);
+  CHECK(outcome({{"step", 9}}, {{"distance", "step", 5, {{"pairs", 3}}}}) == Outcome::fails);
   CHECK(outcome({{"step", 1}}, {{"distance", "step", 0, {{"pixels", 1}, {"samples", 1}, {"frames", 1}}}}) ==
         Outcome::fails);
 }
@@ -54,6 +56,10 @@ TEST_CASE("work: sizes of a motion and of slender bodies") {
   };
   CHECK(outcome_of(10, {"time_of_impact", "step", 0, {{"radians", 1}}}) == Outcome::holds);
   CHECK(outcome_of(11, {"time_of_impact", "step", 0, {{"radians", 1}}}) == Outcome::fails);
+  CHECK(outcome_of(2, {"time_of_impact", "step", 0, {{"seconds", 1}}}) == Outcome::holds);
+  CHECK(outcome_of(3, {"time_of_impact", "step", 0, {{"seconds", 1}}}) == Outcome::fails);
+  CHECK(outcome_of(4, {"time_of_impact", "step", 0, {{"body_seconds", 1}}}) == Outcome::holds);
+  CHECK(outcome_of(5, {"time_of_impact", "step", 0, {{"body_seconds", 1}}}) == Outcome::fails);
   CHECK(outcome_of(9, {"time_of_impact", "step", 0, {{"aspect", 1.01}}}) == Outcome::holds);
   CHECK(outcome_of(10, {"time_of_impact", "step", 0, {{"aspect", 1.01}}}) == Outcome::fails);
 }
