@@ -7,6 +7,7 @@
 
 #include "oracle/judge/grade.h"
 #include "oracle/subjects/canaries/canaries.h"
+#include "oracle/subjects/touchstone/fast.h"
 #include "properties/property.h"
 #include "properties/scenes/domain.h"
 #include "tests/catch.h"
@@ -133,6 +134,12 @@ TEST_CASE("each canary about simulations and constraints is caught on a drawn sc
     INFO(canary.id);
     CHECK((!is_about_runs(canary) || names.contains(canary.id)));
   }
+}
+
+TEST_CASE("simulation.bounces_end: fast keeps it on a drawn scene whose bounces it completes") {
+  const auto fast = oracle::subjects::make_fast();
+  const properties::Property& property = properties::find("simulation.bounces_end");
+  CHECK(property.check(draw(family("runs.bouncing"), 1, 3), *fast).outcome == oracle::Outcome::holds);
 }
 
 // The canary moves a body by 10⁻¹² m: a difference of rounding is not graded as one of a metre.
