@@ -16,11 +16,10 @@ using oracle::Defect;
 using oracle::Finding;
 using oracle::Real;
 using oracle::Subject;
+using oracle::tolerance::Bounces;
 namespace judge = oracle::judge;
 namespace words = oracle::words;
 using Kind = Event::Kind;
-
-using oracle::tolerance::Bounces;
 
 Finding no_bounces() { return judge::outside("no bounces of a ball on a fixed box that an event sums up"); }
 

@@ -406,26 +406,26 @@ void kicks_together(Subject&, const Scene&, Trajectory& said) {
   }
 }
 
-// The first two impacts of one pair are reported as a completed series, with the impulse of the second one.
-void sums_up_the_last(Subject&, const Scene&, Trajectory& said) {
-  if (!said.events || said.events->size() < 2) return;
+// The second event, if the first two are impacts of one pair.
+Event* second_of_two_impacts(Trajectory& said) {
+  if (!said.events || said.events->size() < 2) return nullptr;
   const Event& first = said.events->front();
   Event& second = (*said.events)[1];
   const bool of_one_pair = first.a == second.a && first.b == second.b;
-  if (!of_one_pair || first.kind != Event::Kind::impact || second.kind != Event::Kind::impact) return;
-  second.kind = Event::Kind::completed;
+  return of_one_pair && first.kind == Event::Kind::impact && second.kind == Event::Kind::impact ? &second : nullptr;
+}
+
+// The first two impacts of one pair are reported as a completed series, with the impulse of the second one.
+void sums_up_the_last(Subject&, const Scene&, Trajectory& said) {
+  Event* second = second_of_two_impacts(said);
+  if (second == nullptr) return;
+  second->kind = Event::Kind::completed;
   said.events->erase(said.events->begin());
 }
 
 // The second of the first two impacts of one pair is reported as the end of all bounces after the first.
 void ends_bounces_early(Subject&, const Scene&, Trajectory& said) {
-  if (!said.events || said.events->size() < 2) return;
-  const Event& first = said.events->front();
-  Event& second = (*said.events)[1];
-  const bool of_one_pair = first.a == second.a && first.b == second.b;
-  if (of_one_pair && first.kind == Event::Kind::impact && second.kind == Event::Kind::impact) {
-    second.kind = Event::Kind::completed;
-  }
+  if (Event* second = second_of_two_impacts(said)) second->kind = Event::Kind::completed;
 }
 
 void carries_air(Scene& scene) {
