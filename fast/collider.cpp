@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "fast/broad_phase/wrapped_grid.h"
+#include "model/infinity.h"
 
 namespace touchstone::fast {
 namespace {
@@ -16,9 +17,8 @@ struct Ball {
   double radius = 0;
 };
 
+/// About the middle of the box in the body's axes, so that it is at most the ball about that box.
 Ball ball_around(const lin_canny::Solid& solid) {
-  Ball ball;
-  double count = 0;
   const auto each = [&](auto&& see) {
     for (const Convex& part : solid.parts()) {
       for (const Vec3& v : part.core.vertices()) {
@@ -26,8 +26,12 @@ Ball ball_around(const lin_canny::Solid& solid) {
       }
     }
   };
-  each([&](const Vec3&, double) { ++count; });
-  each([&](const Vec3& v, double) { ball.centre += v / count; });
+  Vec3 lo = Vec3::Constant(infinity), hi = -lo;
+  each([&](const Vec3& v, double r) {
+    lo = lo.cwiseMin(v - Vec3::Constant(r));
+    hi = hi.cwiseMax(v + Vec3::Constant(r));
+  });
+  Ball ball{lo / 2 + hi / 2, 0};
   each([&](const Vec3& v, double r) { ball.radius = std::max(ball.radius, (v - ball.centre).stableNorm() + r); });
   return ball;
 }

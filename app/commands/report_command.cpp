@@ -190,6 +190,8 @@ void print_failing(const Ledger& ledger) {
   }
 }
 
+constexpr std::size_t longest_case = 8192;  // characters of a case that is printed
+
 /// Ranks rows that compare with the truth first: conservation properties have bounds of their own.
 std::pair<bool, double> closeness(const Row& row) {
   if (!row.examples.closest) return {false, -1};
@@ -219,7 +221,8 @@ void print_closest(const Ledger& ledger, const std::string& out) {
                                std::nullopt,     folder_of(row.subject->connectable)};
     if (out.empty()) {
       const Json json = oracle::json_of(as_case);
-      print("    {}\n", json.dump(-1, ' ', false, Json::error_handler_t::replace));
+      const std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
+      print("    {}\n", text.size() <= longest_case ? text : "its case is long: --out FOLDER writes it");
     } else {
       const std::string file = (fs::path(out) / "cases" / (query + ".closest.json")).string();
       oracle::write_case(as_case, file);

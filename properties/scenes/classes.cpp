@@ -398,7 +398,7 @@ const std::vector<Class>& classes(const std::string& query) {
   static const std::vector<Class> constraint = {{"rolls", 0.19},
                                                 {"slides", 0.1},
                                                 {"flies", 0.15},
-                                                {"slip stops", 0.04},
+                                                {"slip stops", 0.03},
                                                 {"a contact ends", 0.08},
                                                 {"an impact", 0.1},
                                                 {"two impacts or more", 0.01},

@@ -250,7 +250,7 @@ Scene hidden_approach(Random& random) {
 }
 
 Scene separating(Random& random) {
-  if (random.one_in(4)) return hidden_approach(random);
+  if (random.one_in(2)) return hidden_approach(random);
   const Arm A = some_stated(random, -1), B = some_other(random);
   Vec3 u = some_approach(random);
   u.z() = random.pick({0.0, 0x1p-30, 1.0, 4.0});
@@ -420,6 +420,22 @@ Scene generic(Random& random) {
   return scene;
 }
 
+/// The same 2^8 to 2^24 m from the origin, with the centres of mass off the bodies' own origins.
+Scene far_away(Random& random) {
+  Scene scene = generic(random);
+  const auto part = [&random] { return 0.5 + random.unit() / 2; };
+  const double far = std::ldexp(1.0, random.between(8, 24));
+  const Vec3 place(far * part(), far * part(), far * part());
+  scene.contact->p_WC += place;
+  for (Body& body : scene.bodies) {
+    body.X_WB.p_WB += place;
+    if (is_fixed(body)) continue;
+    const Vec3 off(part() / 4, part() / 4, -part() / 4), moments(3, 4 + part(), 5 + part());
+    body.mass = MassProperties{part(), off, Mat3((moments / 16).asDiagonal())};
+  }
+  return scene;
+}
+
 /// Impacts for which all results are known on paper (docs/spec/impulse.md names them).
 Scene known(Random& random) {
   struct Known {
@@ -462,6 +478,8 @@ std::vector<Family> contact_families() {
       {"contact.off_centre", "centres of mass off the bodies' origins, turned", queries, true, off_centre},
       {"contact.times_powers", "velocities and lengths times powers of two", queries, false, times_powers},
       {"contact.generic", "boxes, velocities and normals at random", queries, false, generic},
+      {"contact.far_away", "the same 2^8 to 2^24 m from the origin, centres of mass off the bodies' origins", queries,
+       false, far_away},
       {"contact.known", "impacts that are known on paper", queries, true, known},
   };
 }

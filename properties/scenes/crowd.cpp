@@ -112,11 +112,16 @@ Scene tied_extremes(Random& random) {
   });
 }
 
-/// Every number is a random double: no two end points are equal, and every product is rounded.
+/// Every number is a random double: no two end points are equal, and every product is rounded. Balls may be far greater
+/// than their distance from the origin.
 Scene generic(Random& random) {
   const auto number = [&random] { return 2 * random.unit() - 1; };
   return crowd(random, [&] {
     const Pose X{Vec3{4 * number(), 4 * number(), 4 * number()}, {number(), number(), number(), number()}};
+    if (random.one_in(4)) {
+      const double nearer = std::ldexp(1.0, -random.between(0, 12));
+      return at_rest(Sphere{random.unit() + 1}, {nearer * X.p_WB, {}});
+    }
     return at_rest(Box{Vec3{random.unit() + 0x1p-9, random.unit() + 0x1p-9, random.unit() + 0x1p-9}}, X);
   });
 }
@@ -137,7 +142,7 @@ std::vector<Family> crowd_families() {
       {"crowd.plates", "thin plates stacked along one axis, in part touching", queries, true, stacked_plates},
       {"crowd.turned", "boxes, spheres and polytopes at integer quaternions", queries, true, turned_solids},
       {"crowd.tied_extremes", "blocks turned so that whole edges and faces are extreme", queries, true, tied_extremes},
-      {"crowd.generic", "turned boxes, every number a random double", queries, false, generic},
+      {"crowd.generic", "turned boxes and balls, every number a random double", queries, false, generic},
   };
 }
 

@@ -80,6 +80,21 @@ Scene needles(Random& random) {
   return thrown(random, std::move(A), std::move(B), motion_until(2), some_gravity(random));
 }
 
+/// A thin rod that spins about its length while its axis turns, until an end of it comes down.
+Scene javelins(Random& random) {
+  const double half = random.whole(4, 16), thick = half * std::ldexp(1, -random.between(4, 7));
+  Body rod = at_rest(Box{Vec3(half, thick, thick)});
+  const double spin = random.sign() * random.whole(16, 64), turn = random.sign() * random.whole(1, 5);
+  rod.velocity.w_WB = {spin, turn, random.whole(-1, 1)};
+  const double below = half * random.whole(6, 14) / 16;
+  Body other = fixed(at_rest(Box{Vec3(4 * half, 4 * half, 1)}, {{0, 0, -below - 1}, {}}));
+  if (random.one_in(3)) {
+    const Vec3 ahead(half * (turn > 0 ? 0.75 : -0.75), 0, -below - 1);
+    other = fixed(at_rest(Sphere{1}, {ahead, {}}));
+  }
+  return thrown(random, std::move(rod), std::move(other), motion_until(1));
+}
+
 /// Plates that a body crosses within a step of 1/60 s.
 Scene thin_plates(Random& random) {
   const double thin = std::ldexp(1, -random.between(4, 12)), speed = random.whole(64, 1024);
@@ -240,6 +255,8 @@ std::vector<Family> motion_families() {
       {"flights.redundant", "solids with vertices on edges and in faces, in any order", queries, true, redundant},
       {"flights.sliding_past", "polytopes that pass each other by 2^-4 to 2^-12", queries, true, sliding_past},
       {"flights.needles", "slender rods that turn end over end", queries, true, needles},
+      {"flights.javelins", "rods that spin about their length, and turn until an end comes down", queries, true,
+       javelins},
       {"flights.thin_plates", "plates that a step would leap over", queries, true, thin_plates},
       {"flights.touching", "in contact at the start, approaching or parting", queries, true, touching},
       {"flights.tops", "bodies whose moments differ, turning", queries, true, tops},

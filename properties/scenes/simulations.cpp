@@ -143,8 +143,13 @@ Scene one_impact(Random& random) {
   return run(random, {std::move(ball), std::move(other)}, motion_until(2, 2));
 }
 
+/// Two solids, or one ball whose moments are not those of a uniform one.
 Scene tops(Random& random) {
   std::vector<Body> bodies = converging(random, 2, false);
+  if (random.one_in(3)) {
+    bodies.resize(1);
+    bodies[0].shape = Sphere{random.whole(1, 4)};
+  }
   for (Body& body : bodies) {
     MassProperties given;
     given.mass = random.whole(1, 4);
@@ -343,12 +348,13 @@ std::vector<Body> polytope_lands(Random& random) {
 
 using Bodies = std::vector<Body> (*)(Random&);
 
-/// Bodies of equal material, and samples shortly after the impacts.
+/// Bodies of equal material or of unlike restitution, and samples shortly after the impacts.
 Scene at_one_time(Random& random, Bodies kind) {
   std::vector<Body> bodies = kind(random);
   const double e = random.pick({0.0, 0.5, 1.0}), mu = random.pick({0.0, 0.0, 0.5}), mass = random.pick({1.0, 4.0});
+  const bool is_unlike = random.one_in(2);
   for (Body& body : bodies) {
-    body.material = {e, mu};
+    body.material = {is_unlike ? random.pick({0.0, 0.5, 1.0}) : e, mu};
     if (std::holds_alternative<Density>(body.mass)) body = of_mass(std::move(body), mass);
   }
   return run(random, std::move(bodies), motion_until(1.25, 5));

@@ -184,6 +184,22 @@ Scene drops(Random& random) {
   return scene;
 }
 
+/// Thrown up against a ceiling that it just reaches, or just does not, early in a long motion.
+Scene ceiling(Random& random) {
+  const double r = random.pick({0.5, 1.0, 2.0});
+  Scene scene = table_scene(random, r);
+  Body& ball = scene.bodies[0];
+  ball.X_WB.p_WB.z() += sixteenths(random, 1, 4);
+  const double soon = sixteenths(random, 1, 4), apex = g * soon * soon / 2;
+  const double beyond = random.one_in(4) ? 1 : -1;
+  const double rise = rounded(apex * (1 + std::ldexp(beyond, -random.between(1, 4))), 24);
+  ball.velocity.v_WBcm = {sixteenths(random, -4, 4), 0, g * soon};
+  const Vec3 half(16, 16, 0.5);
+  scene.bodies.push_back(plate(half, {ball.X_WB.p_WB + Vec3(0, 0, r + rise + half.z()), {}}, some_surface(random)));
+  scene.motion = Motion{.sample_times = {2 * soon, 4 * soon, 4}};
+  return scene;
+}
+
 Body block(const Vec3& half, const Pose& X_WB, double density) {
   return {"block", Box{half}, X_WB, {}, {0, 0.5}, Density{density}};
 }
@@ -327,6 +343,9 @@ Scene pushed(Random& random) {
   return scene;
 }
 
+/// Of a ball that is not of one density: kg m², for a mass of 8 kg and a radius of 1 m.
+Mat3 unlike_moments(Random& random) { return random.pick<Vec3>({{2, 3, 4}, {4, 2, 3}, {2, 2, 3}}).asDiagonal(); }
+
 /// A ball, or a ball and a block that may collide, without a table, pushed by forces that begin and change.
 Scene adrift(Random& random) {
   const double r = some_radius(random);
@@ -334,6 +353,10 @@ Scene adrift(Random& random) {
   scene.bodies.pop_back();
   scene.bodies[0].mass = Density{1};
   scene.bodies[0].velocity.v_WBcm = {sixteenths(random, -16, 16), 0, sixteenths(random, -16, 16)};
+  if (random.one_in(3)) {
+    scene.bodies[0].mass = MassProperties{8 * r * r * r, Vec3::Zero(), r * r * r * r * r * unlike_moments(random)};
+    scene.bodies[0].velocity.w_WB = Vec3(4, 0.5, 1);
+  }
   if (random.one_in(2)) {
     scene.bodies.push_back(block(Vec3(r, r, r), {Vec3(4 * r, 0, r), {}}, 1));
     scene.bodies[1].material.restitution = random.pick({0.0, 0.5});
@@ -353,7 +376,7 @@ Scene adrift(Random& random) {
   return scene;
 }
 
-/// A ball with its centre of mass off its middle falls on a table or on a fixed ball.
+/// A ball with its centre of mass off its middle falls on a table or on a fixed ball, and may spin.
 Scene eccentric(Random& random) {
   const double r = some_radius(random), m = random.pick({0.5, 1.0, 4.0});
   Scene scene = table_scene(random, r);
@@ -362,6 +385,7 @@ Scene eccentric(Random& random) {
   const double height = 0.5 * r * random.whole(1, 8), lasts = std::sqrt(2 * height / g);
   scene.bodies[0].X_WB.p_WB.z() += height;
   if (random.one_in(2)) scene.bodies[0].velocity.v_WBcm.x() = sixteenths(random, -8, 8);
+  if (random.one_in(2)) scene.bodies[0].velocity.w_WB = {0, random.whole(-8, 8), random.whole(-2, 2)};
   if (random.one_in(2)) {
     scene.bodies[1].shape = Sphere{r};
     scene.bodies[1].X_WB.p_WB = {0, 0, -r};
@@ -464,6 +488,7 @@ std::vector<Family> table_families() {
       {"tables.slope", "a ball that slides or rolls on a tilted table", queries, false, slope},
       {"tables.barely_stays", "a ball that turns just before the upper edge", queries, false, barely_stays},
       {"tables.drops", "a ball that falls on a table with spin", queries, true, drops},
+      {"tables.ceiling", "a ball thrown up against a ceiling that it just reaches or not", queries, false, ceiling},
       {"tables.block", "a block on a slope, friction near the tangent", queries, false, block_on_slope},
       {"tables.tips", "a block that stands on a slope, and tips or not", queries, false, tips},
       {"tables.block_slides", "a block that slides on a slope, stops or does not", queries, false, block_slides},

@@ -11,6 +11,7 @@
 #include "fast/penetration.h"
 #include "model/input_error.h"
 #include "oracle/subject.h"
+#include "oracle/subjects/common/broad_phase_world.h"
 #include "oracle/subjects/touchstone/fast_work.h"
 #include "oracle/subjects/touchstone/fast_work_limits.h"
 
@@ -78,6 +79,46 @@ double margin_of(const Body& A, const Body& B) {
   return 4 * farthest;
 }
 
+/// The near pairs of bodies that come, move and go.
+class ColliderWorld : public World {
+ public:
+  explicit ColliderWorld(const Scene& scene) : scene_(scene) {}
+
+  void put(int body, const Pose& X_WB) override {
+    const Shape& shape = scene_.bodies[static_cast<std::size_t>(body)].shape;
+    unless_refused([&] { collider_.insert(static_cast<fast::BodyId>(body), shape, X_WB); });
+  }
+  void move(int body, const Pose& X_WB) override {
+    unless_refused([&] { collider_.move(static_cast<fast::BodyId>(body), X_WB); });
+  }
+  void take(int body) override { collider_.remove(static_cast<fast::BodyId>(body)); }
+
+  PairFrame end_frame() override {
+    unless_refused([&] { collider_.update(); });
+    PairFrame frame;
+    for (const auto& [bodies, nearest] : collider_.pairs()) {
+      frame.pairs.emplace_back(static_cast<int>(bodies.a), static_cast<int>(bodies.b));
+    }
+    std::ranges::sort(frame.pairs);
+    return frame;
+  }
+
+ private:
+  template <class Call>
+  static void unless_refused(Call&& call) {
+    try {
+      call();
+    } catch (const InputError& refused) {
+      throw Declined(refused.what());
+    } catch (const std::range_error& beyond) {
+      throw Declined(beyond.what());
+    }
+  }
+
+  fast::Collider collider_;
+  const Scene& scene_;
+};
+
 class FastPairs : public Subject {
  public:
   FastPairs(const std::string& name, bool is_warm) : is_warm_(is_warm) {
@@ -88,11 +129,21 @@ class FastPairs : public Subject {
     card_.about = std::string("Touchstone's collider (Lin and Canny's walk) and penetration pair, ") +
                   (is_warm ? "from where they ended in the frame before" : "in their first frame");
     card_.work_limits = fast_pairs_work_limits();
+    if (!is_warm) return;
+    card_.answers.insert(card_.answers.end(), {"broad_phase", "pair_history"});
+    card_.boxes = BoxKind::of_ball;
   }
 
   const Card& card() const override { return card_; }
 
   Answer<Work> work(const std::string& query, const Scene& scene) override { return fast_work(*this, query, scene); }
+
+  Answer<PairSet> broad_phase(const Scene& scene) override {
+    return is_warm_ ? broad_phase_in(make_world, scene) : Subject::broad_phase(scene);
+  }
+  Answer<PairHistory> pair_history(const Scene& sequence) override {
+    return is_warm_ ? pair_history_in(make_world, sequence) : Subject::pair_history(sequence);
+  }
 
   Answer<Distance> distance(const Scene& scene) override {
     return unless_beyond(scene, [&](const Body& A, const Body& B) { return measured(A, B); });
@@ -107,6 +158,8 @@ class FastPairs : public Subject {
   }
 
  private:
+  static std::unique_ptr<World> make_world(const Scene& scene) { return std::make_unique<ColliderWorld>(scene); }
+
   Distance measured(const Body& A, const Body& B) const {
     fast::Collider collider(std::make_unique<fast::AllPairs>(), margin_of(A, B));
     collider.insert(0, A.shape, A.X_WB);

@@ -29,7 +29,7 @@ std::vector<WorkLimit> fast_work_limits() {
       {"penetration", "descent_step", 128, {{"vertices", 1.5}}, generic},
       {"penetration", "exact_step", 8, {{"exact_proximity", 8}}},
 
-      {"pair_history", "climb_step", 0, {{"climb", 64}}},
+      {"pair_history", "climb_step", 0, {{"climb", 96}}},
       {"pair_history", "climb_exact", 16, {{"climb", 9}}},
       {"pair_history", "grid_rebuild", 2, {{"frames", 1}}},
       {"pair_history", "grid_chain", 64, {{"grid_update", 8}}},
@@ -47,7 +47,7 @@ std::vector<WorkLimit> fast_work_limits() {
       {"time_of_impact", "toi_query", 32, {{"toi_search", 64}, {"radians", 4}, {"aspect", 0.0625}}},
       {"time_of_impact", "toi_wait", 32, {{"toi_search", 64}}},
       {"time_of_impact", "toi_all_normals", 64, {{"toi_query", 1}}},
-      {"time_of_impact", "tumble_step", 128, {{"toi_query", 2}}},
+      {"time_of_impact", "tumble_step", 192, {{"toi_query", 2}}},
       {"time_of_impact", "walk", 96, {{"toi_query", 2}}},
       {"time_of_impact", "walk_step", 32, {{"walk", 6}, {"vertices", 2}}},
       {"time_of_impact", "walk_in_doubles", 16, {{"walk", 2}}},

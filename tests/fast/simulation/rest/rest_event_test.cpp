@@ -46,6 +46,18 @@ TEST_CASE("rest event: no closed form on a body that is no block") {
   CHECK_FALSE(closed_form_rest(world, *found, 1).has_value());
 }
 
+TEST_CASE("rest event: a ball that hits a ceiling falls, whatever the restitution") {
+  const Scene scene = moving_scene({ball(1, {0, 0, -3}, {1, 0, 2}, {0, 1}), table()}, g_W, {0.5});
+  const World world(scene);
+  const std::optional<RestCandidate> found = rest_candidate(world, 0, 1, {0, {0, 0, -2}, -up});
+  REQUIRE(found.has_value());
+  CHECK_FALSE(closed_form_rest(world, *found, 1).has_value());
+  const State after = simulate(scene).trajectory.states[0][0];
+  CHECK(after.X_WB.p_WB.z() == Approx(-4.25));
+  CHECK(after.velocity.v_WBcm.z() == Approx(-5));
+  CHECK(after.velocity.v_WBcm.x() == Approx(5.0 / 7));
+}
+
 TEST_CASE("rest event: a contact that starts is an event with the impulse of what is lost") {
   OnTable ball({7, 0, -2});
   REQUIRE(try_rest(ball.run, ball.candidate(), {7, 0, -2}, {}, 0));
