@@ -62,6 +62,8 @@ Finding error_bound(const Scene& scene, Subject& subject) {
 Finding decided(const Scene& scene, Subject& subject) {
   return of_answered_impact(scene, subject, [](const ImpactCase& asked, const SaidImpact& said) {
     if (!asked.regular()) return judge::outside("mu |K_tn| > K_nn: the impulse may be discontinuous");
+    if (asked.law_jumps())
+      return judge::outside("infinite friction stops slip if the bodies approach, and else does not");
     if (!said.answer.ambiguous) return judge::holds();
     return judge::wrong(Defect::inconsistent, "ambiguous: the impulse is discontinuous near these data",
                         "not ambiguous: the impulse is continuous here");

@@ -189,11 +189,14 @@ Float energy_norm(const ImpactProblem<Float>& problem) {
 /// A jump of the law farther away than this does not concern the scene.
 constexpr double ambiguity = 1e-9;
 
-/// If μ |K_tn| ≤ K_nn, U never falls and the law has no jump; rounding must not make one.
-void set_ambiguous(ImpulseTruth& truth, const ImpactProblem<Float>& problem, const Float& missing_u_n) {
-  if (!problem.facts.painleve) return;
+void set_jump(ImpulseTruth& truth, const ImpactProblem<Float>& problem, const Float& missing_u_n) {
   const Float scale = sqrt(inner(problem.N, times(problem.K, problem.N))) * energy_norm(problem);
   if (missing_u_n <= ambiguity * scale) truth.ambiguous = scale == 0 ? 0 : static_cast<double>(missing_u_n / scale);
+}
+
+/// If μ |K_tn| ≤ K_nn, U never falls and the law has no jump; rounding must not make one.
+void set_ambiguous(ImpulseTruth& truth, const ImpactProblem<Float>& problem, const Float& missing_u_n) {
+  if (problem.facts.painleve) set_jump(truth, problem, missing_u_n);
 }
 
 /// Upper bound of cond(K).
@@ -365,6 +368,13 @@ void set_ambiguous_if_grazing(ImpulseTruth& truth, const ImpactProblem<mpq_class
   if (inner(problem.N, times(problem.K, zeta)) < 0) set_ambiguous(truth, problem, inner(problem.u0, problem.N));
 }
 
+/// Infinite friction stops the slip of bodies that approach, however slowly, and of no others.
+void set_ambiguous_if_slip_stops(ImpulseTruth& truth, const ImpactProblem<mpq_class>& exact) {
+  if (!exact.facts.slips) return;
+  const ImpactProblem<Float> problem = unit_normal(exact);
+  set_jump(truth, problem, abs(inner(problem.u0, problem.N)));
+}
+
 }  // namespace
 
 ImpulseTruth impulse(const Scene& scene, Digits digits) {
@@ -382,6 +392,7 @@ ImpulseTruth impulse(const Scene& scene, Digits digits) {
   } else {
     P = solve(truth, problem, digits);
   }
+  if (!hit.mu) set_ambiguous_if_slip_stops(truth, problem);
   truth.P_A_W = exact_vec(P);
   truth.after = {after(scene.bodies[0], hit.bodies[0], P), after(scene.bodies[1], hit.bodies[1], minus(Triple{}, P))};
   return truth;

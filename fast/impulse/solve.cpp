@@ -28,7 +28,8 @@ class ImpactSolver {
       at_.c = x / length;
       at_.d = y / length;
     }
-    if (jams_) closest_miss_ = std::abs(impact.un);  // the impulse is discontinuous at u_n = 0
+    // The impulse is discontinuous at u_n = 0. (With infinite friction any approach stops the slip.)
+    if (jams_ || (std::isinf(impact.mu) && at_.s > 0)) closest_miss_ = std::abs(impact.un);
     if (std::isinf(impact.mu)) stick_at_once();
   }
 

@@ -36,7 +36,8 @@ bool ImpactCase::slips() const { return impact.energy_norm(impact.u_t()) > margi
 bool ImpactCase::regular() const { return uncoupled() || mu() * impact.k().norm() <= impact.K_nn() * (1 - margin); }
 
 bool ImpactCase::law_jumps() const {
-  if (regular()) return false;
+  const bool slip_stops_at_once = std::isinf(mu()) && slips();
+  if (regular() && !slip_stops_at_once) return false;
   const Real scale = std::sqrt(impact.K_nn()) * impact.energy_norm(impact.u);
   return std::abs(impact.u_n()) <= 1e-9L * scale || oracle::truth::impulse(scene).ambiguous.has_value();
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "model/infinity.h"
 #include "model/input_error.h"
 #include "properties/random.h"
 #include "reference/impulse.h"
@@ -81,6 +82,29 @@ void agrees(int count, double slenderness, double friction) {
 TEST_CASE("impulses of boxes are the exact ones within the claimed error") { agrees(200, 1, 1); }
 TEST_CASE("impulses of rods and plates with much friction are the exact ones within the claimed error") {
   agrees(200, 8, 5);
+}
+
+// A ball that slides is stopped by any approach, however slow, and goes on if it only just separates.
+TEST_CASE("an impulse is ambiguous where rounding decides whether infinite friction acts") {
+  const auto down = [](double speed) {
+    Scene scene;
+    scene.bodies.resize(2);
+    scene.bodies[0].shape = Sphere{1};
+    scene.bodies[0].X_WB.p_WB = {0, 0, 1};
+    scene.bodies[0].velocity.v_WBcm = {1, 0, -speed};
+    scene.bodies[1].shape = Box{Vec3(4, 4, 1)};
+    scene.bodies[1].X_WB.p_WB = {0, 0, -1};
+    scene.bodies[1].mass = Fixed{};
+    scene.contact = Contact{.p_WC = Vec3::Zero(), .nhat_BA_W = Vec3::UnitZ()};
+    scene.contact->friction = infinity;
+    return scene;
+  };
+  for (const double hidden : {0x1p-50, -0x1p-50}) {
+    CHECK(impulse_of(down(hidden)).ambiguous.has_value());
+    CHECK(reference::impulse(down(hidden)).ambiguous.has_value());
+  }
+  CHECK_FALSE(impulse_of(down(1)).ambiguous.has_value());
+  CHECK_FALSE(reference::impulse(down(1)).ambiguous.has_value());
 }
 
 TEST_CASE("momentum: what A gains B loses, but for rounding the velocities") {

@@ -9,8 +9,8 @@
 
 namespace touchstone::oracle::subjects {
 
-/// "warm": asked in the second of two frames, so each search starts where that of another pose ended; and about the near
-/// pairs of many bodies that come, move and go.
+/// "warm": asked in the second of two frames, so each search starts where that of another pose ended; also about the
+/// near pairs of many bodies that come, move and go.
 /// "cold": asked in the first frame.
 std::unique_ptr<Subject> make_fast_pairs(const std::string& name);
 
