@@ -158,19 +158,20 @@ bool errs_after_removal(const Subject& subject) {
   return name == "fcl.sap" || name == "fcl.interval_tree";
 }
 
-TEST_CASE("broad phase of a row of boxes") {
+// Of balls, since a subject's box of another body may be larger than the least one.
+TEST_CASE("broad phase of a row of balls") {
   Scene scene;
-  for (const double x : {4.5, 0.0, 1.5, 3.0, 20.0}) scene.bodies.push_back(body(Box{{1, 1, 1}}, {x, 0, 0}));
+  for (const double x : {4.5, 0.0, 1.5, 3.0, 20.0}) scene.bodies.push_back(body(Sphere{1}, {x, 0, 0}));
   for (const auto& subject : answering("broad_phase")) {
     CAPTURE(subject->card().name);
     CHECK(said(subject->broad_phase(scene)) == PairSet{{0, 3}, {1, 2}, {2, 3}});
   }
 }
 
-/// The boxes are added one after the other, one passes between two others, and one is removed.
-TEST_CASE("a film of boxes: who comes, moves and goes") {
+/// The balls are added one after the other, one passes between two others, and one is removed.
+TEST_CASE("a film of balls: who comes, moves and goes") {
   Scene sequence;
-  for (int i = 0; i < 3; ++i) sequence.bodies.push_back(body(Box{{1, 1, 1}}, {0, 0, 0}));
+  for (int i = 0; i < 3; ++i) sequence.bodies.push_back(body(Sphere{1}, {0, 0, 0}));
   const auto at = [](double x) { return Pose{{x, 0.25, 0.5}, {}}; };
   sequence.frames = {{{1, at(0)}}, {{0, at(9)}}, {{0, at(1.5)}, {2, at(3)}}, {}, {{1, {}}}, {{1, at(4.5)}}};
   for (const auto& subject : answering("pair_history")) {
