@@ -153,7 +153,7 @@ Scene tops(Random& random) {
   for (Body& body : bodies) {
     MassProperties given;
     given.mass = random.whole(1, 4);
-    given.I_BBcm_B = random.pick<Vec3>({Vec3(2, 3, 4), Vec3(4, 2, 3), Vec3(2, 2, 3)}).asDiagonal();
+    given.I_BBcm_B = unlike_moments(random);
     body.mass = given;
     body.velocity.w_WB = 0.125 * small_vector(random, 3);
   }

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "properties/scenes/families.h"
+#include "properties/scenes/thrown.h"
 
 namespace touchstone::properties {
 namespace {
@@ -342,9 +343,6 @@ Scene pushed(Random& random) {
   }
   return scene;
 }
-
-/// Of a ball that is not of one density: kg m², for a mass of 8 kg and a radius of 1 m.
-Mat3 unlike_moments(Random& random) { return random.pick<Vec3>({{2, 3, 4}, {4, 2, 3}, {2, 2, 3}}).asDiagonal(); }
 
 /// A ball, or a ball and a block that may collide, without a table, pushed by forces that begin and change.
 Scene adrift(Random& random) {

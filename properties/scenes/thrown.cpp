@@ -57,6 +57,8 @@ Body spun(Random& random, Body body) {
   return body;
 }
 
+Mat3 unlike_moments(Random& random) { return random.pick<Vec3>({{2, 3, 4}, {4, 2, 3}, {2, 2, 3}}).asDiagonal(); }
+
 Body fixed(Body body) {
   body.mass = Fixed{};
   return body;

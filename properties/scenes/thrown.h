@@ -23,6 +23,9 @@ Body with_mass(Random& random, Body body);
 /// of a turn, since the exact motion of a tumbling body is expensive.
 Body spun(Random& random, Body body);
 
+/// Three different moments or two equal ones (kg m²), for a mass of some kg and a radius of 1 m.
+Mat3 unlike_moments(Random& random);
+
 Body fixed(Body body);
 
 /// Fixed, 512 m wide, its top at z = 0.

@@ -14,8 +14,8 @@ QUERIES = ("mass", "bounds", "broad_phase", "pixel", "distance", "penetration", 
            "constraint", "simulation")
 ROOTS = {"fast": "fast/", "reference": "reference/", "judge": "properties/"}
 # Further files that answer or judge a query, and the folder in which all do.
-ALSO = {"broad_phase": ("pair_history", "collider", "broad_phase_sequences"), "distance": ("collider",), "mass": ("motion/mass",),
-        "bounds": ("hull/bounds",), "pixel": ("pixel/pixel",), "impulse": ("impulse_laws",),
+ALSO = {"broad_phase": ("pair_history", "collider", "broad_phase_sequences"), "distance": ("collider",),
+        "mass": ("motion/mass",), "bounds": ("hull/bounds",), "pixel": ("pixel/pixel",), "impulse": ("impulse_laws",),
         "constraint": ("constraint_motions",)}
 JUDGED_IN = {"simulation": "properties/simulation/"}
 PAIRS = ("warm", "cold")  # of bodies that are followed
@@ -133,7 +133,7 @@ class Reach:
         """The subjects beside `fast` that answer the query by this file of fast: the strategies of the broad phase, and
         pairs that are followed."""
         if query == "broad_phase":
-            return strategies(path) or (PAIRS[:1] if "collider" in path or "fast_pairs" in path else ())
+            return strategies(path) or (("warm",) if "collider" in path or "fast_pairs" in path else ())
         if path.startswith("oracle/subjects/touchstone/fast_pairs"):
             return PAIRS if query in ("distance", "penetration") else ()
         followed_by = {"distance": "fast/collider.cpp", "penetration": "fast/penetration.cpp"}.get(query)

@@ -158,34 +158,41 @@ bool errs_after_removal(const Subject& subject) {
   return name == "fcl.sap" || name == "fcl.interval_tree";
 }
 
-// Of balls, since a subject's box of another body may be larger than the least one.
-TEST_CASE("broad phase of a row of balls") {
-  Scene scene;
-  for (const double x : {4.5, 0.0, 1.5, 3.0, 20.0}) scene.bodies.push_back(body(Sphere{1}, {x, 0, 0}));
-  for (const auto& subject : answering("broad_phase")) {
-    CAPTURE(subject->card().name);
-    CHECK(said(subject->broad_phase(scene)) == PairSet{{0, 3}, {1, 2}, {2, 3}});
+/// The collider's box of a box is that of the ball about it.
+bool has_least_boxes(const Subject& subject) { return subject.card().name != "fast.warm"; }
+
+TEST_CASE("broad phase of a row of boxes, and of balls") {
+  for (const Shape& shape : {Shape(Box{{1, 1, 1}}), Shape(Sphere{1})}) {
+    Scene scene;
+    for (const double x : {4.5, 0.0, 1.5, 3.0, 20.0}) scene.bodies.push_back(body(shape, {x, 0, 0}));
+    for (const auto& subject : answering("broad_phase")) {
+      CAPTURE(subject->card().name);
+      if (std::holds_alternative<Box>(shape) && !has_least_boxes(*subject)) continue;
+      CHECK(said(subject->broad_phase(scene)) == PairSet{{0, 3}, {1, 2}, {2, 3}});
+    }
   }
 }
 
-/// The balls are added one after the other, one passes between two others, and one is removed.
-TEST_CASE("a film of balls: who comes, moves and goes") {
-  Scene sequence;
-  for (int i = 0; i < 3; ++i) sequence.bodies.push_back(body(Sphere{1}, {0, 0, 0}));
+/// The bodies are added one after the other, one passes between two others, and one is removed.
+TEST_CASE("a film of boxes, and of balls: who comes, moves and goes") {
   const auto at = [](double x) { return Pose{{x, 0.25, 0.5}, {}}; };
-  sequence.frames = {{{1, at(0)}}, {{0, at(9)}}, {{0, at(1.5)}, {2, at(3)}}, {}, {{1, {}}}, {{1, at(4.5)}}};
-  for (const auto& subject : answering("pair_history")) {
-    CAPTURE(subject->card().name);
-    if (errs_after_removal(*subject)) continue;
-    const PairHistory history = said(subject->pair_history(sequence));
-    REQUIRE(history.size() == 6);
-    CHECK(history[0].pairs.empty());
-    CHECK(history[1].pairs.empty());
-    CHECK(history[2].pairs == PairSet{{0, 1}, {0, 2}});
-    CHECK(history[3].pairs == PairSet{{0, 1}, {0, 2}});
-    CHECK(history[4].pairs == PairSet{{0, 2}});
-    CHECK(history[5].pairs == PairSet{{0, 2}, {1, 2}});
-    if (history[4].ended) CHECK(history[4].ended == PairSet{{0, 1}});
+  for (const Shape& shape : {Shape(Box{{1, 1, 1}}), Shape(Sphere{1})}) {
+    Scene sequence;
+    for (int i = 0; i < 3; ++i) sequence.bodies.push_back(body(shape, {0, 0, 0}));
+    sequence.frames = {{{1, at(0)}}, {{0, at(9)}}, {{0, at(1.5)}, {2, at(3)}}, {}, {{1, {}}}, {{1, at(4.5)}}};
+    for (const auto& subject : answering("pair_history")) {
+      CAPTURE(subject->card().name);
+      if (errs_after_removal(*subject) || (std::holds_alternative<Box>(shape) && !has_least_boxes(*subject))) continue;
+      const PairHistory history = said(subject->pair_history(sequence));
+      REQUIRE(history.size() == 6);
+      CHECK(history[0].pairs.empty());
+      CHECK(history[1].pairs.empty());
+      CHECK(history[2].pairs == PairSet{{0, 1}, {0, 2}});
+      CHECK(history[3].pairs == PairSet{{0, 1}, {0, 2}});
+      CHECK(history[4].pairs == PairSet{{0, 2}});
+      CHECK(history[5].pairs == PairSet{{0, 2}, {1, 2}});
+      if (history[4].ended) CHECK(history[4].ended == PairSet{{0, 1}});
+    }
   }
 }
 

@@ -9,8 +9,6 @@
 namespace touchstone::fast::simulation {
 namespace {
 
-constexpr double along_a_wall = 0x1p-45;  // of an acceleration: rounding
-
 /// An event of a body, which rests, and its support; P acts on the first of the two.
 Event rest_event(const Run& run, Event::Kind kind, BodyId id, const State& state, const Vec3& P_A_W) {
   const RestingContact& rest = *run.rests.of(id);
@@ -88,7 +86,7 @@ std::optional<RestingContact> closed_form_rest(const World& world, const RestCan
   if (on.kind() != Kind::block) return {};
   const double friction = world.coefficients(candidate.id, candidate.on).friction, now = world.now();
   const Vec3& acceleration = world.acceleration(candidate.id);
-  if (candidate.nhat_W.dot(acceleration) > along_a_wall * acceleration.norm()) return {};  // it is pulled off
+  if (is_pulled_off(candidate.nhat_W, acceleration)) return {};
   if (body.kind() == Kind::ball) {
     return ball_on_face(body, on, candidate.state, now, candidate.nhat_W, acceleration, friction, load);
   }

@@ -59,6 +59,10 @@ std::optional<RestingContact> on_face_until(double edge, double now, RestingCont
 
 double micro_bounce_speed(double press, double envelope) { return press > 0 ? std::sqrt(2 * press * envelope) : 0; }
 
+bool is_pulled_off(const Vec3& nhat_W, const Vec3& gravity) {
+  return nhat_W.dot(gravity) > negligible * gravity.norm();
+}
+
 Vec3 face_normal(const BodyMotion& block, const Vec3& nhat_W) {
   const Vec3 n_B = block.R_WB().transpose() * nhat_W;
   Eigen::Index axis = 0;

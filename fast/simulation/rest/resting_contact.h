@@ -40,6 +40,9 @@ inline double pressing_acceleration(const BodyMotion& a, const BodyMotion& b, co
 /// cannot be distinguished from contact.
 double micro_bounce_speed(double press, double envelope);
 
+/// Whether gravity pulls a body off a face with this normal, by more than rounding: then it does not rest there.
+bool is_pulled_off(const Vec3& nhat_W, const Vec3& gravity);
+
 /// The resting contact of a ball on the face of a block, from time t and a state without normal velocity. None if there
 /// is no closed form: at an edge, or if the slip changes its direction (gravity has a component along the face that is
 /// not along the slip).

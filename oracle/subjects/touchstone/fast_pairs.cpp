@@ -55,18 +55,25 @@ Pose beside(const Pose& X, const Vec3& from) {
   return moved;
 }
 
-/// What is measured of the first two bodies; an abstention if there are fewer, if a number is beyond the range of
-/// doubles, or of a depth of compounds.
-template <class Measure>
-auto unless_beyond(const Scene& scene, Measure&& measure) -> Answer<decltype(measure(Body(), Body()))> {
+/// The answer; an abstention if a number is beyond the range of doubles, or of a depth of compounds.
+template <class Said, class Ask>
+Answer<Said> unless_beyond(Ask&& ask) {
   try {
-    if (scene.bodies.size() < 2) throw InputError("bodies", "expected two");
-    return measure(scene.bodies[0], scene.bodies[1]);
+    return ask();
   } catch (const InputError& beyond) {
     return Abstains{beyond.what()};
   } catch (const std::range_error& beyond) {
     return Abstains{beyond.what()};
   }
+}
+
+/// What is measured of the first two bodies; an abstention if there are fewer.
+template <class Measure>
+auto of_two(const Scene& scene, Measure&& measure) {
+  return unless_beyond<decltype(measure(Body(), Body()))>([&] {
+    if (scene.bodies.size() < 2) throw InputError("bodies", "expected two");
+    return measure(scene.bodies[0], scene.bodies[1]);
+  });
 }
 
 /// m: with this margin the cubes about the two overlap, also where B is beside itself.
@@ -85,16 +92,13 @@ class ColliderWorld : public World {
   explicit ColliderWorld(const Scene& scene) : scene_(scene) {}
 
   void put(int body, const Pose& X_WB) override {
-    const Shape& shape = scene_.bodies[static_cast<std::size_t>(body)].shape;
-    unless_refused([&] { collider_.insert(static_cast<fast::BodyId>(body), shape, X_WB); });
+    collider_.insert(static_cast<fast::BodyId>(body), scene_.bodies[static_cast<std::size_t>(body)].shape, X_WB);
   }
-  void move(int body, const Pose& X_WB) override {
-    unless_refused([&] { collider_.move(static_cast<fast::BodyId>(body), X_WB); });
-  }
+  void move(int body, const Pose& X_WB) override { collider_.move(static_cast<fast::BodyId>(body), X_WB); }
   void take(int body) override { collider_.remove(static_cast<fast::BodyId>(body)); }
 
   PairFrame end_frame() override {
-    unless_refused([&] { collider_.update(); });
+    collider_.update();
     PairFrame frame;
     for (const auto& [bodies, nearest] : collider_.pairs()) {
       frame.pairs.emplace_back(static_cast<int>(bodies.a), static_cast<int>(bodies.b));
@@ -104,17 +108,6 @@ class ColliderWorld : public World {
   }
 
  private:
-  template <class Call>
-  static void unless_refused(Call&& call) {
-    try {
-      call();
-    } catch (const InputError& refused) {
-      throw Declined(refused.what());
-    } catch (const std::range_error& beyond) {
-      throw Declined(beyond.what());
-    }
-  }
-
   fast::Collider collider_;
   const Scene& scene_;
 };
@@ -139,18 +132,20 @@ class FastPairs : public Subject {
   Answer<Work> work(const std::string& query, const Scene& scene) override { return fast_work(*this, query, scene); }
 
   Answer<PairSet> broad_phase(const Scene& scene) override {
-    return is_warm_ ? broad_phase_in(make_world, scene) : Subject::broad_phase(scene);
+    if (!is_warm_) return Subject::broad_phase(scene);
+    return unless_beyond<PairSet>([&] { return broad_phase_in(make_world, scene); });
   }
   Answer<PairHistory> pair_history(const Scene& sequence) override {
-    return is_warm_ ? pair_history_in(make_world, sequence) : Subject::pair_history(sequence);
+    if (!is_warm_) return Subject::pair_history(sequence);
+    return unless_beyond<PairHistory>([&] { return pair_history_in(make_world, sequence); });
   }
 
   Answer<Distance> distance(const Scene& scene) override {
-    return unless_beyond(scene, [&](const Body& A, const Body& B) { return measured(A, B); });
+    return of_two(scene, [&](const Body& A, const Body& B) { return measured(A, B); });
   }
 
   Answer<Penetration> penetration(const Scene& scene) override {
-    return unless_beyond(scene, [&](const Body& A, const Body& B) {
+    return of_two(scene, [&](const Body& A, const Body& B) {
       fast::PenetrationPair pair(A.shape, B.shape);
       if (is_warm_) pair.at(A.X_WB, beside(B.X_WB, A.X_WB.p_WB));
       return pair.at(A.X_WB, B.X_WB).answer;

@@ -46,7 +46,7 @@ TEST_CASE("rest event: no closed form on a body that is no block") {
   CHECK_FALSE(closed_form_rest(world, *found, 1).has_value());
 }
 
-TEST_CASE("rest event: a ball that hits a ceiling falls, whatever the restitution") {
+TEST_CASE("rest event: a ball that hits a ceiling without restitution falls") {
   const Scene scene = moving_scene({ball(1, {0, 0, -3}, {1, 0, 2}, {0, 1}), table()}, g_W, {0.5});
   const World world(scene);
   const std::optional<RestCandidate> found = rest_candidate(world, 0, 1, {0, {0, 0, -2}, -up});
