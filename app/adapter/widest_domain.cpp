@@ -7,9 +7,9 @@
 #include "app/system/interruption.h"
 #include "app/trial/counted_hangs.h"
 #include "app/trial/effort.h"
-#include "app/trial/remembered_answers.h"
 #include "oracle/query.h"
 #include "oracle/truth/truth.h"
+#include "properties/judging/remembered_answers.h"
 #include "properties/random.h"
 #include "properties/transforms/scene.h"
 
@@ -90,7 +90,7 @@ std::vector<Tally> tallies(oracle::Subject& subject, const std::vector<Scene>& p
   for (const Scene& scene : plain) {
     const std::optional<Scene> changed = axis.at(scene, exponent);
     if (!changed) continue;
-    RememberedAnswers remembered(subject);
+    properties::RememberedAnswers remembered(subject);
     for (std::size_t i = 0; i < asked.size(); ++i) {
       const Property& property = *asked[i]->property;
       const oracle::Finding finding = property.check(*changed, remembered.asked_by(property));

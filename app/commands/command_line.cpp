@@ -30,6 +30,7 @@
 #include "app/commands/soak.h"
 #include "app/fuzz/fuzz_command.h"
 #include "app/motion/motion_scenes.h"
+#include "app/self_test/self_test.h"
 #include "app/system/program_folder.h"
 #include "app/system/terminal.h"
 #include "app/system/version.h"
@@ -93,6 +94,7 @@ struct Options {
   FuzzCommand fuzz;
   CompareOptions compare;
   VectorsCommand vectors;
+  SelfTestCommand self_test;
   Summarised summary;
   BenchOptions bench;
   std::string help;        ///< a command; empty: all
@@ -198,7 +200,9 @@ void add_run_options(CLI::App& command, RunOptions& options) {
   add_folder(command, "--meshes", options.meshes,
              "Ask about the STL and OBJ meshes in this folder. Default: report takes those of Debian's dart-doc, check "
              "takes none");
-  command.add_flag("--skip-adapter-check", options.skip_adapter_check,
+  command.add_flag("--skip-self-test", options.skip.self_test,
+                   "Judge before anything has shown that this build's own answers are right (touchstone self-test)");
+  command.add_flag("--skip-adapter-check", options.skip.adapter_check,
                    "Judge a subject exec:... also if its adapter fails the scenes of adapter check, which are asked "
                    "first");
 }
@@ -483,6 +487,19 @@ void add_fuzz(CLI::App& program, Options& options) {
   command->callback([&options] { options.chosen = [&] { return fuzz(options.fuzz); }; });
 }
 
+void add_self_test(CLI::App& program, Options& options) {
+  auto* command =
+      program.add_subcommand("self-test", "Does this build answer the published test vectors as they were published?");
+  SelfTestCommand& words = options.self_test;
+  command->add_option("--queries", words.queries, "The queries to ask. Default: all")
+      ->delimiter(',')
+      ->check(one_of(properties::tested_queries()))
+      ->type_name("QUERIES");
+  add_jobs(*command, words.jobs, "How many threads. Default: one for each processor");
+  command->footer(help::self_test);
+  command->callback([&options] { options.chosen = [&] { return self_test(options.self_test); }; });
+}
+
 void add_vectors(CLI::App& program, Options& options) {
   auto* command =
       program.add_subcommand("vectors", "Write test vectors: scenes with their exact answers, for any test");
@@ -709,10 +726,10 @@ int run_command(int argc, const char* const* argv) {
   CLI::App program("Touchstone: the reference that collision detection and impact code is tested against.",
                    "touchstone");
   Options options;
-  for (const auto add : {add_report, add_merge,   add_check,      add_replay,   add_minimise, add_adapter, add_ask,
-                         add_serve,  add_judge,   add_plan,       add_simulate, add_import,   add_list,    add_soak,
-                         add_fuzz,   add_vectors, add_compare,    add_summary,  add_bench,    add_test,    add_package,
-                         add_mutate, add_engines, add_completion, add_help}) {
+  for (const auto add : {add_report,  add_merge,     add_check,   add_replay,     add_minimise, add_adapter, add_ask,
+                         add_serve,   add_judge,     add_plan,    add_simulate,   add_import,   add_list,    add_soak,
+                         add_fuzz,    add_self_test, add_vectors, add_compare,    add_summary,  add_bench,   add_test,
+                         add_package, add_mutate,    add_engines, add_completion, add_help}) {
     add(program, options);
   }
   refuse_empty_words(program);

@@ -271,6 +271,22 @@ Exit codes:
   3    a fault of Touchstone itself; or a full disk, or a closed stdout
   130  interrupted (SIGHUP: 129, SIGTERM: 143); the findings until then are written)";
 
+inline constexpr const char* self_test = R"(
+Examples:
+  touchstone self-test
+  touchstone self-test --queries distance,penetration
+
+A known-answer test of the exact answers. The program contains the test vectors that were published with it (vectors/):
+scenes whose answers are proved by certificates, or known from paper, and by programs that share no code with it. This
+build computes them again: compiler, libraries and machine may differ from those on which they were published. check and
+report do this first, for the queries that they ask, and judge nothing if an answer differs.
+
+Exit codes:
+  0    every answer is as it was published
+  2    bad input or usage
+  3    an answer differs: this build must not judge; or a full disk, or a closed stdout
+  130  interrupted (SIGHUP: 129, SIGTERM: 143))";
+
 inline constexpr const char* vectors = R"(
 Examples:
   touchstone vectors vectors --check                             are the published answers those of today?

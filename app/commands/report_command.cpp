@@ -19,6 +19,7 @@
 #include "app/report/report_junit.h"
 #include "app/report/report_sarif.h"
 #include "app/report/timing_json.h"
+#include "app/self_test/self_test.h"
 #include "app/system/interruption.h"
 #include "app/system/terminal.h"
 #include "app/system/writable.h"
@@ -86,12 +87,13 @@ TrialPlan plan_of(const RunOptions& options) {
   return plan;
 }
 
-/// Not when interrupted: the run then ends at once.
-void prove_adapters(const RunOptions& options, const TrialPlan& plan) {
-  if (options.skip_adapter_check) return;
-  std::set<std::string> queries;
-  for (const std::string& id : plan.properties) queries.insert(properties::find(id).query);
-  require_proven_adapters(plan.subjects, {queries.begin(), queries.end()}, plan.limits);
+/// The judge, then the adapters. Not when interrupted: the run then ends at once.
+void prove(const RunOptions& options, const TrialPlan& plan) {
+  std::set<std::string> asked;
+  for (const std::string& id : plan.properties) asked.insert(properties::find(id).query);
+  const std::vector<std::string> queries(asked.begin(), asked.end());
+  if (!options.skip.self_test) require_published_answers(queries, plan.jobs);
+  if (!options.skip.adapter_check) require_proven_adapters(plan.subjects, queries, plan.limits);
 }
 
 MeshSet meshes_of(const RunOptions& options) { return read_meshes(options.meshes, options.effort == "quick"); }
@@ -351,7 +353,7 @@ int report(const RunOptions& options) {
   const std::optional<Shard> shard =
       options.files.shard.empty() ? std::nullopt : std::optional(shard_of(options.files.shard));
   watch_for_interruption();
-  prove_adapters(options, plan);
+  prove(options, plan);
   prepare_places(options);
   const MeshSet meshes = meshes_of(options);
   if (!meshes.absent.empty()) complain("no real meshes: {}", meshes.absent);
@@ -374,7 +376,7 @@ int check(const RunOptions& options) {
   const TrialPlan plan = plan_of(options);
   const Baselines baselines = baselines_of(options);
   watch_for_interruption();
-  prove_adapters(options, plan);
+  prove(options, plan);
   prepare_places(options);
   const MeshSet meshes = options.meshes.empty() ? MeshSet{} : meshes_of(options);
   Ledger ledger = run(plan, meshes);

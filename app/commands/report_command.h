@@ -25,6 +25,12 @@ struct PassConditions {
   std::string today;           ///< the date that waivers are compared with; if empty, the machine's
 };
 
+/// What a run begins with, unless it is asked not to.
+struct SkippedProofs {
+  bool self_test = false;      ///< does this build answer test vectors as they were published? (app/self_test)
+  bool adapter_check = false;  ///< does the adapter of a subject "exec:..." pass scenes solved on paper?
+};
+
 struct RunOptions {
   std::vector<std::string> subjects;    ///< connectables; if empty, all beside the program
   std::vector<std::string> queries;     ///< if empty, all
@@ -34,8 +40,8 @@ struct RunOptions {
   std::uint64_t seed = 1;
   int jobs = 0;           ///< threads; 0: one per processor
   double time_limit = 1;  ///< a subject's CPU time per query, s; the effort says how many times that per trajectory
-  bool skip_adapter_check = false;  ///< judge a subject "exec:..." also if its adapter fails scenes solved on paper
-  std::string meshes;               ///< folder; if empty, the known ones
+  SkippedProofs skip;
+  std::string meshes;  ///< folder; if empty, the known ones
   RunFiles files;
   PassConditions pass;
 };

@@ -19,13 +19,13 @@
 #include "app/trial/causes.h"
 #include "app/trial/domain_watch.h"
 #include "app/trial/effort.h"
-#include "app/trial/remembered_answers.h"
 #include "app/trial/smallest.h"
 #include "model/input_error.h"
 #include "oracle/judge/judge.h"
 #include "oracle/query.h"
 #include "properties/fuzzing/displace.h"
 #include "properties/fuzzing/mutate.h"
+#include "properties/judging/remembered_answers.h"
 #include "properties/random.h"
 
 namespace touchstone::app {
@@ -241,7 +241,7 @@ class Fuzzer {
   }
 
   Judged judge(const Scene& scene, Signals& signals) {
-    RememberedAnswers remembered(subject_);
+    properties::RememberedAnswers remembered(subject_);
     Judged judged;
     Example example{"", static_cast<std::uint64_t>(result_.executions), scene, {}, {}};
     for (std::size_t p = 0; p < properties_.size(); ++p) {

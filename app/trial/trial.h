@@ -27,8 +27,8 @@ struct TrialPlan {
 
 /// A unit of work is a chunk of one query's scenes. The subjects start each unit afresh, and all subjects are asked
 /// about a scene in turn, so its exact truth is computed only once; the properties judge one answer of a subject about
-/// a scene, except for those that compare two (app/trial/remembered_answers.h). Units are merged in order, so the
-/// ledger does not depend on `jobs`. Then the scene of each failing row is minimised (app/trial/smallest.h). An
+/// a scene, except for those that compare two (properties/judging/remembered_answers.h). Units are merged in order, so
+/// the ledger does not depend on `jobs`. Then the scene of each failing row is minimised (app/trial/smallest.h). An
 /// interrupted run stops early, with a valid ledger.
 Ledger run(const TrialPlan& plan, const MeshSet& meshes);
 

@@ -11,8 +11,8 @@
 #include "app/system/interruption.h"
 #include "app/trial/counted_hangs.h"
 #include "app/trial/domain_watch.h"
-#include "app/trial/remembered_answers.h"
 #include "app/trial/subject_list.h"
+#include "properties/judging/remembered_answers.h"
 #include "properties/scenes/domain.h"
 
 namespace touchstone::app {
@@ -121,9 +121,9 @@ void ask_all(const Question& question, const QueryTrial& query, const TestedSubj
   SceneTrial trial(question, tested, hangs, result, example);
   TimedAnswers timed(itself, result.profile.times.answers[tested.index]);
   CountedHangs counted(timed, hangs);
-  RememberedAnswers remembered(counted);
+  properties::RememberedAnswers remembered(counted);
   for (const Property* property : in_order_of_asking(question, query)) {
-    if (!is_asked || (asks_twice(*property) && hangs > hangs_before)) {
+    if (!is_asked || (properties::asks_twice(*property) && hangs > hangs_before)) {
       ++result.results.at(*property, tested).counts.not_asked;
     } else {
       trial.ask(*property, remembered.asked_by(*property));

@@ -56,23 +56,6 @@ Json short_json(const Scene& scene) {
   return json;
 }
 
-Json vector_json(const std::string& query, const TestVector& vector) {
-  const Scene& scene = vector.scene;
-  const std::string id = id_of(query, touchstone::json_of(scene).dump());
-  Json json = {{"id", id}, {"classes", properties::classes_of(scene, query)}, {"source", vector.source}};
-  json["scale"] = oracle::tolerance::scale(scene);
-  if (has_margin(query)) {
-    const Interval margin = oracle::judge::margin(scene);
-    json["margin"] = {margin.lo, margin.hi};
-  }
-  if (Json allowed = allowance(query, scene); !allowed.is_null() && !is_extreme(vector)) {
-    json["allowed"] = std::move(allowed);
-  }
-  json["scene"] = short_json(scene);
-  json["answer"] = exact_vector(query, scene);
-  return json;
-}
-
 }  // namespace
 
 bool is_extreme(const TestVector& vector) {
@@ -111,6 +94,23 @@ std::vector<TestVector> distinct(std::vector<TestVector> vectors) {
     return !known.insert(touchstone::json_of(vector.scene).dump()).second;
   });
   return vectors;
+}
+
+Json vector_json(const std::string& query, const TestVector& vector) {
+  const Scene& scene = vector.scene;
+  const std::string id = id_of(query, touchstone::json_of(scene).dump());
+  Json json = {{"id", id}, {"classes", properties::classes_of(scene, query)}, {"source", vector.source}};
+  json["scale"] = oracle::tolerance::scale(scene);
+  if (has_margin(query)) {
+    const Interval margin = oracle::judge::margin(scene);
+    json["margin"] = {margin.lo, margin.hi};
+  }
+  if (Json allowed = allowance(query, scene); !allowed.is_null() && !is_extreme(vector)) {
+    json["allowed"] = std::move(allowed);
+  }
+  json["scene"] = short_json(scene);
+  json["answer"] = exact_vector(query, scene);
+  return json;
 }
 
 std::string text_of_vectors(const std::string& query, const std::vector<TestVector>& vectors) {

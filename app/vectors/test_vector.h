@@ -28,9 +28,12 @@ std::vector<TestVector> read_vectors(const std::string& file);
 /// Without those whose scene an earlier one has.
 std::vector<TestVector> distinct(std::vector<TestVector> vectors);
 
-/// The text of a file: the query's clauses, and the vectors, each on a line, with id, classes, scale, allowances and
-/// the exact answer, all computed from the scene (vectors/README.md). Requires distinct scenes. Throws InputError,
-/// about "tests[3]", if the query has no exact answer about a scene.
+/// One of the "tests" of a file: id, classes, scale, allowances and the exact answer, all computed from the scene.
+/// Throws InputError if the query has no exact answer about it.
+Json vector_json(const std::string& query, const TestVector& vector);
+
+/// The text of a file: the query's clauses, and the vectors, each on a line (vectors/README.md). Requires distinct
+/// scenes. Throws InputError, about "tests[3]", if the query has no exact answer about a scene.
 std::string text_of_vectors(const std::string& query, const std::vector<TestVector>& vectors);
 
 }  // namespace touchstone::app

@@ -93,6 +93,8 @@ class Trial:
         """(the run, the rows of its report)."""
         report = folder / "report.json"
         report.unlink(missing_ok=True)
+        if judge == self.workshop.program("touchstone"):  # its own answers are right
+            words = [*words, "--skip-self-test"]
         run = limited.run([judge, "check", "--subjects", f"exec:{subject}", "--jobs", "1", "--skip-adapter-check",
                            "--time-limit", HANGS_AFTER, "--json", report, *words], limit)
         return run, rows_of(report)

@@ -13,7 +13,7 @@ LARGEST_SEED = 2**64 - 1
 
 
 def commands(help_text):
-    return re.findall(r"(?m)^  ([a-z]+) {2,}", help_text.split("Subcommands:" if "Subcommands:" in help_text else "SUBCOMMANDS:")[1])
+    return re.findall(r"(?m)^  ([a-z-]+) {2,}", help_text.split("Subcommands:" if "Subcommands:" in help_text else "SUBCOMMANDS:")[1])
 
 
 class Suggestions(Test):

@@ -1,7 +1,7 @@
 // Each question that hangs is counted once, however often its answer is used.
 #include "app/trial/counted_hangs.h"
 
-#include "app/trial/remembered_answers.h"
+#include "properties/judging/remembered_answers.h"
 #include "tests/catch.h"
 
 namespace touchstone::app {
@@ -37,7 +37,7 @@ TEST_CASE("A remembered hang is not counted again") {
   Hanging subject;
   int hangs = 0;
   CountedHangs counted(subject, hangs);
-  RememberedAnswers remembered(counted);
+  properties::RememberedAnswers remembered(counted);
   Scene scene;
   scene.bodies.resize(1);
   for (int property = 0; property < 5; ++property) CHECK(std::holds_alternative<Breaks>(remembered.distance(scene)));

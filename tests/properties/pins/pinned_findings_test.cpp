@@ -6,6 +6,7 @@
 #include "oracle/subjects/canaries/canaries.h"
 #include "oracle/subjects/touchstone/fast.h"
 #include "oracle/subjects/touchstone/reference.h"
+#include "properties/judging/remembered_answers.h"
 #include "properties/property.h"
 #include "properties/scenes/domain.h"
 #include "tests/catch.h"
@@ -35,18 +36,45 @@ struct Asked {
   std::uint64_t scenes = 0;
 };
 
-std::string found(const properties::Property& property, const Asked& asked) {
-  tests::Digest findings;
-  int holds = 0, fails = 0;
-  for (const properties::Family* family : properties::for_query(properties::families(), property.query)) {
-    for (std::uint64_t i = 0; i < asked.scenes; ++i) {
-      const oracle::Finding finding = property.check(properties::draw(*family, 1, i), *asked.subject);
-      findings.add(text(finding));
-      holds += finding.outcome == oracle::Outcome::holds ? 1 : 0;
-      fails += oracle::failed(finding) ? 1 : 0;
-    }
+/// The findings of a property about a subject.
+struct Findings {
+  const properties::Property* property;
+  const Asked* asked;
+  tests::Digest digest;
+  int holds = 0;
+  int fails = 0;
+
+  void add(const Scene& scene, properties::RememberedAnswers& answers) {
+    const oracle::Finding finding = property->check(scene, answers.asked_by(*property));
+    digest.add(text(finding));
+    holds += finding.outcome == oracle::Outcome::holds ? 1 : 0;
+    fails += oracle::failed(finding) ? 1 : 0;
   }
-  return std::to_string(holds) + " hold " + std::to_string(fails) + " fail " + findings.text();
+
+  std::string line() const {
+    return property->id + ' ' + asked->subject->card().name + ' ' + std::to_string(holds) + " hold " +
+           std::to_string(fails) + " fail " + digest.text() + '\n';
+  }
+};
+
+/// As `check` asks: of each scene all properties, since judge and subject keep what they know about the last one.
+std::string found(const std::string& query, const std::vector<Asked>& all) {
+  std::string lines;
+  for (const Asked& asked : all) {
+    std::vector<Findings> findings;
+    for (const properties::Property& property : properties::all()) {
+      if (property.query == query) findings.push_back({&property, &asked, {}});
+    }
+    for (const properties::Family* family : properties::for_query(properties::families(), query)) {
+      for (std::uint64_t i = 0; i < asked.scenes; ++i) {
+        const Scene scene = properties::draw(*family, 1, i);
+        properties::RememberedAnswers answers(*asked.subject);
+        for (Findings& of : findings) of.add(scene, answers);
+      }
+    }
+    for (const Findings& of : findings) lines += of.line();
+  }
+  return lines;
 }
 
 /// fast, and canaries that lie about the query; or the reference, where it is the cheaper one.
@@ -69,13 +97,6 @@ std::vector<Asked> asked_about(const std::string& query) {
 // or accuses otherwise on some scene. To make it anew: TOUCHSTONE_UPDATE=1 ./touchstone test -R "pins:".
 TEST_CASE("pins: the findings about fast and about canaries") {
   std::string now;
-  for (const std::string& query : properties::tested_queries()) {
-    for (const Asked& asked : asked_about(query)) {
-      for (const properties::Property& property : properties::all()) {
-        if (property.query == query)
-          now += property.id + ' ' + asked.subject->card().name + ' ' + found(property, asked) + '\n';
-      }
-    }
-  }
+  for (const std::string& query : properties::tested_queries()) now += found(query, asked_about(query));
   CHECK(tests::changed_lines("findings.txt", now) == std::vector<std::string>{});
 }

@@ -8,10 +8,10 @@
 #include "oracle/passing_on.h"
 #include "properties/property.h"
 
-namespace touchstone::app {
+namespace touchstone::properties {
 
 /// Does the property compare two answers to one question? It must ask the subject itself.
-inline bool asks_twice(const properties::Property& property) { return property.id.ends_with(".repeats"); }
+inline bool asks_twice(const Property& property) { return property.id.ends_with(".repeats"); }
 
 /// Passes a question on, unless it was asked before. It is made anew for each drawn scene. Most properties of a query
 /// ask about the drawn scene itself, and without it an engine would follow a motion up to 31 times. `subject` must
@@ -21,7 +21,7 @@ class RememberedAnswers final : public oracle::PassingOn<RememberedAnswers> {
   using PassingOn::PassingOn;
 
   /// The subject that the property is to ask: this one, or the one that remembers nothing.
-  oracle::Subject& asked_by(const properties::Property& property) {
+  oracle::Subject& asked_by(const Property& property) {
     return asks_twice(property) ? subject_ : static_cast<oracle::Subject&>(*this);
   }
 
@@ -55,4 +55,4 @@ class RememberedAnswers final : public oracle::PassingOn<RememberedAnswers> {
       memory_;
 };
 
-}  // namespace touchstone::app
+}  // namespace touchstone::properties
