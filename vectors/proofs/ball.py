@@ -1,5 +1,6 @@
 """A ball on fixed boxes: what its mode says of its motion from one change to the next, and to the samples."""
 
+import math
 from fractions import Fraction
 
 from proofs.exact import *
@@ -91,14 +92,15 @@ def check_constraint(scene, answer):
     samples = [State.read(Fraction(t), s) for t, s in zip(scene["motion"]["sample_times"], answer["states"])]
     demand(len(samples) == len(scene["motion"]["sample_times"]), "a sample is missing")
     scale = max(1, *(abs(x) for s in samples + [state] for x in s.p + s.v + s.w))
-    mode, contact = "ballistic", None
+    mode, contact, since = "ballistic", None, Fraction(0)
     changes = answer["changes"] + [None]
     for change in changes:
         end = middle(change["time"]) if change else None
+        until = Fraction(change["time"][0]) if change else math.inf  # in its enclosure a change may be later or earlier
         if not (change and end == state.time):
             if mode != "ballistic":
                 demand(contact is not None, "rolls or slides on nothing")
-            for sample in (s for s in samples if s.time >= state.time and (end is None or s.time < end)):
+            for sample in (s for s in samples if since <= s.time < until):
                 truth = moved(state, sample.time, mode, contact, gravity)
                 near_state(truth, sample, scale, f"at {float(sample.time)} s")
         if not change:
@@ -109,7 +111,7 @@ def check_constraint(scene, answer):
             demand(all(abs(x - y) <= TINY * scale for x, y in zip(before.p, after.p)), "an impact moves the ball")
         else:
             near_state(before, after, scale, f"at the change at {float(end)} s")
-        state, mode = after, change["then"]
+        state, mode, since = after, change["then"], Fraction(change["time"][1])
         if mode != "ballistic" and change["kind"] == "contact":
             n = normal_of_contact(state, radius, scene["bodies"][change["other"]], scale)
             contact = (n, radius, pair_friction(scene, index, change["other"]), inertia_of(ball, radius))

@@ -31,7 +31,8 @@ def extent(body, direction, sign):
 
 
 def check_time_of_impact(scene, answer):
-    """The plane through the contact separates the bodies at the contact, and all the time before."""
+    """The plane through the contact separates the bodies at the contact, and all the time before. It must if they are
+    convex and approach each other on a straight line; else it may not, and then it proves nothing."""
     bodies, motion = scene["bodies"][:2], scene["motion"]
     if answer["status"] != "hit" or not all(map(does_not_turn, bodies)) or motion.get("forces"):
         raise Unproved
@@ -53,7 +54,10 @@ def check_time_of_impact(scene, answer):
         slope = gap(end) - gap(begin)
         vertex = middle - (end - begin) * slope / (2 * curvature)
         times_ += [vertex] if begin < vertex < end else []
-    demand(all(gap(t) >= -tiny for t in times_), "the plane does not separate the bodies before")
+    separated = all(gap(t) >= -tiny for t in times_)
+    if not separated and (curvature or any(body["shape"]["type"] == "compound" for body in bodies)):
+        raise Unproved
+    demand(separated, "the plane does not separate the bodies before")
     near(vec(answer["p_WCa"]), vec(answer["p_WCb"]), 2 * scene_size(bodies), "the witness points are not one")
     for body, start, key in zip(bodies, starts, ("p_WCa", "p_WCb")):
         point = minus(vec(answer[key]), moved_by(scene, body, end - start))
