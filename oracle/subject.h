@@ -43,7 +43,7 @@ struct Card {
   Precision precision = Precision::binary64;
   std::vector<std::string> answers;  ///< the queries it claims, by their names in oracle/query.h
   bool knows_touching = false;       ///< verdicts have three values, not two
-  double broad_phase_margin = 0;     ///< m; boxes closer than this may be reported as overlapping
+  double broad_phase_margin = 0;     ///< m, on each side of a box; boxes closer than twice this may be a pair
   std::string about;                 ///< one line: which functions of the engine are called, with which settings
   std::string homepage;
   std::vector<Deviation> deviations;

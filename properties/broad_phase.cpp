@@ -45,9 +45,9 @@ reference::Rational gap(const Scene& scene, const Pair& pair) {
 }
 
 // A pair whose exact boxes are no farther apart than this may be reported. It is the rounding allowance of both boxes
-// plus the declared margin (m).
+// plus the declared margin of both (m).
 double reach(const Scene& scene, const oracle::Card& card) {
-  return rounding_of_a_pair(scene, card.precision) + card.broad_phase_margin;
+  return rounding_of_a_pair(scene, card.precision) + margin_of_a_pair(card);
 }
 
 // Agreement with the exact answer

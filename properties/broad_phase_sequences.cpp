@@ -42,7 +42,7 @@ std::string in_frame(std::size_t f, const std::string& what) { return "frame " +
 /// them.
 judge::Allowance reach(const Scene& sequence, std::size_t f, const oracle::Card& card) {
   const Scene scene = snapshot(sequence, f);
-  return judge::in_ulps(scene, card, rounding_of_a_pair(scene, card.precision) + card.broad_phase_margin);
+  return judge::in_ulps(scene, card, rounding_of_a_pair(scene, card.precision) + margin_of_a_pair(card));
 }
 
 bool both_there(const reference::FrameBoxes& boxes, const Pair& pair) {

@@ -13,9 +13,15 @@
 namespace touchstone::properties {
 namespace {
 
+/// Of sequences broad_phase asks another query, of which a card may declare another precision.
+std::string asked_query(const Property& property) {
+  return property.id.starts_with("broad_phase.film.") ? "pair_history" : property.query;
+}
+
 /// The same property; it judges by the precision that the card declares for the query and the scene's shapes.
 Property in_its_precision(Property property) {
-  property.check = [check = property.check, query = property.query](const Scene& scene, oracle::Subject& subject) {
+  property.check = [check = property.check, query = asked_query(property)](const Scene& scene,
+                                                                           oracle::Subject& subject) {
     const oracle::Precision precision = oracle::precision_for(subject.card(), query, scene);
     if (precision == subject.card().precision) return check(scene, subject);
     oracle::Card card = subject.card();
@@ -74,6 +80,7 @@ std::vector<Property> join() {
                             simulation_lasting_contact_properties,
                             simulation_face_impulse_properties,
                             constraint_properties,
+                            constraint_event_properties,
                             constraint_motion_properties,
                             work_properties}) {
     for (Property& property : query()) joined.push_back(in_its_precision(of_valid_start(std::move(property))));

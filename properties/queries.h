@@ -35,6 +35,7 @@ std::vector<Property> simulation_lasting_contact_properties();
 std::vector<Property> simulation_completed_properties();
 std::vector<Property> simulation_face_impulse_properties();
 std::vector<Property> constraint_properties();
+std::vector<Property> constraint_event_properties();
 std::vector<Property> constraint_motion_properties();
 std::vector<Property> work_properties();
 

@@ -18,9 +18,11 @@ struct ContactRegion {
   std::vector<Vec3> points_W = {};  ///< midpoints of closest points, in doubles; also inner ones
 };
 
-/// The contact region of bodies a and b at the poses of the scene. None if they overlap, or approach at none of its
-/// points. Requires a completed scene with a motion. Throws what `distance` throws.
-std::optional<ContactRegion> approaching_region(const Scene& scene, int a, int b);
+/// The contact regions of bodies a and b at the poses of the scene: the closest points of the nearest pairs of
+/// parts, one region for each direction of their normals, and in these directions those of all pairs of parts that are
+/// no farther apart than `within` (m). Without those that approach at none of their points, and without parts that
+/// overlap. Requires a completed scene with a motion. Throws what `distance` throws.
+std::vector<ContactRegion> approaching_regions(const Scene& scene, int a, int b, double within);
 
 /// What one region does in compression.
 struct RegionImpulse {

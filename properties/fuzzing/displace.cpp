@@ -68,7 +68,8 @@ void turn(Body& body, const Body& other, Random& random) {
       q = times(q, axes_quaternion(random));
       break;
     default:
-      c += random.sign() * std::exp2(-random.between(1, 53)) * std::max({std::abs(q.w), std::abs(q.x), std::abs(q.y)});
+      c += random.sign() * std::exp2(-random.between(1, 53)) *
+           std::max({std::abs(q.w), std::abs(q.x), std::abs(q.y), std::abs(q.z)});
   }
 }
 

@@ -75,7 +75,7 @@ Scene boxed(Scene scene, oracle::BoxKind kind) {
 }
 
 bool is_free(bool least_apart, double declared_gap, double reach, const oracle::Card& card) {
-  const double rounding = reach - card.broad_phase_margin;
+  const double rounding = reach - margin_of_a_pair(card);
   const bool settled = card.boxes != oracle::BoxKind::of_ball && declared_gap < -rounding;
   return least_apart && !settled && declared_gap <= reach;
 }

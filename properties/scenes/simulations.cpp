@@ -346,6 +346,28 @@ std::vector<Body> polytope_lands(Random& random) {
   return {floor_at_0(), std::move(cube)};
 }
 
+/// A plate on posts, or a bar between balls, that lands flat on the floor. With a post more on one side, its mass is
+/// not over their middle. The parts are in a random order.
+std::vector<Body> lands_on_parts(Random& random) {
+  const bool on_balls = random.one_in(2);
+  const double out = random.whole(1, 3), across = on_balls ? 0 : random.whole(0, 2);
+  const auto post = [&](double x, double y) {
+    return on_balls ? Part{{{x, y, 0.5}, {}}, Sphere{0.5}} : Part{{{x, y, 1}, {}}, Box{Vec3(0.25, 0.25, 1)}};
+  };
+  std::vector<Part> parts;
+  for (const double x : {-out, out}) {
+    parts.push_back(post(x, -across));
+    if (across > 0) parts.push_back(post(x, across));
+  }
+  if (random.one_in(3)) parts.push_back(post(out + 1, 0));
+  if (random.one_in(2)) parts.push_back({{{0, 0, 2}, {}}, Box{Vec3(out, across + 0.25, 0.25)}});
+  for (std::size_t k = parts.size() - 1; k > 0; --k) std::swap(parts[k], parts[random.index(k + 1)]);
+  Body body = at_rest(Compound{std::move(parts)});
+  body.X_WB.p_WB = {0, 0, 1};
+  body.velocity.v_WBcm = {random.one_in(2) ? 0 : random.whole(-1, 1), 0, -2};
+  return {floor_at_0(), std::move(body)};
+}
+
 using Bodies = std::vector<Body> (*)(Random&);
 
 /// Bodies of equal material or of unlike restitution, and samples shortly after the impacts.
@@ -361,6 +383,8 @@ Scene at_one_time(Random& random, Bodies kind) {
 }
 
 Scene together(Random& random) { return at_one_time(random, random.pick<Bodies>({symmetric_break, wedge, pillars})); }
+
+Scene parts_land(Random& random) { return at_one_time(random, lands_on_parts); }
 
 Scene hardly_apart(Random& random) { return at_one_time(random, nearly_touching); }
 
@@ -608,6 +632,7 @@ std::vector<Family> run_families() {
       {"runs.bouncing", "a ball that bounces, and comes to rest", both, true, bouncing},
       {"runs.falls_flat", "a box that falls flat, bounces, and comes to rest", both, true, falls_flat},
       {"runs.together", "one body that collides with two at one time", queries, true, together},
+      {"runs.parts_land", "a compound that lands on several of its parts at one time", queries, true, parts_land},
       {"runs.hardly_apart", "balls 2^-33 to 2^-44 apart in a row, hit from both sides at one time", queries, false,
        hardly_apart},
       {"runs.touching", "a row of balls that touch, hit at its ends; a polytope that lands on a face", queries, true,

@@ -134,9 +134,9 @@ Finding renumbered(const Scene& scene, Subject& subject) {
   return unchanged(scene, swapped(scene), back, Defect::relabelled, subject);
 }
 
-Finding vertices_renumbered(const Scene& scene, Subject& subject) {
+Finding vertices_and_parts_renumbered(const Scene& scene, Subject& subject) {
   const auto back = [](const std::vector<State>& states, std::size_t i) { return states[i]; };
-  return unchanged(scene, relabelled(scene), back, Defect::relabelled, subject);
+  return unchanged(scene, relabelled_with_parts(scene), back, Defect::relabelled, subject);
 }
 
 Finding reflected(const Scene& scene, Subject& subject) {
@@ -185,8 +185,8 @@ std::vector<Property> simulation_together_properties() {
       {"simulation.together_relabelled",
        query,
        {clause + "30"},
-       "the order of vertices does not change the velocities after impacts at one time",
-       vertices_renumbered},
+       "the order of vertices and parts does not change the velocities after impacts at one time",
+       vertices_and_parts_renumbered},
       {"simulation.together_mirrored",
        query,
        {clause + "30"},

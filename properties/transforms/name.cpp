@@ -20,6 +20,8 @@ const std::vector<Change>& changes_without_a_number() {
   static const std::vector<Change> all = {
       {"the bodies in reverse order", [](const Scene& s) { return std::optional(swapped(s)); }},
       {"the vertices of each polytope in reverse order", [](const Scene& s) { return relabelled(s); }},
+      {"the vertices of each polytope and the parts of each compound in reverse order",
+       [](const Scene& s) { return relabelled_with_parts(s); }},
       {"the world turned by 120 degrees about (1, 1, 1)", [](const Scene& s) { return turned(s); }},
       {"the world turned by 180 degrees about x", [](const Scene& s) { return std::optional(half_turned(s)); }},
       {"the world mirrored in the plane x = 0", [](const Scene& s) { return mirrored(s); }},
@@ -50,9 +52,26 @@ std::optional<std::string> found_in(const std::vector<Change>& changes, const Sc
 }
 
 /// The powers of two that laws scale by.
-constexpr std::array powers = {20, -20, 10, -10, -3};
+constexpr std::array powers = {24, 20, -20, 10, -10, 4, 3, -3};
 
-std::string power_of_two(int k) { return "2^" + std::to_string(k); }
+std::optional<std::string> scaled_by(int k, const Scene& before, const Scene& after) {
+  const std::string times = " times 2^" + std::to_string(k);
+  if (scaled(before, k) == after) return "all lengths" + times;
+  if (sped_up(before, k) == after) return "all velocities" + times;
+  if (denser(before, k) == after) return "all densities" + times;
+  if (before.motion && heavier(before, k) == after) return "all masses and forces" + times;
+  return std::nullopt;
+}
+
+/// Without sample times no delay can be told.
+std::optional<std::string> delayed(const Scene& before, const Scene& after) {
+  if (!before.motion || !after.motion) return std::nullopt;
+  const std::vector<double>&from = before.motion->sample_times, &to = after.motion->sample_times;
+  if (from.empty() || from.size() != to.size()) return std::nullopt;
+  const double delay = to.back() - from.back();
+  if (later(before, delay) != after) return std::nullopt;
+  return "everything later by " + oracle::words::text(delay) + " s";
+}
 
 }  // namespace
 
@@ -65,9 +84,9 @@ std::string name_of_change(const Scene& before, const Scene& after) {
     return "the world translated by " + oracle::words::text(translation_between(before, after));
   }
   for (const int k : powers) {
-    if (scaled(before, k) == after) return "all lengths times " + power_of_two(k);
-    if (sped_up(before, k) == after) return "all velocities times " + power_of_two(k);
+    if (const auto name = scaled_by(k, before, after)) return *name;
   }
+  if (const auto name = delayed(before, after)) return *name;
   return "changed as the law says";
 }
 

@@ -108,6 +108,18 @@ std::optional<Scene> relabelled(Scene scene) {
   return any ? std::optional(scene) : std::nullopt;
 }
 
+std::optional<Scene> relabelled_with_parts(Scene scene) {
+  bool any = false;
+  for (Body& body : scene.bodies) {
+    auto* compound = std::get_if<Compound>(&body.shape);
+    if (compound == nullptr || compound->parts.size() < 2) continue;
+    std::ranges::reverse(compound->parts);
+    any = true;
+  }
+  std::optional<Scene> vertices = relabelled(scene);
+  return vertices || !any ? vertices : std::optional(scene);
+}
+
 std::optional<Scene> translated(const Scene& scene) {
   if (scene.bodies.empty()) return std::nullopt;
   const double step = std::exp2(std::ceil(std::log2(oracle::tolerance::scale(scene))));

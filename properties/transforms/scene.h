@@ -18,6 +18,9 @@ Scene swapped(Scene scene);
 /// Reverses the order of the vertices of every polytope, with its faces. None if the scene has no polytope.
 std::optional<Scene> relabelled(Scene scene);
 
+/// The same, with the parts of every compound in reverse order too. None if the scene has neither.
+std::optional<Scene> relabelled_with_parts(Scene scene);
+
 /// Moves all bodies by the same vector of a lattice as coarse as the scene's. Where that rounds, by the vector that
 /// puts the first body at the origin. None if that rounds too, or is 0.
 std::optional<Scene> translated(const Scene& scene);

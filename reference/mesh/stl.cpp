@@ -34,6 +34,12 @@ std::vector<Vec3> from_binary(std::string_view bytes) {
   return vertices;
 }
 
+/// The rest of the line that begins or ends a solid: any words, up to a facet of a file without lines.
+void skip_name(MeshWords& words) {
+  std::string_view word = words.word_of_line();
+  while (!word.empty() && word != "facet") word = words.word_of_line();
+}
+
 std::vector<Vec3> from_text(std::string_view text) {
   MeshWords words(text);
   words.expect_text();
@@ -46,6 +52,7 @@ std::vector<Vec3> from_text(std::string_view text) {
       vertices.emplace_back(x, y, words.number(words.word()));
     }
     is_ended = word == "endsolid" || (is_ended && word != "solid");
+    if (word == "solid" || word == "endsolid") skip_name(words);
   }
   if (!is_ended) words.refuse("not a whole STL mesh: no endsolid");
   return vertices;

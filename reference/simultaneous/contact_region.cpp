@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <array>
+#include <utility>
 
 #include "reference/ballistic_motion.h"
 #include "reference/distance.h"
@@ -44,38 +46,115 @@ Triple approach_normal(const std::vector<Triple>& normals, const std::vector<Tri
   return n == Triple{} ? otherwise : n;
 }
 
-double radius(const Body& body, int part) { return core_of(body, part).radius; }
+/// The body with one of its parts alone. The part's pose is kept as it is: composed poses would be rounded.
+Body part_of(const Body& body, int part) {
+  const auto* compound = std::get_if<Compound>(&body.shape);
+  if (compound == nullptr) return body;
+  Body alone = body;
+  alone.shape = Compound{{compound->parts[static_cast<std::size_t>(part)]}};
+  return alone;
+}
+
+/// Two parts, by index in A and in B, and how far they are apart.
+struct PartPair {
+  int A = 0, B = 0;
+  DistanceTruth apart;
+};
+
+/// The nearest pairs of parts, and those that are no farther apart than `within`; the nearest first.
+std::vector<PartPair> touching_parts(const Scene& pair, double within) {
+  std::vector<PartPair> all;
+  Scene parts;
+  for (int a = 0; a < part_count(pair.bodies[0]); ++a) {
+    for (int b = 0; b < part_count(pair.bodies[1]); ++b) {
+      parts.bodies = {part_of(pair.bodies[0], a), part_of(pair.bodies[1], b)};
+      all.push_back({a, b, distance(parts)});
+    }
+  }
+  const auto least = [](const PartPair& two) { return two.apart.distance.lo; };
+  const double most = std::max(within, std::ranges::min(all, {}, least).apart.distance.lo);
+  std::erase_if(all, [&](const PartPair& two) { return least(two) > most; });
+  std::ranges::stable_sort(all, {}, least);
+  return all;
+}
+
+/// Where two parts touch or nearly do: x − y = d for all closest points x, y of their cores.
+struct PartContact {
+  Triple n, d;
+  std::vector<Triple> points;        ///< x
+  std::array<double, 2> radii = {};  ///< of A and B (m)
+};
+
+/// None if they overlap, or touch without approaching.
+std::optional<PartContact> contact_of(const Scene& pair, const PartPair& parts, const BallisticStart& a,
+                                      const BallisticStart& b) {
+  const Body& A = pair.bodies[0];
+  const Body& B = pair.bodies[1];
+  PartContact contact;
+  std::optional<InitialContact> touch;
+  if (parts.apart.verdict == Verdict::separated) {
+    contact.n = contact.d = exact(parts.apart.difference);
+  } else {
+    touch = initial_contact(A, parts.A, a, B, parts.B, b, 0);
+    if (touch->kind != InitialContact::Kind::approaching) return std::nullopt;
+    contact.d = minus(touch->x, touch->y);
+  }
+  contact.points = closest_points_on_A(A, parts.A, B, parts.B, contact.d);
+  if (touch) contact.n = approach_normal(touch->normals, contact.points, contact.d, a, b, touch->n);
+  contact.radii = {core_of(A, parts.A).radius, core_of(B, parts.B).radius};
+  return contact;
+}
+
+bool have_one_direction(const Triple& n, const Triple& m) { return cross(n, m) == Triple{} && dot(n, m) > 0; }
+
+/// By the directions of their normals, in the order of the first of each.
+void add_to(std::vector<std::vector<PartContact>>& groups, const PartContact& contact, bool is_nearest) {
+  const auto known =
+      std::ranges::find_if(groups, [&](const auto& group) { return have_one_direction(group[0].n, contact.n); });
+  if (known != groups.end()) {
+    known->push_back(contact);
+  } else if (is_nearest) {
+    groups.push_back({contact});
+  }
+}
+
+bool approaches(const std::vector<PartContact>& group, const BallisticStart& a, const BallisticStart& b) {
+  return std::ranges::any_of(group, [&](const PartContact& contact) {
+    return std::ranges::any_of(contact.points, [&](const Triple& x) {
+      return dot(group[0].n, minus(velocity(a, x), velocity(b, minus(x, contact.d)))) < 0;
+    });
+  });
+}
 
 }  // namespace
 
-std::optional<ContactRegion> approaching_region(const Scene& scene, int index_a, int index_b) {
+std::vector<ContactRegion> approaching_regions(const Scene& scene, int index_a, int index_b, double within) {
   const Scene pair = pair_of(scene, index_a, index_b);
-  const Body& A = pair.bodies[0];
-  const Body& B = pair.bodies[1];
-  const DistanceTruth apart = distance(pair);
   const BallisticStart a = ballistic_start(pair, 0), b = ballistic_start(pair, 1);
-  std::optional<InitialContact> touch;
-  Triple n, d;  // from B to A; x − y of closest points of the cores
-  if (apart.verdict == Verdict::separated) {
-    n = d = exact(apart.difference);
-  } else {
-    touch = initial_contact(A, apart.part_A, a, B, apart.part_B, b, 0);
-    if (touch->kind != InitialContact::Kind::approaching) return std::nullopt;
-    d = minus(touch->x, touch->y);
+  const std::vector<PartPair> touching = touching_parts(pair, within);
+  std::vector<std::vector<PartContact>> groups;
+  for (const PartPair& parts : touching) {
+    // Another direction counts only of what is as near: else a ball that slides over the seam of two parts would meet
+    // the edge of the next one.
+    const bool is_nearest = parts.apart.distance.lo <= touching[0].apart.distance.lo;
+    if (const std::optional<PartContact> contact = contact_of(pair, parts, a, b)) add_to(groups, *contact, is_nearest);
   }
-  const std::vector<Triple> points = closest_points_on_A(A, apart.part_A, B, apart.part_B, d);
-  if (touch) n = approach_normal(touch->normals, points, d, a, b, touch->n);
-  const auto approaches = [&](const Triple& x) { return dot(n, minus(velocity(a, x), velocity(b, minus(x, d)))) < 0; };
-  if (std::ranges::none_of(points, approaches)) return std::nullopt;
-  const Three<Float> unnormalised = float_of(n);
-  const Three<Float> nhat = scaled(Float(1 / sqrt(inner(unnormalised, unnormalised))), unnormalised);
-  const Float half(0.5);
-  const Float lean = half * (Float(radius(B, apart.part_B)) - Float(radius(A, apart.part_A)));
-  ContactRegion region{index_a, index_b, rounded(nhat), {}};
-  for (const Triple& x : points) {
-    region.points_W.push_back(rounded(plus(scaled(half, float_of(plus(x, minus(x, d)))), scaled(lean, nhat))));
+  std::vector<ContactRegion> regions;
+  for (const std::vector<PartContact>& group : groups) {
+    if (!approaches(group, a, b)) continue;
+    const Three<Float> unnormalised = float_of(group[0].n);
+    const Three<Float> nhat = scaled(Float(1 / sqrt(inner(unnormalised, unnormalised))), unnormalised);
+    const Float half(0.5);
+    ContactRegion& region = regions.emplace_back(ContactRegion{index_a, index_b, rounded(nhat), {}});
+    for (const PartContact& contact : group) {
+      const Float lean = half * (Float(contact.radii[1]) - Float(contact.radii[0]));
+      for (const Triple& x : contact.points) {
+        const Triple twice = plus(x, minus(x, contact.d));
+        region.points_W.push_back(rounded(plus(scaled(half, float_of(twice)), scaled(lean, nhat))));
+      }
+    }
   }
-  return region;
+  return regions;
 }
 
 }  // namespace touchstone::reference

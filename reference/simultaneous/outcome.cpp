@@ -123,9 +123,9 @@ std::vector<ContactRegion> acting_regions(const Scene& then, double time, int a,
   const auto ask = [&](int i, int j) {
     const std::pair<int, int> pair = std::minmax(i, j);
     if (!asked.insert(pair).second) return;
-    const std::optional<ContactRegion> region = approaching_region(then, pair.first, pair.second);
-    if (!region) return;
-    regions.push_back(*region);
+    const std::vector<ContactRegion> found = approaching_regions(then, pair.first, pair.second, envelope);
+    if (found.empty()) return;
+    regions.insert(regions.end(), found.begin(), found.end());
     connected.insert(connected.end(), {i, j});
   };
   ask(a, b);
@@ -137,7 +137,7 @@ std::vector<ContactRegion> acting_regions(const Scene& then, double time, int a,
       if (j != i && has_started(j) && distance(pair_of(then, i, j)).distance.lo <= envelope) ask(i, j);
     }
   }
-  std::ranges::sort(regions, {}, [](const ContactRegion& region) { return std::pair(region.a, region.b); });
+  std::ranges::stable_sort(regions, {}, [](const ContactRegion& region) { return std::pair(region.a, region.b); });
   return regions;
 }
 

@@ -41,8 +41,8 @@ TEST_CASE("broad_phase.adds_none: none further apart than rounding and the margi
   const auto phantom = judged("broad_phase.adds_none", apart, PairSet{{0, 1}});
   CHECK(phantom.defect == Defect::phantom);
   CHECK(phantom.margin == Interval{0.25, 0.25});
-  CHECK(judged("broad_phase.adds_none", apart, PairSet{{0, 1}}, 0.25).outcome == Outcome::holds);
-  CHECK(judged("broad_phase.adds_none", apart, PairSet{{0, 1}}, 0.2).outcome == Outcome::fails);
+  CHECK(judged("broad_phase.adds_none", apart, PairSet{{0, 1}}, 0.125).outcome == Outcome::holds);
+  CHECK(judged("broad_phase.adds_none", apart, PairSet{{0, 1}}, 0.1).outcome == Outcome::fails);
   // An octahedron turned by 45° reaches to 1/√2 in x, and the turned box about it to √2; a ball begins at 1.
   Scene scene;
   scene.bodies.resize(2);
@@ -132,6 +132,14 @@ TEST_CASE("broad_phase.film.adds_none: a pair of declared boxes that overlap is 
   CHECK(outcome(2.25, BoxKind::tight) == Outcome::fails);
   CHECK(outcome(2.25, BoxKind::of_turned_box) == Outcome::holds);
   CHECK(outcome(2.5, BoxKind::of_turned_box) == Outcome::fails);
+}
+
+TEST_CASE("broad_phase.film: a sequence is judged in the precision that the card declares for pair_history") {
+  const Scene sequence = octahedron_and_ball_in_a_frame(2.1);  // no float
+  OfOneFrame subject(oracle::BoxKind::of_turned_box);
+  CHECK(properties::find("broad_phase.film.adds_none").check(sequence, subject).outcome == Outcome::holds);
+  subject.introduced.precision_of = {{"pair_history", oracle::Precision::binary32}};
+  CHECK(properties::find("broad_phase.film.adds_none").check(sequence, subject).outcome == Outcome::outside);
 }
 
 TEST_CASE("broad_phase.well_formed: i < j of bodies, sorted, each once") {

@@ -1,7 +1,9 @@
 #include "tests/properties/kills.h"
 
 #include <algorithm>
+#include <set>
 
+#include "oracle/judge/grade.h"
 #include "oracle/subjects/canaries/canaries.h"
 #include "oracle/subjects/touchstone/fast.h"
 #include "oracle/subjects/touchstone/reference.h"
@@ -88,10 +90,14 @@ bool lies_about(const oracle::subjects::Canary& canary, const std::string& query
 }
 
 // Makes a new canary for each scene, since its memory is part of its lie.
-bool catches(const properties::Property& property, const oracle::subjects::Canary& canary, const Scene& scene,
-             bool quickly) {
+oracle::Finding judged(const properties::Property& property, const oracle::subjects::Canary& canary, const Scene& scene,
+                       bool quickly) {
   const auto subject = canary.make(quickly ? oracle::subjects::make_fast() : truthful());
-  return failed(property.check(scene, *subject));
+  return property.check(scene, *subject);
+}
+
+std::string verdict(const oracle::Finding& finding) {
+  return name_of(finding.defect) + ", " + oracle::name_of(oracle::grade(finding));
 }
 
 std::string list(const auto& names) {
@@ -100,13 +106,22 @@ std::string list(const auto& names) {
   return all;
 }
 
+/// "wrong_value, D: `canary.a`, `canary.b`; threw, F: `canary.throws`"
+std::string by_verdict(const std::map<std::string, std::string>& caught) {
+  std::map<std::string, std::vector<std::string>> canaries;
+  for (const auto& [canary, verdict] : caught) canaries[verdict].push_back(canary);
+  std::string all;
+  for (const auto& [verdict, names] : canaries) all += (all.empty() ? "" : "; ") + verdict + ": " + list(names);
+  return all;
+}
+
 }  // namespace
 
 std::unique_ptr<oracle::Subject> truthful() { return std::make_unique<Truthful>(); }
 
-const std::map<std::string, std::set<std::string>>& kills() {
-  static const std::map<std::string, std::set<std::string>> table = [] {
-    std::map<std::string, std::set<std::string>> found;
+const std::map<std::string, std::map<std::string, std::string>>& kills() {
+  static const std::map<std::string, std::map<std::string, std::string>> table = [] {
+    std::map<std::string, std::map<std::string, std::string>> found;
     // The reference takes 0.1 s for a simulation, and each lie makes simulations of its own: `fast` answers these. It
     // keeps the same properties on these scenes (canary_test.cpp).
     std::set<std::string> quickly;
@@ -119,10 +134,11 @@ const std::map<std::string, std::set<std::string>>& kills() {
       for (const Scene& scene : scenes_of(query)) {
         for (const properties::Property& property : properties::all()) {
           if (property.query != query) continue;
-          std::set<std::string>& caught = found[property.id];
+          std::map<std::string, std::string>& caught = found[property.id];
           for (const auto& canary : oracle::subjects::canaries()) {
             if (caught.contains(canary.id) || !lies_about(canary, query)) continue;
-            if (catches(property, canary, scene, quickly.contains(property.id))) caught.insert(canary.id);
+            const oracle::Finding finding = judged(property, canary, scene, quickly.contains(property.id));
+            if (failed(finding)) caught.emplace(canary.id, verdict(finding));
           }
         }
       }
@@ -138,11 +154,13 @@ std::string kill_table() {
       "A canary is a deliberately wrong subject. Each property must catch at least one, and each canary must be "
       "caught. Made by\n"
       "`tests/properties/canary_test.cpp` from runs, on a few scenes by hand, over a truthful subject that tells one "
-      "lie. To make it\n"
-      "anew: `TOUCHSTONE_UPDATE=1 ./touchstone test -R \"canaries' page\"`.\n\n"
+      "lie. The\n"
+      "verdict, a defect and a grade, is that on the first scene that shows the lie. To make it anew: "
+      "`TOUCHSTONE_UPDATE=1\n"
+      "./touchstone test -R \"canaries' page\"`.\n\n"
       "| property | catches |\n|---|---|\n";
   for (const properties::Property& property : properties::all()) {
-    page += "| `" + property.id + "` | " + list(kills().at(property.id)) + " |\n";
+    page += "| `" + property.id + "` | " + by_verdict(kills().at(property.id)) + " |\n";
   }
   page += "\n| canary | its lie |\n|---|---|\n";
   for (const auto& canary : oracle::subjects::canaries()) page += "| `" + canary.id + "` | " + canary.says + " |\n";

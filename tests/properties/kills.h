@@ -3,7 +3,6 @@
 
 #include <map>
 #include <memory>
-#include <set>
 #include <string>
 
 #include "oracle/subject.h"
@@ -13,8 +12,9 @@ namespace touchstone::tests {
 /// The reference with remembered answers where they cost milliseconds; canaries change its answers.
 std::unique_ptr<oracle::Subject> truthful();
 
-/// For each property the canaries that it detects: those for which it fails or breaks on at least one scene.
-const std::map<std::string, std::set<std::string>>& kills();
+/// For each property the canaries that it detects, which are those for which it fails or breaks on at least one scene;
+/// and its verdict on the first such scene: the name of the defect, and the grade.
+const std::map<std::string, std::map<std::string, std::string>>& kills();
 
 /// The table in docs/spec/canaries.md.
 std::string kill_table();

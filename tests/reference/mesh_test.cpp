@@ -148,6 +148,17 @@ TEST_CASE("mesh: a tetrahedron in each format") {
   CHECK(folder.printed().empty());
 }
 
+TEST_CASE("mesh: the name of a solid in an STL is any words of its line") {
+  const Folder folder;
+  const Polytope corner = read_mesh(folder.file("plain.stl", stl_text()));
+  for (const std::string name : {"", "vertex group", "solid", "endsolid vertex 1 2", "facet"}) {
+    std::string text = stl_text();
+    for (auto at = text.find("corner"); at != std::string::npos; at = text.find("corner")) text.replace(at, 6, name);
+    CHECK(read_mesh(folder.file("named.stl", text)) == corner);
+  }
+  CHECK(folder.printed().empty());
+}
+
 TEST_CASE("mesh: a byte order mark takes no vertex away") {
   const Folder folder;
   const std::pair<const char*, std::string> texts[] = {{"a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\n"},

@@ -147,6 +147,47 @@ TEST_CASE("A box that falls flat leaves flat, with e times its speed") {
   }
 }
 
+TEST_CASE("A compound that falls flat on several of its parts leaves flat, in any order of the parts") {
+  const auto round_post = [](double x, double y) { return Part{{{x, y, 0.5}, {}}, Sphere{0.5}}; };
+  const auto post = [](double x, double y) { return Part{{{x, y, 0.5}, {}}, Box{Vec3(0.25, 0.25, 0.5)}}; };
+  const std::vector<std::vector<Part>> all = {{round_post(-1, 0), round_post(1, 0)},
+                                              {round_post(-2, 0), round_post(2, 0), post(0, 1), post(0, -1)},
+                                              {post(1, 1), post(-1, 1), post(1, -1), post(-1, -1)}};
+  for (std::vector<Part> parts : all) {
+    for (const bool is_reversed : {false, true}) {
+      if (is_reversed) std::ranges::reverse(parts);
+      for (const double mu : {0.0, 0.5}) {
+        Body table = body(Compound{parts}, Vec3(0, 0, 1));
+        table.material = {0.5, mu};
+        table.velocity.v_WBcm = {0, 0, -1};
+        table.mass = MassProperties{1, {0, 0, 0.5}, Mat3::Identity()};
+        Body ground = floor();
+        ground.material.friction = 1;
+        const Trajectory said = simulation(sampled_at({table, ground}, {1.5}));
+        INFO(said.gave_up);
+        REQUIRE(said.events->size() == 1);
+        const Velocity& V = said.events->front().after_a.velocity;
+        CHECK(V.v_WBcm == Vec3(0, 0, 0.5));
+        CHECK(V.w_WB == Vec3(0, 0, 0));
+      }
+    }
+  }
+}
+
+// A ball between two walls of one body, at a right angle: it touches both at one time, and leaves as it came.
+TEST_CASE("Parts that are touched at one time in two directions act together") {
+  const Compound corner{{Part{{{-1, 0, 0}, {}}, Box{Vec3(1, 4, 4)}}, Part{{{0, -1, 0}, {}}, Box{Vec3(4, 1, 4)}}}};
+  Body walls = body(corner, Vec3(0, 0, 0));
+  walls.mass = Fixed{};
+  walls.material.restitution = 1;
+  Body thrown = ball(0.5, {1.5, 1.5, 0}, {-1, -1, 0});
+  thrown.mass = round_mass();
+  const Trajectory said = simulation(sampled_at({walls, thrown}, {1.5}));
+  INFO(said.gave_up);
+  REQUIRE(said.events->size() == 2);
+  CHECK((said.states.back()[1].velocity.v_WBcm - Vec3(1, 1, 0)).norm() < 1e-15);
+}
+
 /// Equal balls of diameter 1 and mass 1 on the x axis, without friction. Those that start one apart have a gap of 2^-33
 /// beside an envelope of 2^-31: the reference does not follow bodies that touch from the start.
 Trajectory row_of(const std::vector<double>& x, const std::vector<double>& v) {

@@ -13,7 +13,7 @@
 namespace touchstone::tests {
 namespace {
 
-using reference::approaching_region;
+using reference::approaching_regions;
 using reference::compression;
 using reference::ContactRegion;
 using reference::ExactVec3;
@@ -30,8 +30,9 @@ Scene cube_on_table(const Velocity& V) {
 }
 
 TEST_CASE("The region of a cube on a table is its bottom") {
-  const auto region = approaching_region(cube_on_table({Vec3(0, 0, -1), Vec3(0, 0, 0)}), 0, 1);
-  REQUIRE(region);
+  const auto regions = approaching_regions(cube_on_table({Vec3(0, 0, -1), Vec3(0, 0, 0)}), 0, 1, 0);
+  REQUIRE(regions.size() == 1);
+  const ContactRegion* region = &regions[0];
   CHECK(region->nhat_BA_W == Vec3(0, 0, 1));
   for (const Vec3& corner : {Vec3(1, 1, 0), Vec3(1, -1, 0), Vec3(-1, 1, 0), Vec3(-1, -1, 0)})
     CHECK(std::ranges::count(region->points_W, corner) > 0);
@@ -39,13 +40,13 @@ TEST_CASE("The region of a cube on a table is its bottom") {
 }
 
 TEST_CASE("There is no region where nothing approaches") {
-  CHECK_FALSE(approaching_region(cube_on_table({Vec3(0, 0, 0), Vec3(0, 0, 0)}), 0, 1));
-  CHECK_FALSE(approaching_region(cube_on_table({Vec3(1, 0, 1), Vec3(0, 0, 0)}), 0, 1));
+  CHECK(approaching_regions(cube_on_table({Vec3(0, 0, 0), Vec3(0, 0, 0)}), 0, 1, 0).empty());
+  CHECK(approaching_regions(cube_on_table({Vec3(1, 0, 1), Vec3(0, 0, 0)}), 0, 1, 0).empty());
 }
 
 RegionImpulse pressed(const Velocity& V) {
   const Scene scene = cube_on_table(V);
-  return compression(scene, {approaching_region(scene, 0, 1).value()}).value().front();
+  return compression(scene, approaching_regions(scene, 0, 1, 0)).value().front();
 }
 
 TEST_CASE("A cube that lands flat presses such that no corner approaches") {

@@ -24,9 +24,12 @@ class State:
         return State(time, *(tuple(map(middle, json[key])) for key in ("p_WB", "v_WB", "w_WB")))
 
 
+def is_near_state(a, b, scale):
+    return all(abs(x - y) <= TINY * scale for x, y in zip(a.p + a.v + a.w, b.p + b.v + b.w))
+
+
 def near_state(a, b, scale, what):
-    for x, y in zip(a.p + a.v + a.w, b.p + b.v + b.w):
-        demand(abs(x - y) <= TINY * scale, what)
+    demand(is_near_state(a, b, scale), what)
 
 
 def normal_of_contact(state, radius, box, scale):
@@ -93,10 +96,11 @@ def check_constraint(scene, answer):
     demand(len(samples) == len(scene["motion"]["sample_times"]), "a sample is missing")
     scale = max(1, *(abs(x) for s in samples + [state] for x in s.p + s.v + s.w))
     mode, contact, since = "ballistic", None, Fraction(0)
+    beside = {}  # at a time in the enclosure of a change, which may be later or earlier: the states before and after it
     changes = answer["changes"] + [None]
     for change in changes:
         end = middle(change["time"]) if change else None
-        until = Fraction(change["time"][0]) if change else math.inf  # in its enclosure a change may be later or earlier
+        until = Fraction(change["time"][0]) if change else math.inf
         if not (change and end == state.time):
             if mode != "ballistic":
                 demand(contact is not None, "rolls or slides on nothing")
@@ -111,10 +115,14 @@ def check_constraint(scene, answer):
             demand(all(abs(x - y) <= TINY * scale for x, y in zip(before.p, after.p)), "an impact moves the ball")
         else:
             near_state(before, after, scale, f"at the change at {float(end)} s")
+        for sample in (s for s in samples if until <= s.time <= Fraction(change["time"][1])):
+            beside.setdefault(sample.time, []).extend([before, after])
         state, mode, since = after, change["then"], Fraction(change["time"][1])
         if mode != "ballistic" and change["kind"] == "contact":
             n = normal_of_contact(state, radius, scene["bodies"][change["other"]], scale)
             contact = (n, radius, pair_friction(scene, index, change["other"]), inertia_of(ball, radius))
         if mode == "rolling" and change["kind"] == "contact":
             demand(length(slip(state, contact[0], radius)) <= TINY * scale, "a rolling ball slips")
+    for sample in (s for s in samples if s.time in beside):
+        demand(any(is_near_state(state, sample, scale) for state in beside[sample.time]), f"at {float(sample.time)} s")
     raise InPart

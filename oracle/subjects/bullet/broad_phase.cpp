@@ -124,10 +124,10 @@ Card card(const std::string& name, double margin, const std::string& about, std:
 }  // namespace
 
 /// A box that has moved is stored with a margin of 0.05 m on each side (gDbvtMargin) and stays until the true box
-/// leaves it. The true box may then be up to 0.1 m inside the stored one on one side; for two boxes that makes 0.2 m.
+/// leaves it. The true box may then be up to 0.1 m inside the stored one on one side.
 std::unique_ptr<Subject> make_bullet_dbvt() {
   return broad_phase_subject(
-      card("bullet.dbvt", 0.2, "btDbvtBroadphase as it comes; boxes by getAabb, shapes' margins 0",
+      card("bullet.dbvt", 0.1, "btDbvtBroadphase as it comes; boxes by getAabb, shapes' margins 0",
            {{"TS-BROAD-PHASE-10", "a pair that ended stays until cleaned up: at least one, and 10 % of all, a frame",
              ""},
             {"TS-BROAD-PHASE-10", "the stored box of a body that turned may be wider than the margin", ""}}),
@@ -138,11 +138,11 @@ std::unique_ptr<Subject> make_bullet_dbvt() {
 }
 
 /// End points are integers, with 2^31 - 1 steps over 4096 m (2^-19 m a step). A coordinate is rounded down; then its
-/// lowest bit marks the end, 0 for lo and 1 for hi. So hi rises by at most 1 step and lo falls by less than 2: boxes
-/// less than 3 steps apart may be reported as a pair. 4 steps are 2^-17 m.
+/// lowest bit marks the end, 0 for lo and 1 for hi. So hi rises by at most 1 step and lo falls by less than 2, which
+/// are 2^-18 m.
 std::unique_ptr<Subject> make_bullet_axis_sweep() {
   return broad_phase_subject(
-      card("bullet.axis_sweep", std::ldexp(1.0, -17), "bt32BitAxisSweep3 in a world of ±2048 m, boxes by getAabb", {}),
+      card("bullet.axis_sweep", std::ldexp(1.0, -18), "bt32BitAxisSweep3 in a world of ±2048 m, boxes by getAabb", {}),
       [](const Scene& scene) {
         refuse_compounds(scene);
         refuse_beyond_world(scene);

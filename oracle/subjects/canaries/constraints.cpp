@@ -148,6 +148,10 @@ std::vector<Canary> canaries_about_constraints() {
                 }
               });
             }),
+      lying("canary.early_events", "tells events at nine tenths of their times",
+            [] { return each_event([](Event& event) { event.time *= 0.9; }); }),
+      lying("canary.point_at_centre", "takes the first body's centre for the point of contact",
+            [] { return each_event([](Event& event) { event.p_WC = event.after_a.X_WB.p_WB; }); }),
       lying("canary.contacts_pull", "lets contacts pull",
             [] { return each_event([](Event& event) { event.P_A_W = -event.P_A_W; }); }),
       lying("canary.triple_friction", "triples the friction of impacts",

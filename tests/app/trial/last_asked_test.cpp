@@ -4,6 +4,8 @@
 #include "app/trial/smallest.h"
 #include "oracle/tolerance/tolerance.h"
 #include "oracle/truth/truth.h"
+#include "properties/transforms/body.h"
+#include "properties/transforms/motion.h"
 #include "properties/transforms/name.h"
 #include "properties/transforms/scene.h"
 #include "tests/catch.h"
@@ -70,6 +72,13 @@ TEST_CASE("Each change of the world has a name") {
   CHECK(properties::name_of_change(scene, properties::half_turned(scene)) == "the world turned by 180 degrees about x");
   CHECK(properties::name_of_change(scene, *properties::mirrored(scene)) == "the world mirrored in the plane x = 0");
   CHECK(properties::name_of_change(scene, *properties::scaled(scene, 10)) == "all lengths times 2^10");
+  CHECK(properties::name_of_change(scene, *properties::scaled(scene, 24)) == "all lengths times 2^24");
+  CHECK(properties::name_of_change(scene, *properties::denser(scene, 3)) == "all densities times 2^3");
+  Scene moving = scene;
+  moving.motion = Motion{.sample_times = {1, 2}};
+  moving.bodies[0].mass = MassProperties{2, {}, Eigen::Matrix3d::Identity()};
+  CHECK(properties::name_of_change(moving, *properties::heavier(moving, 24)) == "all masses and forces times 2^24");
+  CHECK(properties::name_of_change(moving, *properties::later(moving, 0.75)) == "everything later by 0.75 s");
   Scene another = scene;
   another.bodies[0].shape = Sphere{7};
   CHECK(properties::name_of_change(scene, another) == "changed as the law says");
