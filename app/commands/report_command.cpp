@@ -87,13 +87,22 @@ TrialPlan plan_of(const RunOptions& options) {
   return plan;
 }
 
-/// The judge, then the adapters. Not when interrupted: the run then ends at once.
-void prove(const RunOptions& options, const TrialPlan& plan) {
-  std::set<std::string> asked;
-  for (const std::string& id : plan.properties) asked.insert(properties::find(id).query);
-  const std::vector<std::string> queries(asked.begin(), asked.end());
-  if (!options.skip.self_test) require_published_answers(queries, plan.jobs);
-  if (!options.skip.adapter_check) require_proven_adapters(plan.subjects, queries, plan.limits);
+std::vector<std::string> asked_queries(const TrialPlan& plan) {
+  std::set<std::string> queries;
+  for (const std::string& id : plan.properties) queries.insert(properties::find(id).query);
+  return {queries.begin(), queries.end()};
+}
+
+/// Not when interrupted: the run then ends at once.
+void prove_adapters(const RunOptions& options, const TrialPlan& plan) {
+  if (!options.skip.adapter_check) require_proven_adapters(plan.subjects, asked_queries(plan), plan.limits);
+}
+
+/// Takes seconds, so it is the last thing before the run, and a subject that is none is refused before it.
+void prove_judge(const RunOptions& options, const TrialPlan& plan) {
+  if (options.skip.self_test) return;
+  for (const std::string& subject : plan.subjects) connect(subject, plan.limits);
+  require_published_answers(asked_queries(plan), plan.jobs);
 }
 
 MeshSet meshes_of(const RunOptions& options) { return read_meshes(options.meshes, options.effort == "quick"); }
@@ -353,10 +362,11 @@ int report(const RunOptions& options) {
   const std::optional<Shard> shard =
       options.files.shard.empty() ? std::nullopt : std::optional(shard_of(options.files.shard));
   watch_for_interruption();
-  prove(options, plan);
+  prove_adapters(options, plan);
   prepare_places(options);
   const MeshSet meshes = meshes_of(options);
   if (!meshes.absent.empty()) complain("no real meshes: {}", meshes.absent);
+  prove_judge(options, plan);
   if (shard) return report_shard(options, plan, meshes, *shard);
   return written(run(plan, meshes), plan, options);
 }
@@ -376,9 +386,10 @@ int check(const RunOptions& options) {
   const TrialPlan plan = plan_of(options);
   const Baselines baselines = baselines_of(options);
   watch_for_interruption();
-  prove(options, plan);
+  prove_adapters(options, plan);
   prepare_places(options);
   const MeshSet meshes = options.meshes.empty() ? MeshSet{} : meshes_of(options);
+  prove_judge(options, plan);
   Ledger ledger = run(plan, meshes);
   std::optional<Comparison> comparison;
   if (baselines.expected && !ledger.interrupted) {

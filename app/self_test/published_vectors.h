@@ -1,17 +1,16 @@
 // The test vectors of vectors/, as a part of the program.
 #pragma once
 
-#include <string>
-#include <vector>
+#include <span>
 
 namespace touchstone::app {
 
 struct PublishedVector {
-  std::string query;
+  const char* query;
   const char* text;  ///< JSON, one of "tests" (vectors/schema.json)
 };
 
 /// By query, in the order of their file.
-const std::vector<PublishedVector>& published_vectors();
+std::span<const PublishedVector> published_vectors();
 
 }  // namespace touchstone::app

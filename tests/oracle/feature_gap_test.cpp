@@ -52,6 +52,12 @@ TEST_CASE("feature_gap: edges that cross at 2^-36 of a radian do cross") {
   CHECK(*feature_gap(turned, {0, {0, 3}}, posed(bar, {0, -1, 0}), {0, {0, 3}}) == Approx(1));
 }
 
+TEST_CASE("feature_gap: a point beyond the third side of a triangle is as far as that side") {
+  const Body corner = posed(Polytope{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, -1}}, {}}, {0, 0, 0});
+  CHECK(*feature_gap(corner, {0, {0, 1, 2}}, posed(Sphere{1}, {1, 1, 1}), {0, {0}}) == Approx(std::sqrt(1.5)));
+  CHECK(*feature_gap(corner, {0, {0, 1, 2}}, posed(Sphere{1}, {0.25, 0.25, 1}), {0, {0}}) == 1);
+}
+
 TEST_CASE("feature_gap: what is not there has no gap") {
   CHECK_FALSE(feature_gap(cube, {0, {8}}, above, {0, {0}}));
   CHECK_FALSE(feature_gap(cube, {0, {-1}}, above, {0, {0}}));

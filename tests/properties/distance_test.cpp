@@ -96,6 +96,19 @@ TEST_CASE("distance.verdict: a two-valued subject may say either where bodies to
   }
 }
 
+TEST_CASE("distance.verdict: a two-valued subject may say either where compounds overlap by less than rounding") {
+  Body body;
+  body.shape = Compound{{Part{{}, Box{Vec3::Ones()}}, Part{{{0, -2, 0}, {}}, Box{Vec3::Ones()}}}};
+  Scene scene;
+  scene.bodies.assign(2, body);
+  scene.bodies[1].X_WB.p_WB.y() = 4 - 0x1p-50;
+  tests::FixedSubject subject;
+  for (const Verdict said : {Verdict::separated, Verdict::overlapping}) {
+    subject.said_distance = verdict(said);
+    CHECK(properties::find("distance.verdict").check(scene, subject).outcome == Outcome::holds);
+  }
+}
+
 TEST_CASE("distance.verdict: compounds, whose depth is unknown, have a certified margin") {
   const auto missed = judged("distance.verdict", "two parts around a sphere", verdict(Verdict::separated));
   CHECK(missed.outcome == Outcome::fails);

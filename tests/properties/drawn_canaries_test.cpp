@@ -96,6 +96,7 @@ const std::vector<Caught> caught = {
     {"canary.last_ball_lags", "constraint.renumbered", "tables.slides", 0},
     {"canary.spin_forgotten", "constraint.velocity", "tables.barely_flies", 0},
     {"canary.fixed_body_creeps", "constraint.fixed", "tables.falls", 0},
+    {"canary.second_wind", "constraint.energy", "tables.obstacle", 0},
     {"canary.early_events", "constraint.event_states", "tables.drops", 0},
     {"canary.point_at_centre", "constraint.event_points", "tables.obstacle", 0},
     {"canary.contacts_pull", "constraint.cone", "tables.drops", 0},

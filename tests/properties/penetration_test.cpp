@@ -55,6 +55,15 @@ TEST_CASE("penetration.separates: only a move that clears the bodies") {
   CHECK(judged("penetration.separates", "cubes apart along y", deep(0)).outcome == Outcome::outside);
 }
 
+TEST_CASE("penetration.separates: also of an answer without a verdict") {
+  Penetration said = deep(0.5, Vec3::UnitY());
+  said.verdict.reset();
+  CHECK(judged("penetration.separates", overlap, said).defect == Defect::wrong_normal);
+  said = deep(0.5, Vec3(0, -2, 0));
+  said.verdict.reset();
+  CHECK(judged("penetration.unit_direction", overlap, said).outcome == Outcome::fails);
+}
+
 TEST_CASE("penetration.unit_direction: of length 1 to 104 ulps: normalised, and turned by two poses") {
   CHECK(judged("penetration.unit_direction", overlap, deep(0.5)).outcome == Outcome::holds);
   CHECK(judged("penetration.unit_direction", overlap, deep(0.5, Vec3(0, -1 - 104 * 0x1p-53, 0))).outcome ==

@@ -161,6 +161,19 @@ TEST_CASE("time_of_impact.reversible: a clear miss is one in both directions of 
   }
 }
 
+TEST_CASE("time_of_impact.survives: bodies that overlap at the start may be refused, but not crash the subject") {
+  Scene scene = tests::scene(ball);
+  scene.bodies[0].X_WB.p_WB.z() = 0.5;
+  const auto outcome = [&](Breaks::Kind kind) {
+    tests::FixedSubject subject;
+    subject.said_time_of_impact = Breaks{kind, "why"};
+    return properties::find("time_of_impact.survives").check(scene, subject).outcome;
+  };
+  CHECK(outcome(Breaks::Kind::threw) == Outcome::outside);
+  for (const Breaks::Kind kind : {Breaks::Kind::crashed, Breaks::Kind::hung, Breaks::Kind::garbage})
+    CHECK(outcome(kind) == Outcome::breaks);
+}
+
 TEST_CASE("time_of_impact: a scene without a flight, or with overlap at the start, is outside") {
   Scene scene = tests::scene(ball);
   tests::FixedSubject subject;

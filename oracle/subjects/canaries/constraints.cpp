@@ -74,6 +74,11 @@ void forgets_releases(Subject&, const Scene&, Trajectory& said) {
   if (said.events) std::erase_if(*said.events, [](const Event& e) { return e.kind == Event::Kind::release; });
 }
 
+void as_fast_as_at_first(Subject&, const Scene&, Trajectory& said) {
+  for (std::size_t i = 0; said.states.size() > 2 && i < said.states.back().size(); ++i)
+    said.states.back()[i].velocity = said.states.front()[i].velocity;
+}
+
 void ends_without_saying(Subject&, const Scene&, Trajectory& said) {
   if (!said.states.empty()) said.states.pop_back();
 }
@@ -148,6 +153,8 @@ std::vector<Canary> canaries_about_constraints() {
                 }
               });
             }),
+      lying("canary.second_wind", "says that bodies are as fast at the last sample as at the first",
+            [] { return trajectories(as_fast_as_at_first); }),
       lying("canary.early_events", "tells events at nine tenths of their times",
             [] { return each_event([](Event& event) { event.time *= 0.9; }); }),
       lying("canary.point_at_centre", "takes the first body's centre for the point of contact",

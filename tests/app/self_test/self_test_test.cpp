@@ -25,7 +25,7 @@ std::optional<OtherAnswer> asked_with(const std::string& query, const std::strin
   REQUIRE(json.contains(Json::json_pointer(place)));
   json[Json::json_pointer(place)] = value;
   const std::string text = json.dump();
-  return other_answer({query, text.c_str()});
+  return other_answer({query.c_str(), text.c_str()});
 }
 
 double published_number(const std::string& query, const std::string& place) {
@@ -41,7 +41,7 @@ TEST_CASE("self-test: each query has published vectors, each once") {
   std::set<std::string> queries;
   for (const PublishedVector& vector : published_vectors()) {
     const std::string id = Json::parse(vector.text)["id"];
-    CHECK(id.starts_with(vector.query + '-'));
+    CHECK(id.starts_with(std::string(vector.query) + '-'));
     CHECK(ids.insert(id).second);
     queries.insert(vector.query);
   }

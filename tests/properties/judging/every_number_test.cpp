@@ -153,8 +153,8 @@ std::string rows(const std::string& query) {
     std::string seers;
     for (const auto& [property, seen] : by_property) {
       if (seen.seen == 0) continue;
-      seers += (seers.empty() ? "`" : ", `") + property + "` " + std::to_string(seen.seen) +
-               '/' + std::to_string(seen.asked);
+      seers += (seers.empty() ? "`" : ", `") + property + "` " + std::to_string(seen.seen) + '/' +
+               std::to_string(seen.asked);
     }
     text += (seers.empty() ? "none" : seers) + " |\n";
   }

@@ -118,3 +118,27 @@ TEST_CASE("drawn pairs: compounds.far are 2^40 from the origin, from each other,
   CHECK(with_far_part >= 10);
   CHECK(count(scenes, Verdict::touching) >= 5);
 }
+
+TEST_CASE("families: boxes of films.falling_over turn about their lowest corners") {
+  int moves = 0, stay = 0, turn = 0;
+  for (const Scene& film : drawn("films.falling_over", 20)) {
+    const auto& frames = oracle::truth::sequence_bounds(film);
+    for (std::size_t f = 1; f < frames.size(); ++f) {
+      for (std::size_t i = 0; i < film.bodies.size(); ++i) {
+        if (!frames[f - 1][i] || !frames[f][i]) continue;
+        const auto same = [&](const auto& before, const auto& now) {
+          return std::ranges::equal(before, now,
+                                    [](const auto& a, const auto& b) { return a.nearest() == b.nearest(); });
+        };
+        const bool same_hi = same(frames[f - 1][i]->hi, frames[f][i]->hi);
+        if (same_hi && same(frames[f - 1][i]->lo, frames[f][i]->lo)) continue;
+        ++moves;
+        stay += same(frames[f - 1][i]->lo, frames[f][i]->lo) ? 1 : 0;
+        turn += same_hi ? 0 : 1;
+      }
+    }
+  }
+  CHECK(moves > 0);
+  CHECK(5 * stay > 4 * moves);  // others are taken out and put elsewhere
+  CHECK(turn > 0);
+}
