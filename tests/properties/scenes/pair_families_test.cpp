@@ -121,10 +121,10 @@ TEST_CASE("drawn pairs: compounds.far are 2^40 from the origin, from each other,
 
 TEST_CASE("families: boxes of films.falling_over turn about their lowest corners") {
   int moves = 0, stay = 0, turn = 0;
-  for (const Scene& film : drawn("films.falling_over", 20)) {
-    const auto& frames = oracle::truth::sequence_bounds(film);
+  for (const Scene& sequence : drawn("films.falling_over", 20)) {
+    const auto& frames = oracle::truth::sequence_bounds(sequence);
     for (std::size_t f = 1; f < frames.size(); ++f) {
-      for (std::size_t i = 0; i < film.bodies.size(); ++i) {
+      for (std::size_t i = 0; i < sequence.bodies.size(); ++i) {
         if (!frames[f - 1][i] || !frames[f][i]) continue;
         const auto same = [&](const auto& before, const auto& now) {
           return std::ranges::equal(before, now,
