@@ -52,10 +52,13 @@ TEST_CASE("feature_gap: edges that cross at 2^-36 of a radian do cross") {
   CHECK(*feature_gap(turned, {0, {0, 3}}, posed(bar, {0, -1, 0}), {0, {0, 3}}) == Approx(1));
 }
 
-TEST_CASE("feature_gap: a point beyond the third side of a triangle is as far as that side") {
+TEST_CASE("feature_gap: a point beyond a side of a triangle is as far as that side") {
   const Body corner = posed(Polytope{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, -1}}, {}}, {0, 0, 0});
-  CHECK(*feature_gap(corner, {0, {0, 1, 2}}, posed(Sphere{1}, {1, 1, 1}), {0, {0}}) == Approx(std::sqrt(1.5)));
-  CHECK(*feature_gap(corner, {0, {0, 1, 2}}, posed(Sphere{1}, {0.25, 0.25, 1}), {0, {0}}) == 1);
+  const auto gap = [&](const Vec3& p) { return *feature_gap(corner, {0, {0, 1, 2}}, posed(Sphere{1}, p), {0, {0}}); };
+  CHECK(gap({1, 1, 1}) == Approx(std::sqrt(1.5)));
+  CHECK(gap({0.25, -0.5, 1}) == Approx(std::sqrt(1.25)));
+  CHECK(gap({-0.5, 0.25, 1}) == Approx(std::sqrt(1.25)));
+  CHECK(gap({0.25, 0.25, 1}) == 1);
 }
 
 TEST_CASE("feature_gap: what is not there has no gap") {

@@ -148,6 +148,17 @@ TEST_CASE("mesh: a tetrahedron in each format") {
   CHECK(folder.printed().empty());
 }
 
+TEST_CASE("mesh: an STL in binary may have a vertex as the first, second or third corner alone") {
+  const Folder folder;
+  const Vec3 o(0, 0, 0), a(1, 0, 0), b(0, 1, 0), c(0, 0, 1);
+  for (const std::vector<Vec3>& corners :
+       {std::vector<Vec3>{b, a, o, c, a, b, c, o, a, c, b, o}, std::vector<Vec3>{o, b, a, b, c, a, o, c, b, a, c, o},
+        std::vector<Vec3>{a, o, b, a, b, c, o, a, c, b, o, c}}) {
+    CHECK(read_mesh(folder.file("apex.stl", stl_binary(corners, 4))).vertices.size() == 4);
+  }
+  CHECK(folder.printed().empty());
+}
+
 TEST_CASE("mesh: the name of a solid in an STL is any words of its line") {
   const Folder folder;
   const Polytope corner = read_mesh(folder.file("plain.stl", stl_text()));
