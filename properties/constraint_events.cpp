@@ -49,7 +49,7 @@ std::size_t index_of(const Scene& scene, double time) {
                                   scene.motion->sample_times.begin());
 }
 
-/// The exact ball at the time of an event.
+/// An event of the ball, and the sample at its time.
 struct AtEvent {
   const RollingCase& asked;
   const Event& event;
@@ -57,28 +57,21 @@ struct AtEvent {
 
   bool ball_is_a() const { return event.a == asked.truth.ball; }
   const State& ball() const { return ball_is_a() ? event.after_a : event.after_b; }
-  const reference::BallTruth& exact() const { return asked.exact(sample); }
-  Vec3 place() const { return {exact().p_WB[0].middle(), exact().p_WB[1].middle(), exact().p_WB[2].middle()}; }
-  std::string when() const { return " at the event at " + words::text(event.time) + " s"; }
 };
-
-Finding judge_place_at(const AtEvent& at) {
-  const Vec3& p = at.ball().X_WB.p_WB;
-  return judge::at_most(
-      off(p, at.exact().p_WB), {at.asked.bounds[at.sample].place, 1, "m", at.asked.radius()}, Defect::wrong_motion,
-      [&] { return "the ball's centre is " + words::text(p) + at.when(); }, [&] { return words::text(at.place()); });
-}
 
 /// Where the two press on each other the point is on the ball, against the normal; the ball may be as deep in the box
 /// as a step takes it.
 Finding judge_point_at(const AtEvent& at) {
   if (at.event.P_A_W == Vec3::Zero()) return judge::outside("no impulse: the bodies need not touch");
   const Vec3 out = (at.ball_is_a() ? -1.0 : 1.0) * at.asked.radius() * at.event.nhat_BA_W;
-  const double error = off(at.event.p_WC - out, at.exact().p_WB);
+  const double error = off(at.event.p_WC - out, at.asked.exact(at.sample).p_WB);
   const double bound = at.asked.bounds[at.sample].place + tolerance::overlap_of_step(at.asked.scene);
   return judge::at_most(
       error, {bound, 1, "m", at.asked.radius()}, Defect::wrong_witness,
-      [&] { return "the point of contact is " + words::text(at.event.p_WC) + at.when(); },
+      [&] {
+        return "the point of contact is " + words::text(at.event.p_WC) + " at the event at " +
+               words::text(at.event.time) + " s";
+      },
       [&] { return std::string("a point of the ball in the direction of the normal"); });
 }
 
@@ -97,19 +90,13 @@ double jump_beside(const AtEvent& at) {
   return jump;
 }
 
+/// As the exact ball moves then, or as the change beside the event makes it move.
 Finding judge_velocity_at(const AtEvent& at) {
   const RollingCase& asked = at.asked;
   const double later = at.event.time + time_until_settled(asked.scene);
   const std::size_t settled = std::min(index_of(asked.scene, later), asked.scene.motion->sample_times.size() - 1);
   if (settled >= asked.bounds.size()) return judge::outside("small errors change the ball's motion");
-  const Velocity& V = at.ball().velocity;
-  const double error = std::max(off(V.v_WBcm, at.exact().v_WB), asked.radius() * off(V.w_WB, at.exact().w_WB));
-  return judge::at_most(
-      error,
-      {asked.bounds[settled].speed + jump_beside(at), 1, "m/s", 0, V.v_WBcm.norm() + asked.radius() * V.w_WB.norm()},
-      Defect::wrong_velocity,
-      [&] { return "v = " + words::text(V.v_WBcm) + ", w = " + words::text(V.w_WB) + at.when(); },
-      [&] { return std::string("the velocity and spin of the exact ball, or of the change beside it"); });
+  return judge_velocity(asked, at.sample, at.ball(), asked.bounds[settled].speed + jump_beside(at));
 }
 
 /// The worst finding about the certain events of the ball. The first failure ends the search.
@@ -139,7 +126,7 @@ Finding each_event(const Scene& scene, Subject& subject, JudgeEvent&& judge_even
 
 Finding event_states(const Scene& scene, Subject& subject) {
   return each_event(scene, subject, [](const AtEvent& at) {
-    Finding finding = judge_place_at(at);
+    Finding finding = judge_place(at.asked, at.sample, at.ball());
     worse(finding, judge_velocity_at(at));
     return finding;
   });

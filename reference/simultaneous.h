@@ -10,18 +10,19 @@
 
 namespace touchstone::reference {
 
-/// The points at which two bodies are closest, with one normal. The normal velocity is affine over them, so the corners
-/// of their convex hull are enough.
+/// The points at which two convex parts are closest, with one normal. The normal velocity is affine over them, so the
+/// corners of their convex hull are enough. Regions of the same bodies with the same normal act as one; each part's
+/// impulse is its own.
 struct ContactRegion {
   int a = 0, b = 0;                 ///< indices of the bodies A and B
   Vec3 nhat_BA_W = {0, 0, 0};       ///< of any length but 0, from B to A
   std::vector<Vec3> points_W = {};  ///< midpoints of closest points, in doubles; also inner ones
 };
 
-/// The contact regions of bodies a and b at the poses of the scene: the closest points of the nearest pairs of
-/// parts, one region for each direction of their normals, and in these directions those of all pairs of parts that are
-/// no farther apart than `within` (m). Without those that approach at none of their points, and without parts that
-/// overlap. Requires a completed scene with a motion. Throws what `distance` throws.
+/// The contact regions of bodies a and b at the poses of the scene: one for each of the nearest pairs of parts,
+/// and for each pair with a normal of the same direction that is no farther apart than `within` (m). Without the pairs
+/// of a direction if none of their points approaches, and without parts that overlap. Requires a completed scene with a
+/// motion. Throws what `distance` throws.
 std::vector<ContactRegion> approaching_regions(const Scene& scene, int a, int b, double within);
 
 /// What one region does in compression.

@@ -277,7 +277,7 @@ Examples:
   touchstone self-test --queries distance,penetration
 
 A known-answer test of the exact answers. The program contains the test vectors that were published with it (vectors/):
-scenes whose answers are proved by certificates, or known from paper, and by programs that share no code with it. This
+scenes with exact answers, of which vectors/README.md says which are proved by programs that share no code with it. This
 build computes them again: compiler, libraries and machine may differ from those on which they were published. check and
 report do this first, for the queries that they ask, and judge nothing if an answer differs.
 

@@ -7,7 +7,6 @@
 #include <filesystem>
 #include <optional>
 #include <set>
-#include <thread>
 
 #include "app/adapter/proven.h"
 #include "app/baseline/comparison.h"
@@ -24,6 +23,7 @@
 #include "app/system/terminal.h"
 #include "app/system/writable.h"
 #include "app/trial/causes.h"
+#include "app/trial/parallel.h"
 #include "app/trial/questions.h"
 #include "app/trial/subject_list.h"
 #include "app/trial/trial.h"
@@ -80,7 +80,7 @@ TrialPlan plan_of(const RunOptions& options) {
   plan.subjects = subject_list(options.subjects);
   plan.effort = chosen_effort(options, plan.subjects.size());
   plan.seed = options.seed;
-  plan.jobs = options.jobs > 0 ? options.jobs : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  plan.jobs = threads_of(options.jobs);
   plan.limits = limits_of(options.time_limit, plan.effort.trajectories.time_factor);
   plan.first_failure = options.pass.first_failure;
   plan.profiled = !options.files.out.empty();
@@ -98,7 +98,7 @@ void prove_adapters(const RunOptions& options, const TrialPlan& plan) {
   if (!options.skip.adapter_check) require_proven_adapters(plan.subjects, asked_queries(plan), plan.limits);
 }
 
-/// Takes seconds, so it is the last thing before the run, and a subject that is none is refused before it.
+/// The self-test takes seconds, so what is bad input is refused before it: an unknown subject here, the rest by now.
 void prove_judge(const RunOptions& options, const TrialPlan& plan) {
   if (options.skip.self_test) return;
   for (const std::string& subject : plan.subjects) connect(subject, plan.limits);

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <iterator>
 #include <stdexcept>
-#include <thread>
 
 #include "app/system/interruption.h"
 #include "app/system/progress.h"
@@ -98,9 +97,7 @@ void require_published_answers(const std::vector<std::string>& queries, int jobs
 int self_test(const SelfTestCommand& command) {
   watch_for_interruption();
   const std::vector<std::string>& queries = command.queries.empty() ? properties::tested_queries() : command.queries;
-  const int jobs =
-      command.jobs > 0 ? command.jobs : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  const std::vector<OtherAnswer> others = other_answers(queries, jobs);
+  const std::vector<OtherAnswer> others = other_answers(queries, threads_of(command.jobs));
   if (interrupted()) return interrupted_exit_code();
   for (const std::string& query : queries) {
     const auto wrong =

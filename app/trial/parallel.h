@@ -1,6 +1,7 @@
 // Runs independent pieces of work on several threads. The result must not depend on which thread takes which piece.
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <exception>
@@ -10,6 +11,11 @@
 #include <vector>
 
 namespace touchstone::app {
+
+/// How many threads are meant: 0 is one for each processor.
+inline int threads_of(int jobs) {
+  return jobs > 0 ? jobs : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+}
 
 /// Calls work(piece, job) once for each piece; 0 ≤ job < jobs, and no two calls run with the same job at a time. The
 /// first exception is rethrown after all threads have ended.

@@ -6,6 +6,7 @@
 
 #include "app/commands/ask.h"
 #include "model/input_error.h"
+#include "model/parts.h"
 #include "oracle/tolerance/precision.h"
 #include "oracle/tolerance/tolerance.h"
 #include "reference/simulation.h"
@@ -24,27 +25,13 @@ Json simulation(const Scene& scene) {
   return touchstone::json_of(trajectory);
 }
 
-int parts_of(const Body& body) {
-  const auto* compound = std::get_if<Compound>(&body.shape);
-  return compound == nullptr ? 1 : static_cast<int>(compound->parts.size());
-}
-
-/// The body with one of its parts alone. A pose of a part is kept as it is: composed poses would be rounded.
-Body part_of(const Body& body, int part) {
-  const auto* compound = std::get_if<Compound>(&body.shape);
-  if (compound == nullptr) return body;
-  Body alone = body;
-  alone.shape = Compound{{compound->parts[static_cast<std::size_t>(part)]}};
-  return alone;
-}
-
 /// One certificate for each pair of parts: only all of them prove a least distance.
 Json certificates_of(const Scene& scene) {
   Json certificates = Json::array();
   Scene pair;
-  for (int a = 0; a < parts_of(scene.bodies[0]); ++a) {
-    for (int b = 0; b < parts_of(scene.bodies[1]); ++b) {
-      pair.bodies = {part_of(scene.bodies[0], a), part_of(scene.bodies[1], b)};
+  for (int a = 0; a < part_count(scene.bodies[0]); ++a) {
+    for (int b = 0; b < part_count(scene.bodies[1]); ++b) {
+      pair.bodies = {part_alone(scene.bodies[0], a), part_alone(scene.bodies[1], b)};
       const Json answer = exact_answer("distance", pair);
       certificates.push_back({{"part_A", a},
                               {"part_B", b},

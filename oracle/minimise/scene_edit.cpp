@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "model/box_vertices.h"
+#include "model/parts.h"
 #include "model/sequence.h"
 #include "oracle/truth/truth.h"
 
@@ -59,9 +60,7 @@ std::vector<Pose*> placed(Scene& scene) {
 std::vector<Slot> slots(const Scene& scene) {
   std::vector<Slot> all;
   for (std::size_t body = 0; body < scene.bodies.size(); ++body) {
-    const auto* compound = std::get_if<Compound>(&scene.bodies[body].shape);
-    const int parts = compound ? static_cast<int>(compound->parts.size()) : 1;
-    for (int part = 0; part < parts; ++part) all.push_back({body, part});
+    for (int part = 0; part < part_count(scene.bodies[body]); ++part) all.push_back({body, part});
   }
   return all;
 }

@@ -71,22 +71,30 @@ std::set<std::pair<int, int>> in_contact(const std::vector<Event>& events, doubl
   return pairs;
 }
 
-Finding judge_place(const RollingCase& asked, std::size_t sample) {
-  const Vec3& p = asked.ball(sample).X_WB.p_WB;
+Finding judge_place(const RollingCase& asked, std::size_t sample, const State& ball) {
+  const Vec3& p = ball.X_WB.p_WB;
   return judge::at_most(
       off(p, asked.exact(sample).p_WB), {asked.bounds[sample].place, 1, "m", asked.radius()}, Defect::wrong_motion,
       [&] { return "the ball's centre is " + text(p) + at(asked, sample); },
       [&] { return text_of(asked.exact(sample).p_WB); });
 }
 
-Finding judge_velocity(const RollingCase& asked, std::size_t sample) {
-  const Velocity& V = asked.ball(sample).velocity;
+Finding judge_velocity(const RollingCase& asked, std::size_t sample, const State& ball, double bound) {
+  const Velocity& V = ball.velocity;
   const reference::BallTruth& exact = asked.exact(sample);
   const double error = std::max(off(V.v_WBcm, exact.v_WB), asked.radius() * off(V.w_WB, exact.w_WB));
   return judge::at_most(
-      error, {asked.bounds[sample].speed, 1, "m/s", 0, speed(asked, sample)}, Defect::wrong_velocity,
+      error, {bound, 1, "m/s", 0, speed(asked, sample)}, Defect::wrong_velocity,
       [&] { return "v = " + text(V.v_WBcm) + ", w = " + text(V.w_WB) + at(asked, sample); },
       [&] { return "v = " + text_of(exact.v_WB) + ", w = " + text_of(exact.w_WB); });
+}
+
+Finding judge_place(const RollingCase& asked, std::size_t sample) {
+  return judge_place(asked, sample, asked.ball(sample));
+}
+
+Finding judge_velocity(const RollingCase& asked, std::size_t sample) {
+  return judge_velocity(asked, sample, asked.ball(sample), asked.bounds[sample].speed);
 }
 
 }  // namespace touchstone::properties

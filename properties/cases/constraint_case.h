@@ -85,7 +85,12 @@ oracle::Finding of_rolling(const Scene& scene, oracle::Subject& subject, JudgeIt
   });
 }
 
-/// Compares the ball's place, or its velocity and spin, with the exact ones at a sample.
+/// Compares a state of the ball with the exact one at a sample: its place, or its velocity and spin, which may be off
+/// by `bound` (m/s).
+oracle::Finding judge_place(const RollingCase& asked, std::size_t sample, const State& ball);
+oracle::Finding judge_velocity(const RollingCase& asked, std::size_t sample, const State& ball, double bound);
+
+/// The same of the answer's state at the sample.
 oracle::Finding judge_place(const RollingCase& asked, std::size_t sample);
 oracle::Finding judge_velocity(const RollingCase& asked, std::size_t sample);
 

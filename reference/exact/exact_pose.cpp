@@ -186,11 +186,6 @@ EnclosureVec enclosure(const IntegerVec& v) {
   return {enclosure_below(v.x, exponent), enclosure_below(v.y, exponent), enclosure_below(v.z, exponent)};
 }
 
-int part_count(const Body& body) {
-  const auto* compound = std::get_if<Compound>(&body.shape);
-  return compound ? static_cast<int>(compound->parts.size()) : 1;
-}
-
 const IntegerVec& PosedCore::exact(int vertex) const {
   const auto i = static_cast<std::size_t>(vertex);
   if (!known_[i]) {

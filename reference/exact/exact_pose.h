@@ -13,6 +13,7 @@
 #include <array>
 #include <vector>
 
+#include "model/parts.h"
 #include "model/scene.h"
 #include "reference/exact/coordinates.h"
 #include "reference/rational.h"
@@ -51,7 +52,6 @@ struct Core {
   bool is_point() const { return vertices.size() == 1; }
 };
 
-int part_count(const Body& body);
 Core core_of(const Body& body, int part);
 Pose part_pose(const Body& body, int part);  ///< X_BP; the body's own frame for a convex body
 

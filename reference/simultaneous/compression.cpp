@@ -44,16 +44,26 @@ struct Wrench {
   }
 };
 
+bool act_as_one(const ContactRegion& one, const ContactRegion& other) {
+  return one.a == other.a && one.b == other.b && one.nhat_BA_W == other.nhat_BA_W;
+}
+
 NormalContacts normal_contacts(const Scene& scene, const std::vector<ContactRegion>& regions,
                                const std::vector<ContactRow>& rows) {
   NormalContacts contacts{normal_responses(rows), normal_velocities(rows), {}};
-  for (const ContactRegion& region : regions) {
+  std::vector<std::size_t> acts_in;  // by region: which one of `contacts`
+  for (std::size_t r = 0; r < regions.size(); ++r) {
+    const ContactRegion& region = regions[r];
+    const auto same = std::ranges::find_if(regions, [&](const ContactRegion& one) { return act_as_one(one, region); });
+    const auto first = static_cast<std::size_t>(same - regions.begin());
+    acts_in.push_back(first < r ? acts_in[first] : contacts.regions.size());
+    if (first < r) continue;
     const auto moving = [&](int body) {
       return is_fixed(scene.bodies[index(body)]) ? std::nullopt : std::optional(body);
     };
     contacts.regions.push_back({{}, {moving(region.a), moving(region.b)}, restitution(scene, region)});
   }
-  for (std::size_t k = 0; k < rows.size(); ++k) contacts.regions[rows[k].region].points.push_back(k);
+  for (std::size_t k = 0; k < rows.size(); ++k) contacts.regions[acts_in[rows[k].region]].points.push_back(k);
   return contacts;
 }
 

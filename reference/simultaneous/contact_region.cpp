@@ -2,6 +2,7 @@
 #include <array>
 #include <utility>
 
+#include "model/parts.h"
 #include "reference/ballistic_motion.h"
 #include "reference/distance.h"
 #include "reference/exact/linear.h"
@@ -46,15 +47,6 @@ Triple approach_normal(const std::vector<Triple>& normals, const std::vector<Tri
   return n == Triple{} ? otherwise : n;
 }
 
-/// The body with one of its parts alone. The part's pose is kept as it is: composed poses would be rounded.
-Body part_of(const Body& body, int part) {
-  const auto* compound = std::get_if<Compound>(&body.shape);
-  if (compound == nullptr) return body;
-  Body alone = body;
-  alone.shape = Compound{{compound->parts[static_cast<std::size_t>(part)]}};
-  return alone;
-}
-
 /// Two parts, by index in A and in B, and how far they are apart.
 struct PartPair {
   int A = 0, B = 0;
@@ -67,7 +59,7 @@ std::vector<PartPair> touching_parts(const Scene& pair, double within) {
   Scene parts;
   for (int a = 0; a < part_count(pair.bodies[0]); ++a) {
     for (int b = 0; b < part_count(pair.bodies[1]); ++b) {
-      parts.bodies = {part_of(pair.bodies[0], a), part_of(pair.bodies[1], b)};
+      parts.bodies = {part_alone(pair.bodies[0], a), part_alone(pair.bodies[1], b)};
       all.push_back({a, b, distance(parts)});
     }
   }
@@ -126,6 +118,17 @@ bool approaches(const std::vector<PartContact>& group, const BallisticStart& a, 
   });
 }
 
+/// Between the surfaces of A and B.
+std::vector<Vec3> midpoints(const PartContact& contact, const Three<Float>& nhat) {
+  const Float half(0.5), lean = half * (Float(contact.radii[1]) - Float(contact.radii[0]));
+  std::vector<Vec3> points;
+  for (const Triple& x : contact.points) {
+    const Triple twice = plus(x, minus(x, contact.d));
+    points.push_back(rounded(plus(scaled(half, float_of(twice)), scaled(lean, nhat))));
+  }
+  return points;
+}
+
 }  // namespace
 
 std::vector<ContactRegion> approaching_regions(const Scene& scene, int index_a, int index_b, double within) {
@@ -142,16 +145,16 @@ std::vector<ContactRegion> approaching_regions(const Scene& scene, int index_a, 
   std::vector<ContactRegion> regions;
   for (const std::vector<PartContact>& group : groups) {
     if (!approaches(group, a, b)) continue;
-    const Three<Float> unnormalised = float_of(group[0].n);
-    const Three<Float> nhat = scaled(Float(1 / sqrt(inner(unnormalised, unnormalised))), unnormalised);
-    const Float half(0.5);
-    ContactRegion& region = regions.emplace_back(ContactRegion{index_a, index_b, rounded(nhat), {}});
+    const Three<Float> n = float_of(group[0].n);
+    const Three<Float> nhat = scaled(Float(1 / sqrt(inner(n, n))), n);
+    std::vector<Vec3> known;  // where two parts meet, a point is one of both
     for (const PartContact& contact : group) {
-      const Float lean = half * (Float(contact.radii[1]) - Float(contact.radii[0]));
-      for (const Triple& x : contact.points) {
-        const Triple twice = plus(x, minus(x, contact.d));
-        region.points_W.push_back(rounded(plus(scaled(half, float_of(twice)), scaled(lean, nhat))));
+      ContactRegion region{index_a, index_b, rounded(nhat), {}};
+      for (const Vec3& point : midpoints(contact, nhat)) {
+        if (std::ranges::find(known, point) == known.end()) region.points_W.push_back(point);
       }
+      known.insert(known.end(), region.points_W.begin(), region.points_W.end());
+      if (!region.points_W.empty()) regions.push_back(std::move(region));
     }
   }
   return regions;

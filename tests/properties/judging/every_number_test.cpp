@@ -11,6 +11,7 @@
 #include "model/input_error.h"
 #include "oracle/passing_on.h"
 #include "oracle/process/protocol.h"
+#include "oracle/query.h"
 #include "oracle/subjects/touchstone/fast.h"
 #include "properties/judging/remembered_answers.h"
 #include "properties/property.h"
@@ -52,7 +53,7 @@ class WrongNumber final : public oracle::PassingOn<WrongNumber> {
   friend PassingOn;
 
   template <class T>
-  Answer<T> pass(Answer<T> (Subject::*query)(const Scene&), const Scene& scene) {
+  Answer<T> pass(oracle::QueryFunction<T> query, const Scene& scene) {
     Answer<T> answer = (subject_.*query)(scene);
     if (const T* said = std::get_if<T>(&answer)) {
       Json json = touchstone::json_of(*said);
@@ -66,25 +67,15 @@ class WrongNumber final : public oracle::PassingOn<WrongNumber> {
   Json::json_pointer place_;
 };
 
-/// null for a scene that the query is not about.
+/// null for a scene that the query is not about, or no answer.
 Json answer_to(const std::string& query, oracle::Subject& subject, const Scene& scene) try {
-  const auto json = [](const auto& answer) {
-    Json said;
-    std::visit(
-        [&](const auto& given) {
-          if constexpr (requires { touchstone::json_of(given); }) said = touchstone::json_of(given);
-        },
-        answer);
-    return said;
-  };
-  if (query == "mass") return json(subject.mass(scene));
-  if (query == "bounds") return json(subject.bounds(scene));
-  if (query == "distance") return json(subject.distance(scene));
-  if (query == "penetration") return json(subject.penetration(scene));
-  if (query == "impulse") return json(subject.impulse(scene));
-  if (query == "time_of_impact") return json(subject.time_of_impact(scene));
-  if (query == "simulation") return json(subject.simulation(scene));
-  return json(subject.constraint(scene));
+  return std::visit(
+      [&]<class T>(oracle::QueryFunction<T> ask) {
+        const Answer<T> answer = (subject.*ask)(scene);
+        const T* said = std::get_if<T>(&answer);
+        return said == nullptr ? Json() : touchstone::json_of(*said);
+      },
+      oracle::find_query(query)->ask);
 } catch (const InputError&) {
   return nullptr;
 }
@@ -115,9 +106,8 @@ struct Seen {
 
 using Kinds = std::map<std::string, std::map<std::string, Seen>>;  // by kind and property
 
-void ask_about(const std::string& query, const Scene& scene, const std::vector<std::string>& places, Kinds& kinds) {
-  const auto fast = oracle::subjects::make_fast();
-  RememberedAnswers truthful(*fast);
+void ask_about(const std::string& query, const Scene& scene, const std::vector<std::string>& places,
+               oracle::Subject& truthful, Kinds& kinds) {
   for (const Property& property : all()) {
     if (property.query != query || asks_twice(property) || property.id.ends_with(".survives")) continue;
     if (property.check(scene, truthful).outcome != oracle::Outcome::holds) continue;
@@ -140,12 +130,13 @@ std::vector<std::string> some_of(std::vector<std::string> places, std::size_t mo
 
 std::string rows(const std::string& query) {
   const bool is_trajectory = query == "simulation" || query == "constraint";
+  const auto fast = oracle::subjects::make_fast();
   Kinds kinds;
   std::size_t turn = 0;
   for (const Scene& scene : tests::scenes_of(query)) {
-    const auto fast = oracle::subjects::make_fast();
-    const std::vector<std::string> places = numbers_of(answer_to(query, *fast, scene));
-    ask_about(query, scene, is_trajectory ? some_of(places, numbers_of_a_trajectory, turn++) : places, kinds);
+    RememberedAnswers truthful(*fast);
+    const std::vector<std::string> places = numbers_of(answer_to(query, truthful, scene));
+    ask_about(query, scene, is_trajectory ? some_of(places, numbers_of_a_trajectory, turn++) : places, truthful, kinds);
   }
   std::string text;
   for (const auto& [kind, by_property] : kinds) {
