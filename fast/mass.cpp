@@ -14,7 +14,7 @@ namespace touchstone::fast {
 namespace {
 
 /// At unit density: volume, centroid, and ∫ (x − centroid)(x − centroid)ᵀ dV, with about the errors of rounding.
-struct Solid {
+struct SolidMass {
   double volume = 0;
   Vec3 centroid = Vec3::Zero();
   Mat3 covariance = Mat3::Zero();
@@ -23,20 +23,20 @@ struct Solid {
   Mat3 covariance_error = 8 * u * covariance.cwiseAbs();
 };
 
-Solid solid(const Sphere& sphere) {
+SolidMass solid(const Sphere& sphere) {
   const double r2 = sphere.radius * sphere.radius;
   const double volume = 4 * std::numbers::pi / 3 * sphere.radius * r2;
   return {volume, Vec3::Zero(), volume * r2 / 5 * Mat3::Identity()};
 }
 
-Solid solid(const Box& box) {
+SolidMass solid(const Box& box) {
   const Vec3& h = box.half_extents;
   const double volume = 8 * h.x() * h.y() * h.z();
   return {volume, Vec3::Zero(), (volume / 3 * h.cwiseProduct(h)).asDiagonal()};
 }
 
 /// By tetrahedra from a point of the solid to the triangles of its faces. The volume may round to 0 or below.
-Solid solid_about(const Polytope& polytope, const Vec3& inside) {
+SolidMass solid_about(const Polytope& polytope, const Vec3& inside) {
   double sixfold = 0, triangles = 0;
   Vec3 moment = Vec3::Zero(), h = Vec3::Zero();
   Mat3 second = Mat3::Zero();
@@ -56,7 +56,7 @@ Solid solid_about(const Polytope& polytope, const Vec3& inside) {
   }
   const double volume = sixfold / 6;
   const Vec3 shift = moment / (4 * sixfold);
-  Solid found{volume, inside + shift, second / 120 - volume * shift * shift.transpose()};
+  SolidMass found{volume, inside + shift, second / 120 - volume * shift * shift.transpose()};
   found.volume_error = 16 * u * std::sqrt(triangles) * h.prod() / volume;
   found.centroid_error = 2 * found.volume_error * h + u * found.centroid.cwiseAbs();
   found.covariance_error = volume * (2 * found.volume_error + 8 * u) * h * h.transpose();
@@ -64,28 +64,28 @@ Solid solid_about(const Polytope& polytope, const Vec3& inside) {
 }
 
 /// About the mean of the vertices. In a sliver so thin that rounding leaves no volume, exactly.
-Solid solid(const Polytope& polytope) {
+SolidMass solid(const Polytope& polytope) {
   if (polytope.faces.empty()) throw InputError("shape.faces", "are missing: mass properties need them");
   Vec3 mean = Vec3::Zero();
   for (const Vec3& v : polytope.vertices) mean += v / static_cast<double>(polytope.vertices.size());
-  const Solid found = solid_about(polytope, mean);
+  const SolidMass found = solid_about(polytope, mean);
   if (found.volume > 0) return found;
   const motion::Spread exact = motion::exact_spread(polytope).rounded;
   return {exact.volume, exact.centroid, exact.C};
 }
 
 /// Of a compound, from the errors of its parts and the sums.
-void add_errors(Solid& whole, const std::vector<Solid>& parts) {
+void add_errors(SolidMass& whole, const std::vector<SolidMass>& parts) {
   whole.volume_error = 0;
   whole.covariance_error.setZero();
-  for (const Solid& part : parts) {
+  for (const SolidMass& part : parts) {
     const double share = part.volume / whole.volume;
     const Vec3 off = (part.centroid - whole.centroid).cwiseAbs();
     whole.volume_error += share * (part.volume_error + 8 * u);
     whole.centroid_error +=
         share * (part.centroid_error + (part.volume_error + 8 * u) * off + 8 * u * part.centroid.cwiseAbs());
   }
-  for (const Solid& part : parts) {
+  for (const SolidMass& part : parts) {
     const Vec3 off = (part.centroid - whole.centroid).cwiseAbs();
     const Vec3 off_error = part.centroid_error + whole.centroid_error;
     const Mat3 moved = off * off_error.transpose();
@@ -94,11 +94,11 @@ void add_errors(Solid& whole, const std::vector<Solid>& parts) {
   }
 }
 
-Solid solid(const Compound& compound) {
-  std::vector<Solid> parts;
-  Solid whole;
+SolidMass solid(const Compound& compound) {
+  std::vector<SolidMass> parts;
+  SolidMass whole;
   for (const Part& part : compound.parts) {
-    Solid posed = std::visit([](const auto& shape) { return solid(shape); }, part.shape);
+    SolidMass posed = std::visit([](const auto& shape) { return solid(shape); }, part.shape);
     const Mat3 R = lin_canny::rotation(part.X_BP.q_WB);
     const Mat3 of_each = R.cwiseAbs();  // R's own error, 12u, is in the constants
     posed.centroid_error = of_each * posed.centroid_error + Vec3::Constant(16 * u * posed.centroid.norm()) +
@@ -110,9 +110,9 @@ Solid solid(const Compound& compound) {
     whole.volume += posed.volume;
     parts.push_back(posed);
   }
-  for (const Solid& part : parts) whole.centroid += part.volume / whole.volume * part.centroid;
+  for (const SolidMass& part : parts) whole.centroid += part.volume / whole.volume * part.centroid;
   add_errors(whole, parts);
-  for (const Solid& part : parts) {
+  for (const SolidMass& part : parts) {
     const Vec3 off = part.centroid - whole.centroid;
     whole.covariance += part.covariance + part.volume * off * off.transpose();
   }
@@ -133,7 +133,7 @@ Mat3 inertia(double density, const Mat3& covariance) {
 std::optional<RoundedMass> mass(const Shape&, const Fixed&) { return std::nullopt; }
 std::optional<RoundedMass> mass(const Shape&, const MassProperties& given) { return RoundedMass{given}; }
 std::optional<RoundedMass> mass(const Shape& shape, const Density& density) {
-  const Solid whole = std::visit([](const auto& s) { return solid(s); }, shape);
+  const SolidMass whole = std::visit([](const auto& s) { return solid(s); }, shape);
   return RoundedMass{{density.value * whole.volume, whole.centroid, inertia(density.value, whole.covariance)},
                      whole.volume_error,
                      whole.centroid_error,

@@ -10,7 +10,6 @@ namespace touchstone::fast {
 namespace {
 
 using outward::Grower;
-using outward::Motion;
 
 void list_climbs(const Compound& compound, std::vector<Climb>& climbs);
 
@@ -28,7 +27,7 @@ void list_climbs(const Compound& compound, std::vector<Climb>& climbs) {
 
 /// The pose of a shape: X for its points, and the same as `poses` and R for the climb.
 struct RigidTransform {
-  Motion X;
+  outward::Motion X;
   std::span<const Pose> poses;
   Mat3 R;
 };

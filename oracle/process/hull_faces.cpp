@@ -12,21 +12,21 @@ namespace touchstone::oracle {
 namespace {
 
 using Face = std::vector<int>;
-using Edge = std::pair<int, int>;
+using DirectedEdge = std::pair<int, int>;
 
 class GiftWrapping {
  public:
   explicit GiftWrapping(const std::vector<Vec3>& vertices) : vertices_(vertices), on_boundary_(vertices.size()) {}
 
   std::vector<Face> faces() {
-    std::vector<Edge> open = {first_edge()};
+    std::vector<DirectedEdge> open = {first_edge()};
     while (!open.empty()) {
-      const Edge edge = open.back();
+      const DirectedEdge edge = open.back();
       open.pop_back();
       if (wrapped_.contains(edge)) continue;
       const Face face = face_left_of(edge);
       for (std::size_t i = 0; i < face.size(); ++i) {
-        const Edge side{face[i], face[(i + 1) % face.size()]};
+        const DirectedEdge side{face[i], face[(i + 1) % face.size()]};
         wrapped_.insert(side);
         open.emplace_back(side.second, side.first);
       }
@@ -64,7 +64,7 @@ class GiftWrapping {
   /// Returns two vertices on the line of an edge. All vertices lie on the left of some vertical plane through the least
   /// vertex, or in it. The least of the vertices in that plane is a corner of their outline, and the edge belongs to
   /// it.
-  Edge first_edge() const {
+  DirectedEdge first_edge() const {
     int corner = 0;
     for (int v = 1; v < count(); ++v) {
       if (before(v, corner)) corner = v;
@@ -87,7 +87,7 @@ class GiftWrapping {
   }
 
   /// The outline of the vertices in the plane through the edge that has no vertex on its outer side.
-  Face face_left_of(const Edge& edge) {
+  Face face_left_of(const DirectedEdge& edge) {
     const auto [a, b] = edge;
     int c = 0;
     while (c < count() && collinear(at(a), at(b), at(c))) ++c;
@@ -142,7 +142,7 @@ class GiftWrapping {
 
   const std::vector<Vec3>& vertices_;
   std::vector<bool> on_boundary_;
-  std::set<Edge> wrapped_;
+  std::set<DirectedEdge> wrapped_;
   std::vector<Face> faces_;
 };
 

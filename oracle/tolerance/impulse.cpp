@@ -36,7 +36,7 @@ Real crossing(const Impact& impact, const Contact& contact) {
 
 // A turn by q/|q| changes a vector by at most 44u of its length (oracle/tolerance/tolerance.cpp); there and back is two
 // turns. None is needed if the body is not turned or its inertia is the same about all axes.
-constexpr Real turn = 44;
+constexpr Real turn_factor = 44;
 
 bool needs_turn(const Body& body, const ImpactBody& impact_body) {
   const Quaternion& q = body.X_WB.q_WB;
@@ -74,7 +74,7 @@ Facts facts(const Body& body, const ImpactBody& impact_body, Precision precision
   const Real r = impact_body.p_BcmC_W.norm(),
              centre = from_density.centre + (given != nullptr ? length(given->p_BBcm) : 0);
   Facts it;
-  it.arm = u * r + (needs_turn(body, impact_body) ? 2 * turn * u * r : 0);
+  it.arm = u * r + (needs_turn(body, impact_body) ? 2 * turn_factor * u * r : 0);
   if (centre > 0) it.arm += from_density.centre + 52 * u * (length(body.X_WB.p_WB) + length(body.X_WB.p_WB) + centre);
   it.inertia = u + from_density.inertia / impact_body.moments[0];
   it.mass = u + from_density.mass / impact_body.mass;
@@ -94,7 +94,7 @@ Real stored(const Scene& scene, const Impact& impact, const std::array<Velocity,
     const ImpactBody& body = impact.bodies[i];
     if (body.fixed) continue;
     const Real change = (after[i].w_WB.cast<Real>() - body.w_WB).norm();
-    const Real turned = !exact && needs_turn(scene.bodies[i], body) ? turn * change : 0;
+    const Real turned = !exact && needs_turn(scene.bodies[i], body) ? turn_factor * change : 0;
     const Real v = length(after[i].v_WBcm) + (exact ? 0 : body.v_WBcm.norm());
     const Real w = length(after[i].w_WB) + (exact ? 0 : body.w_WB.norm());
     sum += u * (std::sqrt(body.mass) * times * v + std::sqrt(body.moments[2]) * (times * w + turned));
@@ -192,7 +192,7 @@ double angular_momentum(const Scene& scene, const Impact& impact, std::size_t i,
   const Real u = unit_roundoff(precision), r = body.p_BcmC_W.norm(), torque = r * impulse;
   const Facts off = facts(scene.bodies[i], body, precision);
   const Real condition = body.moments[2] / body.moments[0];
-  const Real turned = needs_turn(scene.bodies[i], body) ? 2 * turn * u : 0;
+  const Real turned = needs_turn(scene.bodies[i], body) ? 2 * turn_factor * u : 0;
   const Real times = sums(precision);
   const Real spin = u * body.moments[2] * (times * length(after.w_WB) + body.w_WB.norm());
   const Real swing = u * r * body.mass * (times * length(after.v_WBcm) + body.v_WBcm.norm());

@@ -5,6 +5,7 @@
 
 #include "fast/lin_canny/rotation.h"
 #include "tests/catch.h"
+#include "tests/fast/contact/axes.h"
 
 namespace touchstone::fast::contact {
 namespace {
@@ -12,7 +13,6 @@ namespace {
 using Kind = Feature::Kind;
 
 const RigidTransform origin;
-const Vec3 x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
 
 RigidTransform at(const Vec3& centre) { return {centre, Mat3::Identity()}; }
 Feature point(double radius) { return {Kind::point, Vec3::Zero(), Vec3::Zero(), radius}; }

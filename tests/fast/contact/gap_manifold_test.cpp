@@ -5,12 +5,11 @@
 #include <cmath>
 
 #include "tests/catch.h"
+#include "tests/fast/contact/axes.h"
 #include "tests/fast/contact/posed.h"
 
 namespace touchstone::fast::contact {
 namespace {
-
-const Vec3 z(0, 0, 1);
 
 GapManifold manifold_of(const Posed& A, const Posed& B, const std::optional<Vec3>& before = {}) {
   return gap_manifold(A.part(), B.part(), proximity_of(A, B), before);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "tests/catch.h"
+#include "tests/fast/contact/axes.h"
 #include "tests/fast/contact/posed.h"
 
 namespace touchstone::fast::contact {
@@ -13,7 +14,6 @@ namespace {
 using Kind = Feature::Kind;
 
 constexpr double within = 0x1p-20;
-const Vec3 x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
 
 /// Checks where the contact points are, on A, in W; their order is free.
 void check_places(const Posed& A, const Posed& B, const std::vector<Vec3>& expected) {

@@ -5,13 +5,14 @@
 #include <cmath>
 
 #include "tests/catch.h"
+#include "tests/fast/contact/axes.h"
 #include "tests/fast/contact/posed.h"
 
 namespace touchstone::fast::contact {
 namespace {
 
 constexpr double within = 0x1p-20;
-const Vec3 z(0, 0, 1), somewhere(7, 7, 7);
+const Vec3 somewhere(7, 7, 7);
 
 std::vector<Vec3> patch_of(const Posed& A, const Posed& B) {
   return patch(A.solid(), A.at(), B.solid(), B.at(), z, somewhere, within);

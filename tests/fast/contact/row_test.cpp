@@ -2,11 +2,10 @@
 #include "fast/contact/row.h"
 
 #include "tests/catch.h"
+#include "tests/fast/contact/axes.h"
 
 namespace touchstone::fast::contact {
 namespace {
-
-const Vec3 x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
 
 /// A body of mass 2 with the moments of inertia 1, 1/2 and 1/4, above a fixed one; the contact is 1 below its centre.
 const std::vector<Mobility> bodies = {{0.5, Vec3(1, 2, 4).asDiagonal()}, {}};

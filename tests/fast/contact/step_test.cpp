@@ -5,12 +5,12 @@
 
 #include "fast/motion/rigid_body_model.h"
 #include "tests/catch.h"
+#include "tests/fast/contact/axes.h"
 
 namespace touchstone::fast::contact {
 namespace {
 
 constexpr double g = 10, h = 0x1p-6, tolerance = 0x1p-40, recovery = 0x1p-10;
-const Vec3 z(0, 0, 1);
 
 motion::RigidBodyModel ball_model(double mass) {
   Body ball;
