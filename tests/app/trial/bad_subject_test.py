@@ -13,7 +13,8 @@ class AtItsStart(Test):
     def test_a_program_that_never_introduces_itself(self):
         for trick, says in [("start_exit", ("did not introduce itself", "no licence found")),
                             ("start_words", ("introduction:1:", f"{MISBEHAVING} start_words", "found the line: Welcome!")), ("start_deaf", ("did not introduce itself",))]:
-            for command in ("report", "check"):
+            # The last takes ten seconds, which a program has to start.
+            for command in ("report", "check") if trick != "start_deaf" else ("check",):
                 self.refused(command, "--cases", 1, "--time-limit", 0.2, "--json", "r.json", "--out", "R",
                              "--subjects", f"exec:{MISBEHAVING} {trick}", says=["touchstone: subject", *says])
 
