@@ -4,11 +4,10 @@
 #include <random>
 
 #include "tests/catch.h"
+#include "tests/fast/contact/axes.h"
 
 namespace touchstone::fast::contact {
 namespace {
-
-const Vec3 z(0, 0, 1);
 
 bool is_near(const Vec3& a, const Vec3& b) { return (a - b).norm() < 1e-14; }
 
