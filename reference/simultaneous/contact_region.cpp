@@ -72,12 +72,14 @@ std::vector<PartPair> touching_parts(const Scene& pair, double within) {
 
 /// Where two parts touch or nearly do: x − y = d for all closest points x, y of their cores.
 struct PartContact {
-  Triple n, d;
+  std::vector<Triple> normals;  ///< one; or of parts that touch and do not approach, the extreme rays of the cone
+  Triple d;
   std::vector<Triple> points;        ///< x
   std::array<double, 2> radii = {};  ///< of A and B (m)
+  bool gives_normal = true;          ///< else it acts along a normal that another contact gives
 };
 
-/// None if they overlap, or touch without approaching.
+/// None if they overlap.
 std::optional<PartContact> contact_of(const Scene& pair, const PartPair& parts, const BallisticStart& a,
                                       const BallisticStart& b) {
   const Body& A = pair.bodies[0];
@@ -85,35 +87,58 @@ std::optional<PartContact> contact_of(const Scene& pair, const PartPair& parts, 
   PartContact contact;
   std::optional<InitialContact> touch;
   if (parts.apart.verdict == Verdict::separated) {
-    contact.n = contact.d = exact(parts.apart.difference);
+    contact.d = exact(parts.apart.difference);
+    contact.normals = {contact.d};
   } else {
     touch = initial_contact(A, parts.A, a, B, parts.B, b, 0);
-    if (touch->kind != InitialContact::Kind::approaching) return std::nullopt;
+    if (touch->kind == InitialContact::Kind::overlapping) return std::nullopt;
     contact.d = minus(touch->x, touch->y);
   }
   contact.points = closest_points_on_A(A, parts.A, B, parts.B, contact.d);
-  if (touch) contact.n = approach_normal(touch->normals, contact.points, contact.d, a, b, touch->n);
+  if (touch) {
+    contact.gives_normal = touch->kind == InitialContact::Kind::approaching;
+    contact.normals = touch->normals;
+    if (contact.gives_normal)
+      contact.normals = {approach_normal(touch->normals, contact.points, contact.d, a, b, touch->n)};
+  }
   contact.radii = {core_of(A, parts.A).radius, core_of(B, parts.B).radius};
   return contact;
 }
 
 bool have_one_direction(const Triple& n, const Triple& m) { return cross(n, m) == Triple{} && dot(n, m) > 0; }
 
-/// By the directions of their normals, in the order of the first of each.
-void add_to(std::vector<std::vector<PartContact>>& groups, const PartContact& contact, bool is_nearest) {
-  const auto known =
-      std::ranges::find_if(groups, [&](const auto& group) { return have_one_direction(group[0].n, contact.n); });
-  if (known != groups.end()) {
-    known->push_back(contact);
-  } else if (is_nearest) {
-    groups.push_back({contact});
-  }
+/// Contacts with one normal.
+struct ContactDirection {
+  Triple n;
+  std::vector<PartContact> contacts;
+};
+
+bool has_normal(const PartContact& contact, const Triple& n) {
+  return std::ranges::any_of(contact.normals, [&](const Triple& m) { return have_one_direction(n, m); });
 }
 
-bool approaches(const std::vector<PartContact>& group, const BallisticStart& a, const BallisticStart& b) {
-  return std::ranges::any_of(group, [&](const PartContact& contact) {
+/// By the directions of the normals of those of the nearest that approach or are apart, in their order.
+std::vector<ContactDirection> by_direction(const std::vector<PartContact>& contacts) {
+  std::vector<ContactDirection> directions;
+  for (const PartContact& contact : contacts) {
+    const Triple& n = contact.normals.front();
+    if (contact.gives_normal && std::ranges::none_of(directions, [&](const ContactDirection& direction) {
+          return has_normal(contact, direction.n);
+        }))
+      directions.push_back({n, {}});
+  }
+  for (const PartContact& contact : contacts) {
+    const auto direction =
+        std::ranges::find_if(directions, [&](const ContactDirection& one) { return has_normal(contact, one.n); });
+    if (direction != directions.end()) direction->contacts.push_back(contact);
+  }
+  return directions;
+}
+
+bool approaches(const ContactDirection& direction, const BallisticStart& a, const BallisticStart& b) {
+  return std::ranges::any_of(direction.contacts, [&](const PartContact& contact) {
     return std::ranges::any_of(contact.points, [&](const Triple& x) {
-      return dot(group[0].n, minus(velocity(a, x), velocity(b, minus(x, contact.d)))) < 0;
+      return dot(direction.n, minus(velocity(a, x), velocity(b, minus(x, contact.d)))) < 0;
     });
   });
 }
@@ -135,20 +160,22 @@ std::vector<ContactRegion> approaching_regions(const Scene& scene, int index_a, 
   const Scene pair = pair_of(scene, index_a, index_b);
   const BallisticStart a = ballistic_start(pair, 0), b = ballistic_start(pair, 1);
   const std::vector<PartPair> touching = touching_parts(pair, within);
-  std::vector<std::vector<PartContact>> groups;
+  std::vector<PartContact> contacts;
   for (const PartPair& parts : touching) {
+    std::optional<PartContact> contact = contact_of(pair, parts, a, b);
+    if (!contact) continue;
     // Another direction counts only of what is as near: else a ball that slides over the seam of two parts would meet
     // the edge of the next one.
-    const bool is_nearest = parts.apart.distance.lo <= touching[0].apart.distance.lo;
-    if (const std::optional<PartContact> contact = contact_of(pair, parts, a, b)) add_to(groups, *contact, is_nearest);
+    if (parts.apart.distance.lo > touching[0].apart.distance.lo) contact->gives_normal = false;
+    contacts.push_back(*std::move(contact));
   }
   std::vector<ContactRegion> regions;
-  for (const std::vector<PartContact>& group : groups) {
-    if (!approaches(group, a, b)) continue;
-    const Three<Float> n = float_of(group[0].n);
+  for (const ContactDirection& direction : by_direction(contacts)) {
+    if (!approaches(direction, a, b)) continue;
+    const Three<Float> n = float_of(direction.n);
     const Three<Float> nhat = scaled(Float(1 / sqrt(inner(n, n))), n);
     std::vector<Vec3> known;  // where two parts meet, a point is one of both
-    for (const PartContact& contact : group) {
+    for (const PartContact& contact : direction.contacts) {
       ContactRegion region{index_a, index_b, rounded(nhat), {}};
       for (const Vec3& point : midpoints(contact, nhat)) {
         if (std::ranges::find(known, point) == known.end()) region.points_W.push_back(point);
