@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 
 #include "model/limits.h"
 
@@ -23,10 +22,14 @@ Error worst_sample(const Scene& scene, Misses misses) {
   };
 }
 
+/// The masses, which are exact, are worked out where an answer is judged: each start of the program makes all scenes.
 Error booked(const Scene& scene, const std::function<Real(const Energies& first, const Energies& now)>& misses) {
-  const auto report = std::make_shared<EnergyReport>(scene);
-  const Energies first = report->at_start();
-  return worst_sample(scene, [=](Real, const std::vector<State>& states) { return misses(first, report->at(states)); });
+  return [=](const Trajectory& answer) {
+    const EnergyReport report(scene);
+    const Energies first = report.at_start();
+    return worst_sample(
+        scene, [&](Real, const std::vector<State>& states) { return misses(first, report.at(states)); })(answer);
+  };
 }
 
 /// An upper bound of the displacement of all points within `reach` of the body's origin.
