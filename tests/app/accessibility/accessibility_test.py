@@ -24,7 +24,7 @@ class Accessibility(Test):
         cls.runs, cls.browser = folder_and_browser(cls, webgl=True)
 
     def make(self, *words):
-        subprocess.run([PROGRAM, *words], cwd=self.runs, check=True, capture_output=True)
+        subprocess.run([PROGRAM, *as_asked(words)], cwd=self.runs, check=True, capture_output=True)
 
     def violations(self, page, width, dark):
         self.browser.open((self.runs / page).as_uri(), width, dark=dark)

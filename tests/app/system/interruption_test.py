@@ -97,7 +97,7 @@ class Interruption(Test):
         for sent, code in SIGNALS.items():
             with self.subTest(sent):
                 out = f"R{code}"
-                run = self.start("report", "--subjects", "reference,bullet.double", "--queries", "distance", "--cases", 100000,
+                run = self.start("report", "--subjects", "reference,bullet.double", "--properties", "distance.survives", "--cases", 100000,
                                  "--jobs", 2, "--out", out)
                 wait_until_asking(run.pid)
                 self.assertFalse((self.folder / out / "index.html").exists())

@@ -67,7 +67,7 @@ class Stdout(Writing):
             os.close(2)
 
         self.file("bad.json", "{")
-        done = subprocess.run([PROGRAM, "check", *map(str, TRIAL), "--json", "r.json", "--meshes", "none"], cwd=self.folder,
+        done = subprocess.run([PROGRAM, *as_asked(["check", *TRIAL, "--json", "r.json", "--meshes", "none"])], cwd=self.folder,
                               stdout=subprocess.PIPE, timeout=300, preexec_fn=close)
         self.assertEqual(done.returncode, 2)
         done = subprocess.run([PROGRAM, "import", "mesh.obj", "--out", "made.json"], cwd=self.folder, stdout=subprocess.PIPE,
