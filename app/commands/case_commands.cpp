@@ -118,14 +118,14 @@ void print_words(const Case& a_case, const Property& property, const oracle::Car
   print_line("note", a_case.note);
 }
 
-struct Asked {
+struct AskedAgain {
   oracle::Card card;
   Finding finding;
   std::optional<Scene> last;  ///< the scene of the last question
 };
 
 /// Ends the subject, so that all lines are exchanged before the words.
-Asked ask(const Scene& scene, const Property& property, const std::unique_ptr<oracle::Subject> subject) {
+AskedAgain ask(const Scene& scene, const Property& property, const std::unique_ptr<oracle::Subject> subject) {
   LastAsked last_asked(*subject);
   const Finding finding = property.check(scene, last_asked);
   return {subject->card(), finding, last_asked.scene()};
@@ -151,7 +151,7 @@ int replay(const CaseCommand& command) {
   const std::string connectable = name_of_subject(command, "replay", a_case);
   oracle::PipeLimits limits = limits_of(command.time_limit);
   if (command.trace) limits.trace = print_traced(connectable);
-  const Asked asked = ask(a_case.scene, property, connect(connectable, limits));
+  const AskedAgain asked = ask(a_case.scene, property, connect(connectable, limits));
   if (command.json) {
     print_lines(text_of(oracle::json_of(asked.finding)));
   } else {

@@ -49,7 +49,7 @@ namespace {
 
 constexpr int largest_count = 1'000'000'000;
 
-struct Asked {
+struct AskOptions {
   std::string query;
   std::string scene;
   bool json = false;
@@ -84,7 +84,7 @@ struct Options {
   CaseCommand replay;
   CaseCommand minimise;
   AdapterCommand adapter;
-  Asked ask;
+  AskOptions ask;
   JudgeOptions judge;
   Planned plan;
   SimulateCommand simulate;

@@ -53,7 +53,8 @@ constexpr std::array<ShortName, 5> short_names = {{{"bullet", "bullet.simulation
                                                    {"simbody", "simbody.simulation"}}};
 
 /// In the order of Event::Kind.
-constexpr std::array<const char*, 6> kinds = {"impact", "micro_collision", "completed", "contact", "release", "force"};
+constexpr std::array<const char*, 6> event_kinds = {"impact",  "micro_collision", "completed",
+                                                    "contact", "release",         "force"};
 
 /// Keeps the scene's sample times before `until`, adds some after the scene's own end, and makes `until` the last.
 void end_at(Scene& scene, double until) {
@@ -201,10 +202,11 @@ void print_events(const Trajectory& trajectory) {
     print("events     this engine reports none\n");
     return;
   }
-  std::array<std::size_t, kinds.size()> counts{};
+  std::array<std::size_t, event_kinds.size()> counts{};
   for (const Event& event : *trajectory.events) ++counts[static_cast<std::size_t>(event.kind)];
   std::string line;
-  for (std::size_t k = 0; k < kinds.size(); ++k) line += fmt::format("{}{} {}", k > 0 ? ", " : "", kinds[k], counts[k]);
+  for (std::size_t k = 0; k < event_kinds.size(); ++k)
+    line += fmt::format("{}{} {}", k > 0 ? ", " : "", event_kinds[k], counts[k]);
   print("events     {}\n", line);
   print("contact    {} changes to contact mode or within it, {} back to ballistic motion\n",
         counts[static_cast<std::size_t>(Event::Kind::contact)], counts[static_cast<std::size_t>(Event::Kind::release)]);

@@ -22,9 +22,9 @@ using properties::Property;
 
 constexpr double without_error = -1100;  ///< less than log2 of any double
 
-class Search {
+class ErrorSearch {
  public:
-  Search(const Example& example, const Property& property, oracle::Subject& subject)
+  ErrorSearch(const Example& example, const Property& property, oracle::Subject& subject)
       : best_(example), property_(property), subject_(subject) {}
 
   void run(double step, int budget) {
@@ -53,7 +53,7 @@ class Search {
 
  private:
   static double error_at(unsigned n, const double* x, double* /*gradient*/, void* search) {
-    return static_cast<Search*>(search)->error_at({x, n});
+    return static_cast<ErrorSearch*>(search)->error_at({x, n});
   }
 
   /// log2 of the error.
@@ -93,7 +93,7 @@ class Search {
 
 std::optional<Example> enlarged(const Example& example, const Property& property, oracle::Subject& subject,
                                 int budget) {
-  Search search(example, property, subject);
+  ErrorSearch search(example, property, subject);
   for (const double step : {0x1p-3, 0x1p-12, 0x1p-24}) search.run(step, budget / 3);
   return search.is_larger() ? std::optional(search.best()) : std::nullopt;
 }

@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* format = "shard/3";
+constexpr const char* shard_format = "shard/3";
 constexpr const char* timing_format = "shard-timing/1";
 constexpr int most_shards = 100'000;
 
@@ -99,7 +99,8 @@ ShardFile read_shard(const std::string& file) {
   }
   const std::string place = file + ":1";  // a node does not keep it
   const Node head(all.front(), place);
-  if (head.at("touchstone").text() != format) head.at("touchstone").refuse(fmt::format("expected \"{}\"", format));
+  if (head.at("touchstone").text() != shard_format)
+    head.at("touchstone").refuse(fmt::format("expected \"{}\"", shard_format));
   ShardFile shard;
   shard.shard = {head.at("shard").index(), head.at("of").index()};
   head.at("plan");
@@ -130,7 +131,7 @@ std::string shard_file(const std::string& folder, Shard shard) {
 
 void write_shard(const std::string& file, Shard shard, const RunOptions& options,
                  const std::vector<std::string>& subjects, const ShardResult& result) {
-  const Json head = {{"touchstone", format},
+  const Json head = {{"touchstone", shard_format},
                      {"shard", shard.number},
                      {"of", shard.of},
                      {"versions", result.versions},

@@ -18,7 +18,7 @@
 namespace touchstone::app {
 namespace {
 
-constexpr const char* format = "vectors/1";
+constexpr const char* vectors_format = "vectors/1";
 
 /// FNV-1a of 32 bits (Fowler, Noll, Vo): an id that stays as vectors are added and as their order changes.
 std::string id_of(const std::string& query, const std::string& scene) {
@@ -71,8 +71,8 @@ std::string vectors_file(const std::string& folder, const std::string& query) {
 std::vector<TestVector> read_vectors(const std::string& file) {
   if (!std::filesystem::exists(file)) return {};
   return read_document(read_text(file), file, [](const Json& json) {
-    if (!json.is_object() || json.value("touchstone", "") != format) {
-      throw InputError("touchstone", fmt::format("\"{}\" is expected", format));
+    if (!json.is_object() || json.value("touchstone", "") != vectors_format) {
+      throw InputError("touchstone", fmt::format("\"{}\" is expected", vectors_format));
     }
     const auto tests = json.find("tests");
     if (tests == json.end() || !tests->is_array()) throw InputError("tests", "an array is expected");
@@ -123,8 +123,8 @@ std::string text_of_vectors(const std::string& query, const std::vector<TestVect
     }
   }
   return fmt::format(
-      "{{\n  \"touchstone\": \"{}\",\n  \"query\": \"{}\",\n  \"clauses\": {},\n  \"tests\": [{}\n  ]\n}}\n", format,
-      query, clauses_of(query).dump(), lines);
+      "{{\n  \"touchstone\": \"{}\",\n  \"query\": \"{}\",\n  \"clauses\": {},\n  \"tests\": [{}\n  ]\n}}\n",
+      vectors_format, query, clauses_of(query).dump(), lines);
 }
 
 }  // namespace touchstone::app

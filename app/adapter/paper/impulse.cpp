@@ -38,7 +38,7 @@ Body ball(const Vec3& v, const Vec3& w = Vec3::Zero()) {
 Body ground() { return fixed(body(Box{{1, 1, 0.25}}, {0, 0, -0.25})); }
 
 const Vec3 o(0, 0, 0);
-const Velocity rest{};
+const Velocity at_rest{};
 
 // Two bodies in a central impact: P = (1 + e) |u_n| m_A m_B/(m_A + m_B).
 std::vector<PaperScene> two_bodies() {
@@ -59,21 +59,22 @@ std::vector<PaperScene> two_bodies() {
 // On a fixed body: P_n = (1 + e) |u_n| for m = 1. The ball's M is 1 + 1/(1/2) = 3: friction min(μ P_n, |u_t|/3) acts
 // against the slip u_t = v_t + w × r, r = (0, 0, −1), and changes v by P_t and w by 2 r × P_t.
 std::vector<PaperScene> on_the_ground() {
-  return {impact("a bounce", ball({1, 2, -4}), ground(), 0.5, 0, {{1, 2, 2}, o}, rest),
-          impact("no bounce", ball({1, 2, -4}), ground(), 0, 0, {{1, 2, 0}, o}, rest),
-          // P_n = 3, μ P_n = 3/4 < 3/3
-          impact("slip along x", ball({3, 0, -2}), ground(), 0.5, 0.25, {{2.25, 0, 1}, {0, 1.5, 0}}, rest),
-          impact("slip along y", ball({0, -3, -2}), ground(), 0.5, 0.25, {{0, -2.25, 1}, {1.5, 0, 0}}, rest),
-          // μ P_n = 6 > 3/3: it sticks
-          impact("stick", ball({3, 0, -2}), ground(), 0.5, 2, {{2, 0, 1}, {0, 2, 0}}, rest),
-          // the spin alone makes the slip w × r = (2, 0, 0), and 2/3 < 3/4 stops it
-          impact("spin", ball({0, 0, -2}, {0, -2, 0}), ground(), 0.5, 0.25, {{-2.0 / 3, 0, 1}, {0, -2.0 / 3, 0}}, rest),
-          // a conveyor belt: slip −1, and 1/3 stops it; the belt keeps its velocity
-          impact("a moving fixed body", ball({0, 0, -2}), moving(ground(), {1, 0, 0}), 0.5, 0.25,
-                 {{1.0 / 3, 0, 1}, {0, -2.0 / 3, 0}}, {{1, 0, 0}, o}),
-          // a ball that moves with the belt does not slip
-          impact("at the belt's speed", ball({1, 0, -2}), moving(ground(), {1, 0, 0}), 0.5, 0.25, {{1, 0, 1}, o},
-                 {{1, 0, 0}, o})};
+  return {
+      impact("a bounce", ball({1, 2, -4}), ground(), 0.5, 0, {{1, 2, 2}, o}, at_rest),
+      impact("no bounce", ball({1, 2, -4}), ground(), 0, 0, {{1, 2, 0}, o}, at_rest),
+      // P_n = 3, μ P_n = 3/4 < 3/3
+      impact("slip along x", ball({3, 0, -2}), ground(), 0.5, 0.25, {{2.25, 0, 1}, {0, 1.5, 0}}, at_rest),
+      impact("slip along y", ball({0, -3, -2}), ground(), 0.5, 0.25, {{0, -2.25, 1}, {1.5, 0, 0}}, at_rest),
+      // μ P_n = 6 > 3/3: it sticks
+      impact("stick", ball({3, 0, -2}), ground(), 0.5, 2, {{2, 0, 1}, {0, 2, 0}}, at_rest),
+      // the spin alone makes the slip w × r = (2, 0, 0), and 2/3 < 3/4 stops it
+      impact("spin", ball({0, 0, -2}, {0, -2, 0}), ground(), 0.5, 0.25, {{-2.0 / 3, 0, 1}, {0, -2.0 / 3, 0}}, at_rest),
+      // a conveyor belt: slip −1, and 1/3 stops it; the belt keeps its velocity
+      impact("a moving fixed body", ball({0, 0, -2}), moving(ground(), {1, 0, 0}), 0.5, 0.25,
+             {{1.0 / 3, 0, 1}, {0, -2.0 / 3, 0}}, {{1, 0, 0}, o}),
+      // a ball that moves with the belt does not slip
+      impact("at the belt's speed", ball({1, 0, -2}), moving(ground(), {1, 0, 0}), 0.5, 0.25, {{1, 0, 1}, o},
+             {{1, 0, 0}, o})};
 }
 
 /// A turntable that turns about (−1, 0, z) by 2 rad/s: its point at C has the velocity (0, 2, 0), as the ball has.
@@ -88,7 +89,7 @@ PaperScene ceiling() {
   Body above = ground();
   above.X_WB.p_WB = {0, 0, 0.25};
   const Body below = moving(given(body(Sphere{1}, {0, 0, -1}), 2, {1, 1, 1}), {0, 1, 3});
-  return impact("a fixed body above", above, below, 0.5, 0, rest, {{0, 1, -1.5}, o});
+  return impact("a fixed body above", above, below, 0.5, 0, at_rest, {{0, 1, -1.5}, o});
 }
 
 // Without friction: K = 1/m + |r × n|²/I, P = (1 + e) |u_n|/K; v_n changes by P/m, w by r × n P/I.
@@ -101,10 +102,11 @@ std::vector<PaperScene> off_centre() {
   const auto falling = [](const Vec3& h, const Turn& turn) {
     return moving(dense(body(Box{h}, {-0.5, 0, 3}, turn), 1.0 / 48), {0, 0, -2});
   };
-  return {impact("a centre of mass off the origin", shifted, ground(), 1, 0, {{0, 0, -2.0 / 3}, {0, 8.0 / 3, 0}}, rest),
-          impact("a box off its centre", falling({1, 2, 3}, upright), ground(), 0.5, 0, after, rest),
-          // the frame of the same box is turned about x, so its extents are y, z exchanged
-          impact("a turned box off its centre", falling({1, 3, 2}, quarter_about_x), ground(), 0.5, 0, after, rest)};
+  return {
+      impact("a centre of mass off the origin", shifted, ground(), 1, 0, {{0, 0, -2.0 / 3}, {0, 8.0 / 3, 0}}, at_rest),
+      impact("a box off its centre", falling({1, 2, 3}, upright), ground(), 0.5, 0, after, at_rest),
+      // the frame of the same box is turned about x, so its extents are y, z exchanged
+      impact("a turned box off its centre", falling({1, 3, 2}, quarter_about_x), ground(), 0.5, 0, after, at_rest)};
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 namespace touchstone::fast::contact {
 namespace {
 
-constexpr double g = 10;
+constexpr double gravity = 10;
 
 bool stands(Contacts contacts) {
   const double load = greatest_speed(contacts.twists);
@@ -20,7 +20,7 @@ bool stands(Contacts contacts) {
 }
 
 /// A cube's load along x, relative to its weight.
-Vec3 tilted(double slope) { return g * Vec3(slope, 0, -1); }
+Vec3 tilted(double slope) { return gravity * Vec3(slope, 0, -1); }
 
 TEST_CASE("balance: a stack stands, and each face carries what is above it") {
   for (const int count : {1, 17, 200, 500}) {
@@ -32,7 +32,7 @@ TEST_CASE("balance: a stack stands, and each face carries what is above it") {
   for (int i = 0; i < 100; ++i) {
     double carried = 0;
     for (int corner = 0; corner < 4; ++corner) carried += contacts.rows[index(4 * i + corner)].P.z();
-    CHECK(carried == Approx(g * (100 - i)).epsilon(1e-9));
+    CHECK(carried == Approx(gravity * (100 - i)).epsilon(1e-9));
   }
 }
 

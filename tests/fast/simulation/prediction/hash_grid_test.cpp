@@ -10,7 +10,6 @@ namespace touchstone::fast::simulation {
 namespace {
 
 using tests::Dice;
-using tests::World;
 
 std::vector<BodyId> sorted_neighbours(HashGrid& hash_grid, BodyId id) {
   const std::span<const BodyId> near = hash_grid.neighbours(id);
@@ -57,7 +56,7 @@ Aabb on_border(Dice& dice) {
 
 TEST_CASE("tiling: near are those whose boxes meet, frame after frame") {
   constexpr BodyId bodies = 160;
-  for (const World world : tests::worlds) {
+  for (const tests::World world : tests::worlds) {
     for (const double cell : {0.01, 0.4, 30.0}) {
       CAPTURE(static_cast<int>(world), cell);
       Dice dice(7);
