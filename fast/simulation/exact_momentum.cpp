@@ -15,7 +15,7 @@ Vec3 on_grid(const Vec3& P, double grid) {
 }  // namespace
 
 ExactMomentum::ExactMomentum(const World& world) : world_(&world) {
-  if (!world.gravity().isZero(0) || !world.motion().forces.empty()) {
+  if (!world.scene().gravity.isZero(0) || !world.scene().motion->forces.empty()) {
     throw InputError("gravity", "changes momentum; it can be kept exact only without gravity and applied forces");
   }
   double energy = 0, heaviest = 0;

@@ -1,5 +1,6 @@
 #include "fast/simulation/impact_event.h"
 
+#include "fast/simulation/response.h"
 #include "fast/simulation/rest/rest_event.h"
 #include "fast/simulation/trajectory.h"
 
@@ -15,7 +16,8 @@ void apply_impulse(Run& run, Event::Kind kind, BodyId id_a, BodyId id_b, const T
   World& world = run.world;
   if (run.exact_momentum) run.exact_momentum->apply(id_a, id_b, result);
   for (const BodyId id : {id_a, id_b}) sum_up_bounces(run, id);
-  const State a{run.islands.state(id_a).X_WB, result.after_a}, b{run.islands.state(id_b).X_WB, result.after_b};
+  const State before_a = run.islands.state(id_a), before_b = run.islands.state(id_b);
+  const State a{before_a.X_WB, result.after_a}, b{before_b.X_WB, result.after_b};
   Statistics& statistics = run.recorder.statistics();
   statistics.loss += result.loss;
   if (world.body(id_a).fixed()) statistics.to_fixed += result.P_A_W;
@@ -23,8 +25,9 @@ void apply_impulse(Run& run, Event::Kind kind, BodyId id_a, BodyId id_b, const T
   run.recorder.record({kind, world.now(), static_cast<int>(id_a), static_cast<int>(id_b), touch.p_WC, touch.nhat_BA_W,
                        result.P_A_W, a, b});
   for (const BodyId id : {id_a, id_b}) {
+    const BodyMotion& body = world.body(id);
+    if (!body.fixed()) world.count_impact(id, speed_bound(body, (id == id_a ? before_a : before_b).velocity));
     if (run.rests.of(id)) release_rest(run, id, id == id_a ? a : b);
-    if (!world.body(id).fixed()) world.count_impact(id);
   }
   set_trajectory(run, id_a, a);
   set_trajectory(run, id_b, b);

@@ -15,7 +15,7 @@ Recorder::Recorder(const World& world, const Islands& islands, bool keep_events)
 }
 
 double Recorder::next_sample() const {
-  const std::vector<double>& times = world_->motion().sample_times;
+  const std::vector<double>& times = world_->scene().motion->sample_times;
   return sampled_ < times.size() ? times[sampled_] : never;
 }
 

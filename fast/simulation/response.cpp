@@ -27,6 +27,10 @@ Response classify(const ContactSpeeds& speeds, bool has_closed_form, bool micro_
   return speeds.u_n < 0 ? Response::impact : Response::later;
 }
 
+double speed_bound(const BodyMotion& body, const Velocity& V) {
+  return V.v_WBcm.norm() + body.radius() * V.w_WB.norm();
+}
+
 double centripetal_bound(const World& world, const Islands& islands, BodyId a, BodyId b) {
   const auto of = [&](BodyId id) {
     const BodyMotion& body = world.body(id);
@@ -40,9 +44,9 @@ double rebound_speed(const World& world, const Islands& islands, BodyId a, BodyI
   if (acceleration > 0) return micro_bounce_speed(acceleration, world.envelope());
   const double swings = micro_bounce_speed(centripetal_bound(world, islands, a, b), world.envelope());
   if (world.coefficients(a, b).restitution == 1) return swings;
+  // An impact leaves the rounding of the velocities before it.
   const auto speed = [&](BodyId id) {
-    const Velocity V = islands.state(id).velocity;
-    return V.v_WBcm.norm() + world.body(id).radius() * V.w_WB.norm();
+    return std::max(speed_bound(world.body(id), islands.state(id).velocity), world.speed_before_impacts(id));
   };
   return std::max(swings, solver_accuracy * (speed(a) + speed(b)));
 }

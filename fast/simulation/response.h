@@ -30,12 +30,16 @@ struct ContactSpeeds {
 /// `has_closed_form` matters only for a slow contact of bodies that are not in contact yet.
 Response classify(const ContactSpeeds& speeds, bool has_closed_form, bool micro_collisions);
 
+/// An upper bound of the speed of a body's points (m/s).
+double speed_bound(const BodyMotion& body, const Velocity& V);
+
 /// An upper bound of the acceleration with which the rotation of two bodies may press them together without applied
 /// forces: the centripetal acceleration of their points (m/s²).
 double centripetal_bound(const World& world, const Islands& islands, BodyId a, BodyId b);
 
 /// The unit of approach speeds of a pair in contact (m/s): the speed of a micro-bounce within the envelope. Without
-/// applied accelerations and with e < 1, at least the speed that the contact solver cannot distinguish from rest.
+/// applied accelerations and with e < 1, at least the speed that the contact solver cannot distinguish from rest
+/// beside the present speeds and those before impacts at this time.
 double rebound_speed(const World& world, const Islands& islands, BodyId a, BodyId b);
 
 /// The speeds of a pair that touches with the normal velocity u_n.

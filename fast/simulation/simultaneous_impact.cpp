@@ -235,6 +235,7 @@ std::vector<std::vector<PairPoints>> separate(const Run& run, const std::vector<
 }
 
 /// Of several contacts that are one region: those that press without friction. Parts of a body may touch at one point.
+/// Where rounding hides which press, the one that approaches fastest.
 std::vector<PairPoints> pressing(const Run& run, const std::vector<PairPoints>& contacts) {
   Bodies bodies;
   std::vector<contact::ContactRow> rows;
@@ -249,6 +250,7 @@ std::vector<PairPoints> pressing(const Run& run, const std::vector<PairPoints>& 
     if (p.segment(first, count).sum() > 0) some.push_back(points);
     first += count;
   }
+  if (some.empty()) some.push_back(*std::ranges::min_element(contacts, {}, fastest));
   return some;
 }
 

@@ -44,24 +44,25 @@ World::World(const Scene& scene)
       bodies_(body_motions(scene)),
       acceleration_(bodies_.size(), scene.gravity),
       last_impact_(bodies_.size(), -never),
+      speed_before_(bodies_.size(), 0),
       impacts_(bodies_.size(), 0) {}
 
 double World::start_time(BodyId id) const {
-  const std::vector<double>& start_times = motion().start_times;
+  const std::vector<double>& start_times = scene_->motion->start_times;
   return start_times.empty() ? 0 : start_times[id];
 }
 
 Coefficients World::coefficients(BodyId a, BodyId b) const {
-  return simulation::coefficients(bodies_[a], bodies_[b], motion().law);
+  return simulation::coefficients(bodies_[a], bodies_[b], scene_->motion->law);
 }
 
 double World::next_force_time() const {
-  const std::vector<AppliedForce>& forces = motion().forces;
+  const std::vector<AppliedForce>& forces = scene_->motion->forces;
   return applied_forces_ < forces.size() ? forces[applied_forces_].time : never;
 }
 
 const AppliedForce& World::apply_next_force() {
-  const AppliedForce& force = motion().forces[applied_forces_++];
+  const AppliedForce& force = scene_->motion->forces[applied_forces_++];
   const auto id = static_cast<BodyId>(force.body);
   acceleration_[id] = scene_->gravity + bodies_[id].inverse_mass() * force.force_W;
   return force;

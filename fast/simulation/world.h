@@ -15,8 +15,7 @@ class World {
   /// outlive the world.
   explicit World(const Scene& scene);
 
-  const Motion& motion() const { return *scene_->motion; }
-  const Vec3& gravity() const { return scene_->gravity; }
+  const Scene& scene() const { return *scene_; }  ///< it has a motion
   double envelope() const { return envelope_; }
   double reach() const { return reach_; }  ///< m; bodies in contact that are this near take their steps together
   double end() const { return end_; }      ///< s; of the motion
@@ -46,8 +45,14 @@ class World {
   /// Sets the acceleration of the next force's body, which does not change its trajectory yet. Returns the force.
   const AppliedForce& apply_next_force();
 
-  void count_impact(BodyId id) { last_impact_[id] = now_, ++impacts_[id]; }
+  /// `speed`: that of the body before the impact (m/s; `speed_bound` of response.h).
+  void count_impact(BodyId id, double speed) {
+    speed_before_[id] = std::max(speed, speed_before_impacts(id));
+    last_impact_[id] = now_, ++impacts_[id];
+  }
   bool had_impact_now(BodyId id) const { return last_impact_[id] == now_; }
+  /// Of the body's impacts at this time (m/s); 0 if there is none.
+  double speed_before_impacts(BodyId id) const { return had_impact_now(id) ? speed_before_[id] : 0; }
   std::uint64_t impacts(BodyId a, BodyId b) const { return impacts_[a] + impacts_[b]; }  ///< of either, with any body
 
  private:
@@ -55,8 +60,8 @@ class World {
   double envelope_, reach_, end_;
   double now_ = 0;
   std::vector<BodyMotion> bodies_;
-  std::vector<Vec3> acceleration_;  ///< indexed by body, like the next two: if it moves
-  std::vector<double> last_impact_;
+  std::vector<Vec3> acceleration_;  ///< indexed by body, like the next three: if it moves
+  std::vector<double> last_impact_, speed_before_;
   std::vector<std::uint64_t> impacts_;
   std::size_t applied_forces_ = 0;
 };

@@ -45,7 +45,14 @@ bool needs_turn(const Body& body, const ImpactBody& impact_body) {
 
 Real length(const Vec3& v) { return v.cast<Real>().norm(); }
 
-// Rounding errors of the properties of one body, in SI units. All 0 for an exact subject, which only rounds its answer.
+// Of what is computed from the scene: by the subject, or, for an exact one, which only rounds its answer, by the judge,
+// in long double. K may be so ill-conditioned that this shows: cond(K) is up to 2^44.
+constexpr Real rounding_of_judge = 0x1p-64L;
+Real computed(Precision precision) {
+  return precision == Precision::exact ? rounding_of_judge : Real(unit_roundoff(precision));
+}
+
+// Rounding errors of the properties of one body, in SI units.
 struct Facts {
   Real arm = 0;      // m: of r = p_WC − p_WBcm
   Real inertia = 0;  // 1: of I⁻¹, relative to its least moment
@@ -56,7 +63,7 @@ struct Facts {
 // tolerance::mass.
 MassBound of_density(const Body& body, const ImpactBody& impact_body, Precision precision) {
   const double u = unit_roundoff(precision);
-  if (!std::holds_alternative<Density>(body.mass)) return {};
+  if (precision == Precision::exact || !std::holds_alternative<Density>(body.mass)) return {};
   const bool primitive = std::holds_alternative<Sphere>(body.shape) || std::holds_alternative<Box>(body.shape);
   if (!primitive) return mass(body, precision);
   return {.mass = 8 * u * static_cast<double>(impact_body.mass),
@@ -67,8 +74,8 @@ MassBound of_density(const Body& body, const ImpactBody& impact_body, Precision 
 // The difference rounds by u|r|. Into the body's axes and back are two turns. Mass properties from a density:
 // tolerance::mass.
 Facts facts(const Body& body, const ImpactBody& impact_body, Precision precision) {
-  if (precision == Precision::exact || impact_body.fixed) return {};
-  const Real u = unit_roundoff(precision);
+  if (impact_body.fixed) return {};
+  const Real u = computed(precision);
   const MassBound from_density = of_density(body, impact_body, precision);
   const auto* given = std::get_if<MassProperties>(&body.mass);
   const Real r = impact_body.p_BcmC_W.norm(),
@@ -133,12 +140,12 @@ Real disturbed(const Scene& scene, const Impact& impact, Real K, Real du) {
 //           most √m* times its length. Times of_u.
 //   solver  above, times uN.
 //   applied P/m and I⁻¹(r × P): the same errors once more, of |P|_K ≤ 2N.
-//   stored  above.
+//   stored  above; for an exact subject also the impulse, uN.
 // All but the last times crossing.
 double impulse(const Scene& scene, const Impact& impact, const std::array<Velocity, 2>& after, Precision precision) {
-  const Real u = unit_roundoff(precision), N = size(scene, impact);
-  const Real said = stored(scene, impact, after, precision);
-  if (precision == Precision::exact) return static_cast<double>(said + u * N);
+  const Real u = computed(precision), N = size(scene, impact);
+  Real said = stored(scene, impact, after, precision);
+  if (precision == Precision::exact) said += unit_roundoff(precision) * N;
   Real K = 0, du = 0;
   for (std::size_t i = 0; i < 2; ++i) {
     const ImpactBody& body = impact.bodies[i];

@@ -1,8 +1,9 @@
 // The dynamics of a contact of two bodies that follow from Newton's laws alone, without a law of restitution or
 // friction.
 //
-// In long double, for judging: its rounding, 2⁻⁶⁴, is far below any allowance. Written from the definitions and
-// independent of reference/impulse, so that the two can be compared.
+// In long double, for judging: its rounding, 2⁻⁶⁴, is far below the allowance of a subject that answers in doubles, and
+// a part of that of an exact one (oracle/tolerance/impulse.h). Written from the definitions and independent of
+// reference/impulse, so that the two can be compared.
 #pragma once
 
 #include <array>

@@ -21,6 +21,7 @@ class SimultaneousImpacts {
   /// Whether another impact at the same time acts together with this one: it acts on a common body that moves, and
   /// before the first of the two both contacts approach; or with a contact that holds one of the bodies until then.
   /// Then the law of one contact says nothing about it. Two convex bodies have one contact region, which acts as one.
+  /// Parts of a compound act as one too, those that separate included, so all impacts of one pair act together.
   bool act_together_with(const Event& impact);
 
  private:

@@ -368,6 +368,25 @@ std::vector<Body> lands_on_parts(Random& random) {
   return {floor_at_0(), std::move(body)};
 }
 
+/// A bar on two or three blocks or balls that stands on the floor, sinks and turns: some parts hit, others may
+/// separate. The parts are in a random order.
+std::vector<Body> turns_on_parts(Random& random) {
+  const bool on_balls = random.one_in(2);
+  std::vector<double> places{-1, 1};
+  if (random.one_in(3)) places.push_back(random.pick({0.0, 2.0}));
+  if (random.one_in(2)) std::ranges::reverse(places);
+  std::vector<Part> parts;
+  for (const double x : places) {
+    parts.push_back({{{x, 0, 0}, {}}, on_balls ? ConvexShape{Sphere{0.25}} : ConvexShape{Box{Vec3(0.25, 0.25, 0.25)}}});
+  }
+  Body body = at_rest(Compound{std::move(parts)});
+  body.X_WB.p_WB = {0, 0, 0.25};
+  const double I = random.pick({0.0625, 0.25, 1.0});
+  body.mass = MassProperties{1, {random.pick({0.0, 0.0, 0.5}), 0, 0}, I * Mat3::Identity()};
+  body.velocity = {{0, 0, -1}, {0, random.pick({-3.0, -0.75, 0.5, 2.0, 8.0}), 0}};
+  return {floor_at_0(), std::move(body)};
+}
+
 using Bodies = std::vector<Body> (*)(Random&);
 
 /// Bodies of equal material or of unlike restitution, and samples shortly after the impacts.
@@ -385,6 +404,13 @@ Scene at_one_time(Random& random, Bodies kind) {
 Scene together(Random& random) { return at_one_time(random, random.pick<Bodies>({symmetric_break, wedge, pillars})); }
 
 Scene parts_land(Random& random) { return at_one_time(random, lands_on_parts); }
+
+Scene parts_separate(Random& random) {
+  Scene scene = at_one_time(random, turns_on_parts);
+  for (Body& body : scene.bodies) body.material.friction = 0;  // with it the law leaves the outcome open
+  scene.motion->sample_times = {0x1p-10, 0x1p-5, 0.25};
+  return scene;
+}
 
 Scene hardly_apart(Random& random) { return at_one_time(random, nearly_touching); }
 
@@ -633,6 +659,9 @@ std::vector<Family> run_families() {
       {"runs.falls_flat", "a box that falls flat, bounces, and comes to rest", both, true, falls_flat},
       {"runs.together", "one body that collides with two at one time", queries, true, together},
       {"runs.parts_land", "a compound that lands on several of its parts at one time", queries, true, parts_land},
+      {"runs.parts_separate",
+       "a compound that stands on several parts and turns, so that one hits and another separates", queries, true,
+       parts_separate},
       {"runs.hardly_apart", "balls 2^-33 to 2^-44 apart in a row, hit from both sides at one time", queries, false,
        hardly_apart},
       {"runs.touching", "a row of balls that touch, hit at its ends; a polytope that lands on a face", queries, true,

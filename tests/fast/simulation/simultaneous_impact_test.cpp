@@ -190,6 +190,36 @@ TEST_CASE("simultaneous impact: a box onto two pillars") {
   CHECK(is_near(V, {0, 0, 0.5}, {0, 0.5 / (9.25 / 3), 0}, 1e-9));
 }
 
+// Two blocks of one body stand on a table, turn and sink. Without restitution both stop, or one turns about the other.
+TEST_CASE("simultaneous impact: the rounding that an impact leaves is no further impact") {
+  const auto block = [](double x) { return Part{{{x, 0, 0}, {}}, Box{Vec3(0.25, 0.25, 0.25)}}; };
+  for (const double centre : {0.0, 0.5}) {
+    for (const double spin : {-0.75, 0.5, 2.0}) {
+      Body blocks = falling({0.25, 0.25, 0.25}, 0, {0, 0, -1}, {0, 0});
+      blocks.shape = Compound{{block(-1), block(1)}};
+      blocks.mass = MassProperties{1, {centre, 0, 0}, 0.0625 * Mat3::Identity()};
+      blocks.velocity.w_WB = {0, spin, 0};
+      const Simulated done = simulate(moving_scene({blocks, table()}, none, {0x1p-10}));
+      INFO(centre << " " << spin);
+      REQUIRE(!done.stopped);
+      CHECK(done.trajectory.events->size() <= 4);
+      const double speed = done.trajectory.states.back()[0].velocity.v_WBcm.norm();
+      CHECK((speed < 1e-12 || speed > 1e-3));
+    }
+  }
+}
+
+// There rounding may leave no point that presses.
+TEST_CASE("simultaneous impact: parts that approach by less than the least normal number") {
+  const auto block = [](double x) { return Part{{{x, 0, 0}, {}}, Box{Vec3(0.25, 0.25, 0.25)}}; };
+  Body blocks = falling({0.25, 0.25, 0.25}, 0, {0, 0, -1e-310}, {0, 0});
+  blocks.shape = Compound{{block(-1), block(1)}};
+  blocks.mass = MassProperties{1, {0.5, 0, 0}, 0.0625 * Mat3::Identity()};
+  blocks.velocity.w_WB = {0, 2e-310, 0};
+  const Simulated done = simulate(moving_scene({blocks, table()}, none, {1}));
+  CHECK(done.trajectory.states.back()[0].X_WB.p_WB.z() == 0.25);
+}
+
 TEST_CASE("simultaneous impact: a ball that falls into a wedge") {
   const auto plane = [](double sign) {
     Body body = fixed(brick({4, 4, 1}, none, {1, 10}));

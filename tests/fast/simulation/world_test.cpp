@@ -67,15 +67,19 @@ TEST_CASE("world: impacts are counted by body, and are at this time only until t
       moving_scene({ball(1, {0, 0, 2}, Vec3::Zero(), {}), ball(1, {0, 0, 5}, Vec3::Zero(), {}), table()}, g_W, {1});
   World world(scene);
   CHECK_FALSE(world.had_impact_now(0));
-  world.count_impact(0);
-  world.count_impact(0);
-  world.count_impact(1);
+  world.count_impact(0, 2);
+  world.count_impact(0, 1);
+  world.count_impact(1, 3);
   CHECK(world.had_impact_now(0));
+  CHECK(world.speed_before_impacts(0) == 2);
   CHECK(world.impacts(0, 1) == 3);
   CHECK(world.impacts(1, 2) == 1);
   world.advance_to(0.5);
   CHECK_FALSE(world.had_impact_now(0));
+  CHECK(world.speed_before_impacts(0) == 0);
   CHECK(world.impacts(0, 1) == 3);
+  world.count_impact(0, 1);
+  CHECK(world.speed_before_impacts(0) == 1);
 }
 
 TEST_CASE("world: a body that will have turned by 2^13 radians restarts from its state") {
