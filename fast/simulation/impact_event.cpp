@@ -25,9 +25,9 @@ void apply_impulse(Run& run, Event::Kind kind, BodyId id_a, BodyId id_b, const T
   run.recorder.record({kind, world.now(), static_cast<int>(id_a), static_cast<int>(id_b), touch.p_WC, touch.nhat_BA_W,
                        result.P_A_W, a, b});
   for (const BodyId id : {id_a, id_b}) {
+    if (run.rests.of(id)) release_rest(run, id, id == id_a ? a : b);
     const BodyMotion& body = world.body(id);
     if (!body.fixed()) world.count_impact(id, speed_bound(body, (id == id_a ? before_a : before_b).velocity));
-    if (run.rests.of(id)) release_rest(run, id, id == id_a ? a : b);
   }
   set_trajectory(run, id_a, a);
   set_trajectory(run, id_b, b);

@@ -45,11 +45,11 @@ bool needs_turn(const Body& body, const ImpactBody& impact_body) {
 
 Real length(const Vec3& v) { return v.cast<Real>().norm(); }
 
-// Of what is computed from the scene: by the subject, or, for an exact one, which only rounds its answer, by the judge,
-// in long double. K may be so ill-conditioned that this shows: cond(K) is up to 2^44.
-constexpr Real rounding_of_judge = 0x1p-64L;
-Real computed(Precision precision) {
-  return precision == Precision::exact ? rounding_of_judge : Real(unit_roundoff(precision));
+// The unit roundoff of what is computed from the scene: by the subject, or, for an exact one, which only rounds its
+// answer, by the judge, in long double. K may be so ill-conditioned that this shows: cond(K) is up to 2^44.
+constexpr Real roundoff_of_judge = 0x1p-64L;
+Real working_roundoff(Precision precision) {
+  return precision == Precision::exact ? roundoff_of_judge : Real(unit_roundoff(precision));
 }
 
 // Rounding errors of the properties of one body, in SI units.
@@ -75,7 +75,7 @@ MassBound of_density(const Body& body, const ImpactBody& impact_body, Precision 
 // tolerance::mass.
 Facts facts(const Body& body, const ImpactBody& impact_body, Precision precision) {
   if (impact_body.fixed) return {};
-  const Real u = computed(precision);
+  const Real u = working_roundoff(precision);
   const MassBound from_density = of_density(body, impact_body, precision);
   const auto* given = std::get_if<MassProperties>(&body.mass);
   const Real r = impact_body.p_BcmC_W.norm(),
@@ -143,7 +143,7 @@ Real disturbed(const Scene& scene, const Impact& impact, Real K, Real du) {
 //   stored  above; for an exact subject also the impulse, uN.
 // All but the last times crossing.
 double impulse(const Scene& scene, const Impact& impact, const std::array<Velocity, 2>& after, Precision precision) {
-  const Real u = computed(precision), N = size(scene, impact);
+  const Real u = working_roundoff(precision), N = size(scene, impact);
   Real said = stored(scene, impact, after, precision);
   if (precision == Precision::exact) said += unit_roundoff(precision) * N;
   Real K = 0, du = 0;

@@ -127,13 +127,12 @@ bool SimultaneousImpacts::act_together_with(const Event& impact) {
   for (std::size_t k = instant.first; k < instant.end; ++k) {
     const Event& other = events[k];
     const bool shares = (moves(impact.a) && acts_on(other, impact.a)) || (moves(impact.b) && acts_on(other, impact.b));
-    const bool same_pair = other.a == impact.a && other.b == impact.b;
-    const bool one_region = same_pair && is_convex(impact.a) && is_convex(impact.b);
     if (k == index || other.kind != Event::Kind::impact || !shares) continue;
-    if (same_pair && !one_region) return true;
+    const bool same_pair = other.a == impact.a && other.b == impact.b;
+    if (same_pair && !(is_convex(impact.a) && is_convex(impact.b))) return true;
     const std::size_t first = std::min(k, index);
     if (holds_before(first, impact)) return true;
-    if (!one_region && approaches_before(index, first) && approaches_before(k, first)) return true;
+    if (!same_pair && approaches_before(index, first) && approaches_before(k, first)) return true;
   }
   return false;
 }

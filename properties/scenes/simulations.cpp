@@ -369,7 +369,7 @@ std::vector<Body> lands_on_parts(Random& random) {
 }
 
 /// A bar on two or three blocks or balls that stands on the floor, sinks and turns: some parts hit, others may
-/// separate. The parts are in a random order.
+/// separate. The parts are listed along the bar, or in the reverse order.
 std::vector<Body> turns_on_parts(Random& random) {
   const bool on_balls = random.one_in(2);
   std::vector<double> places{-1, 1};

@@ -97,9 +97,8 @@ class RelativeCommand(Test):
         (self.folder / "my engine/mine.py").write_text((SOURCE / "tests/app/altered.py").read_text())
         subject = "exec:/usr/bin/python3 mine.py 1.5"
         there = self.folder / "my engine"
-        subprocess.run([PROGRAM, "check", "--subjects", subject, "--properties", "distance.value", "--cases", "4", "--out", "R",
-                        "--skip-adapter-check", "--skip-self-test"],
-                       cwd=there, capture_output=True)
+        words = ["check", "--subjects", subject, "--properties", "distance.value", "--cases", "4", "--out", "R"]
+        subprocess.run([PROGRAM, *as_asked(words)], cwd=there, capture_output=True)
         case = "my engine/R/cases/distance.value.mine.json"
         self.assertEqual(self.json(case)["folder"], str(there))
         for verb, code in [("replay", 1), ("minimise", 0)]:

@@ -12,9 +12,9 @@ class Page(Test):
     def setUpClass(cls):
         cls.runs, cls.browser = folder_and_browser(cls)
         write_meshes(cls.runs / "meshes")
-        subprocess.run([PROGRAM, "report", "--cases", "10", "--meshes", "meshes", "--queries", "mass,distance,penetration",
-                        "--out", "R", "--skip-self-test", "--subjects",
-                        "reference,fast,bullet.float,fcl.indep,libccd.gjk"], cwd=cls.runs, check=True, capture_output=True)
+        words = ["report", "--cases", "10", "--meshes", "meshes", "--queries", "mass,distance,penetration", "--out", "R",
+                 "--subjects", "reference,fast,bullet.float,fcl.indep,libccd.gjk"]
+        subprocess.run([PROGRAM, *as_asked(words)], cwd=cls.runs, check=True, capture_output=True)
         cls.page = (cls.runs / "R/index.html").as_uri()
 
     def test_phone_and_desk_in_light_and_dark(self):

@@ -23,10 +23,9 @@ class Profile(Test):
         mine = shlex.join(["/usr/bin/python3", str(SOURCE / "tests/app/larger_distances.py"), str(FAST),
                            json.dumps({"domain": {"vertices": 6}})])
         write_meshes(cls.runs / "meshes")
-        subprocess.run([PROGRAM, "report", "--cases", "100", "--meshes", "meshes", "--queries", ",".join(QUERIES),
-                        "--out", "R", "--subjects", "fast,bullet.float,libccd.gjk", "--subjects", "inproc:reference",
-                        "--subjects", "exec:" + mine, "--skip-adapter-check", "--skip-self-test"],
-                       cwd=cls.runs, check=True, capture_output=True, timeout=300)
+        words = ["report", "--cases", "100", "--meshes", "meshes", "--queries", ",".join(QUERIES), "--out", "R",
+                 "--subjects", "fast,bullet.float,libccd.gjk", "--subjects", "inproc:reference", "--subjects", "exec:" + mine]
+        subprocess.run([PROGRAM, *as_asked(words)], cwd=cls.runs, check=True, capture_output=True, timeout=300)
         cls.report, cls.timing = (json.loads((cls.runs / "R" / name).read_text())
                                   for name in ("report.json", "report.timing.json"))
         cls.atlas = list(csv.DictReader(io.StringIO((cls.runs / "R/atlas.csv").read_text())))

@@ -42,8 +42,9 @@ class Sarif(Test):
     def test_a_place_outside_the_folder_is_absolute(self):
         (self.folder / "inner").mkdir()
         out = self.folder / "outer"
-        done = subprocess.run([PROGRAM, "check", "--subjects", SUBJECT, "--properties", "distance.value", "--cases", "4", "--sarif",
-                               "s.json", "--out", "../outer", "--skip-adapter-check", "--skip-self-test"], cwd=self.folder / "inner", capture_output=True, text=True)
+        words = ["check", "--subjects", SUBJECT, "--properties", "distance.value", "--cases", "4", "--sarif", "s.json",
+                 "--out", "../outer"]
+        done = subprocess.run([PROGRAM, *as_asked(words)], cwd=self.folder / "inner", capture_output=True, text=True)
         self.assertEqual(done.returncode, 1, done.stderr)
         [result] = self.json("inner/s.json")["runs"][0]["results"]
         self.assertEqual(result["locations"][0]["physicalLocation"]["artifactLocation"]["uri"],

@@ -103,7 +103,7 @@ class ProgressBar(Test):
         self.assertLess(max(map(len, lines[-4:])), 40)
 
     def test_it_tells_the_time(self):
-        lines = self.on_terminal(80, *self.check(cases=50), code=1)
+        lines = self.on_terminal(80, *self.check(cases=80), code=1)
         clocks = [re.search(r" (\d+)/(\d+) (\d+:\d\d)(, \d+:\d\d left)?", line) for line in lines if line]
         self.assertTrue(all(clocks), lines)
         self.assertEqual(clocks[0][3], "0:00")

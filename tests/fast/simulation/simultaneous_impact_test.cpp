@@ -209,7 +209,7 @@ TEST_CASE("simultaneous impact: the rounding that an impact leaves is no further
   }
 }
 
-// There rounding may leave no point that presses.
+// Rounding may leave no contact point with a positive impulse, though the parts approach.
 TEST_CASE("simultaneous impact: parts that approach by less than the least normal number") {
   const auto block = [](double x) { return Part{{{x, 0, 0}, {}}, Box{Vec3(0.25, 0.25, 0.25)}}; };
   Body blocks = falling({0.25, 0.25, 0.25}, 0, {0, 0, -1e-310}, {0, 0});
