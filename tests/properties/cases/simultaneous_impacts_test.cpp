@@ -68,6 +68,20 @@ TEST_CASE("simultaneous impacts: pairs that share no ball, and impacts of a fixe
   CHECK(together(between, {impact(between, 0, -1, 0), impact(between, 1, 0, 1)}) == std::vector<bool>{false, false});
 }
 
+// The right body turns, so its upper ball separates before the impacts, and the impulse on the lower one presses it
+// down.
+TEST_CASE("simultaneous impacts: two parts of a body, of which one separates before") {
+  Scene scene = row({0, 2}, {1, 0});
+  const Part lower{{}, Sphere{1}}, upper{{{0, 3, 0}, {}}, Sphere{1}};
+  scene.bodies[1].shape = Compound{{lower, upper}};
+  scene.bodies[1].velocity.w_WB.z() = -1;
+  std::vector<Event> events = {impact(scene, 0, 0, 0.5), impact(scene, 0, -1, 1.5)};
+  events[1].p_WC.y() = 3;
+  CHECK(together(scene, events) == std::vector<bool>{true, true});
+  scene.bodies[1].shape = Sphere{1};  // of two convex bodies all points are one region
+  CHECK(together(scene, events) == std::vector<bool>{false, false});
+}
+
 TEST_CASE("simultaneous impacts: of a row that comes to rest, those that were approaching from the start") {
   const Scene scene = row({0, 2, 4}, {1, 0, -1});
   std::vector<Event> events = {impact(scene, 0, 0.25, 0.75), impact(scene, 1, -0.5, 0.25)};
