@@ -1,6 +1,7 @@
 #include "reference/time_of_impact.h"
 
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -15,6 +16,7 @@
 #include "reference/time_of_impact/encounter.h"
 #include "reference/time_of_impact/initial_contact.h"
 #include "reference/time_of_impact/next_impact.h"
+#include "reference/time_of_impact/translation.h"
 
 namespace touchstone::reference {
 namespace {
@@ -67,13 +69,13 @@ TimeOfImpactTruth at_start(const Parts& parts, const Question& question, Status 
   return truth;
 }
 
-[[noreturn]] void refuse_overlap(const Scene& scene) {
-  const Body& A = scene.bodies[0];
-  const Body& B = scene.bodies[1];
+[[noreturn]] void refuse_overlap(const Body& A, const Body& B) {
   std::ostringstream what;
   what << '"' << A.name << "\" and \"" << B.name << "\" overlap";
   if (!std::holds_alternative<Compound>(A.shape) && !std::holds_alternative<Compound>(B.shape)) {
-    what << " by " << penetration(scene).depth.hi << " m";
+    Scene pair;
+    pair.bodies = {A, B};
+    what << " by " << penetration(pair).depth.hi << " m";
   }
   throw InputError("bodies", what.str() + " where their motion begins; expected bodies that are apart");
 }
@@ -87,7 +89,30 @@ void refuse_overlap_to_rounding(const Question& question) {
   } catch (const MotionUnknown&) {
     return;
   }
-  if (distance(scene).verdict == Verdict::overlapping) refuse_overlap(scene);
+  if (distance(scene).verdict == Verdict::overlapping) refuse_overlap(scene.bodies[0], scene.bodies[1]);
+}
+
+Interval around(const mpq_class& q) {
+  const double near = nearest(q);
+  if (near == q) return {near, near};
+  const double infinity = std::numeric_limits<double>::infinity();
+  return near < q ? Interval{near, std::nextafter(near, infinity)} : Interval{std::nextafter(near, -infinity), near};
+}
+
+/// Decides exactly what intervals leave undecided, if the two translate uniformly relative to each other.
+TimeOfImpactTruth decided(TimeOfImpactTruth truth, const Parts& parts, const Question& question) {
+  if (truth.status != Status::undecided || !(truth.time.lo > question.from)) return truth;
+  const std::optional<TranslatingContact> contact =
+      translating_contact(parts, question.starts, question.apart, question.from, question.end);
+  if (!contact) return truth;
+  if (!contact->time) {
+    truth.status = Status::miss;
+    truth.time = {question.end, question.end};
+    return truth;
+  }
+  truth.status = Status::hit;
+  truth.time = around(*contact->time);
+  return truth;
 }
 
 /// For pairs that doubles do not separate at the start.
@@ -103,9 +128,9 @@ TimeOfImpactTruth resolve_start(const Parts& parts, const Question& question) {
   }
   const InitialContact there = initial_contact(parts.A, parts.a, a, parts.B, parts.b, b, question.apart);
   using Kind = InitialContact::Kind;
-  if (there.kind == Kind::apart) return truth_of(search(question.from), parts, question.end);
+  if (there.kind == Kind::apart) return decided(truth_of(search(question.from), parts, question.end), parts, question);
   if (!question.first_contact_only) return at_start(parts, question, Status::hit, there);
-  if (there.kind == Kind::overlapping) refuse_overlap(question.scene);
+  if (there.kind == Kind::overlapping) refuse_overlap(parts.A, parts.B);
   if (there.kind == Kind::approaching) return at_start(parts, question, Status::hit, there);
   if (there.kind == Kind::separating) {
     if (const std::optional<Float> later = encounter.leave(there, question.from, question.end)) {
@@ -122,7 +147,7 @@ TimeOfImpactTruth between_parts(const Parts& parts, const Question& question) {
   const bool loose = quick.status == Status::hit && in_doubles.is_loose(quick);
   if (!loose && (quick.status != Status::undecided || quick.exhausted)) return truth_of(quick, parts, question.end);
   Encounter<InWide> encounter(parts, question.starts, question.apart);
-  return truth_of(encounter.search(quick.lo, question.end), parts, question.end);
+  return decided(truth_of(encounter.search(quick.lo, question.end), parts, question.end), parts, question);
 }
 
 /// The result for both pairs of parts: no contact before the earlier `lo`, and a contact by the earlier `hi`.
@@ -149,14 +174,16 @@ TimeOfImpactTruth first_within(const Scene& scene, double apart, std::optional<d
   if (scene.bodies.size() < 2) throw InputError("bodies", "two are needed for a time of impact");
   if (!scene.motion) throw InputError("motion", "missing; expected one for a question about motion");
   const DefaultFloatMode mode;
-  const Body& A = scene.bodies[0];
-  const Body& B = scene.bodies[1];
+  std::array<Body, 2> bodies = {scene.bodies[0], scene.bodies[1]};
   std::array<BallisticStart, 2> starts = {ballistic_start(scene, 0), ballistic_start(scene, 1)};
-  leave_out_turning(A, starts[0]);
-  leave_out_turning(B, starts[1]);
+  for (std::size_t i = 0; i < 2; ++i) leave_out_turning(bodies[i], starts[i]);
   const double end = scene.motion->sample_times.back();
   const double from = std::max({starts[0].start_time.get_d(), starts[1].start_time.get_d(), earliest.value_or(0)});
   if (from > end) throw InputError("motion.sample_times", "the motion ends before the time that is queried");
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (starts[i].start_time < from && translates(starts[i])) start_later(bodies[i], starts[i], from);
+  }
+  const auto& [A, B] = bodies;
   const bool poses_hold = starts[0].start_time == from && starts[1].start_time == from;
   const Question question = {scene, starts, apart, from, end, poses_hold, !earliest};
   std::optional<TimeOfImpactTruth> first;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <set>
 #include <utility>
@@ -13,6 +14,7 @@
 #include "reference/exact/rational.h"
 #include "reference/impulse.h"
 #include "reference/impulse/exact_vectors.h"
+#include "reference/simultaneous/components.h"
 #include "reference/simultaneous/contact_rows.h"
 
 namespace touchstone::reference {
@@ -114,27 +116,41 @@ ImpactOutcome together(const Scene& then, double time, const std::vector<Contact
   return outcome;
 }
 
+/// By the moving bodies that they share; each in the order of `regions`.
+std::vector<std::vector<ContactRegion>> by_shared_bodies(const Scene& then, const std::vector<ContactRegion>& regions) {
+  const auto moving = [&](int i) {
+    return std::holds_alternative<Fixed>(body(then, i).mass) ? std::nullopt : std::optional(i);
+  };
+  std::vector<MovingPair> pairs;
+  for (const ContactRegion& region : regions) pairs.push_back({moving(region.a), moving(region.b)});
+  std::vector<std::size_t> all(regions.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  std::vector<std::vector<ContactRegion>> parts;
+  for (const std::vector<std::size_t>& component : components(pairs, all)) {
+    parts.emplace_back();
+    for (const std::size_t r : component) parts.back().push_back(regions[r]);
+  }
+  return parts;
+}
+
 }  // namespace
 
 std::vector<ContactRegion> acting_regions(const Scene& then, double time, int a, int b, double envelope) {
-  std::vector<ContactRegion> regions;
-  std::set<std::pair<int, int>> asked;
-  std::vector<int> connected;
-  const auto ask = [&](int i, int j) {
-    const std::pair<int, int> pair = std::minmax(i, j);
-    if (!asked.insert(pair).second) return;
-    const std::vector<ContactRegion> found = approaching_regions(then, pair.first, pair.second, envelope);
-    if (found.empty()) return;
-    regions.insert(regions.end(), found.begin(), found.end());
-    connected.insert(connected.end(), {i, j});
-  };
-  ask(a, b);
+  std::vector<ContactRegion> regions = approaching_regions(then, std::min(a, b), std::max(a, b), envelope);
+  if (regions.empty()) return regions;
+  std::set<std::pair<int, int>> asked = {std::minmax(a, b)};
+  std::set<int> known = {a, b};
+  std::vector<int> connected = {a, b};
   const auto has_started = [&](int j) { return then.motion->start_times[index(j)] <= time; };
   for (std::size_t k = 0; k < connected.size(); ++k) {
     const int i = connected[k];
     if (std::holds_alternative<Fixed>(body(then, i).mass)) continue;
     for (int j = 0; j < static_cast<int>(then.bodies.size()); ++j) {
-      if (j != i && has_started(j) && distance(pair_of(then, i, j)).distance.lo <= envelope) ask(i, j);
+      if (j == i || !has_started(j) || distance(pair_of(then, i, j)).distance.lo > envelope) continue;
+      if (known.insert(j).second) connected.push_back(j);
+      if (!asked.insert(std::minmax(i, j)).second) continue;
+      const auto found = approaching_regions(then, std::min(i, j), std::max(i, j), envelope);
+      regions.insert(regions.end(), found.begin(), found.end());
     }
   }
   std::ranges::stable_sort(regions, {}, [](const ContactRegion& region) { return std::pair(region.a, region.b); });
@@ -143,7 +159,14 @@ std::vector<ContactRegion> acting_regions(const Scene& then, double time, int a,
 
 ImpactOutcome impact_outcome(const Scene& then, double time, const std::vector<ContactRegion>& regions) {
   if (regions.empty()) return {{}, "where they touch is undecided"};
-  return regions.size() == 1 ? alone(then, time, regions.front()) : together(then, time, regions);
+  ImpactOutcome all;
+  for (const std::vector<ContactRegion>& part : by_shared_bodies(then, regions)) {
+    ImpactOutcome outcome = part.size() == 1 ? alone(then, time, part.front()) : together(then, time, part);
+    if (!outcome.undecided.empty()) return outcome;
+    all.events.insert(all.events.end(), outcome.events.begin(), outcome.events.end());
+  }
+  std::ranges::stable_sort(all.events, {}, [](const Event& event) { return std::pair(event.a, event.b); });
+  return all;
 }
 
 }  // namespace touchstone::reference

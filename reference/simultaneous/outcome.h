@@ -10,8 +10,9 @@
 
 namespace touchstone::reference {
 
-/// The regions of all pairs within the envelope that approach, connected to the pair a, b through bodies that move and
-/// have started, sorted by pair. Empty if the pair itself has none. The scene is that of all bodies at `time`.
+/// The regions that approach, of all pairs within the envelope connected to the pair a, b through bodies that move and
+/// have started; pairs that do not approach connect too. Sorted by pair. Empty if the pair itself has none. The scene is
+/// that of all bodies at `time`.
 std::vector<ContactRegion> acting_regions(const Scene& then, double time, int a, int b, double envelope);
 
 /// The events of one time in their order: the velocities after each are those after its impulse and the ones before.
@@ -20,8 +21,9 @@ struct ImpactOutcome {
   std::string undecided;  ///< why there is no outcome; else ""
 };
 
-/// One region acts by the law of one contact point, at its sliding centre if it slides on to the end, else at its
-/// centre of pressure. Several act by rounds until none of them approaches, if they have no friction.
+/// Regions that share no moving body act apart. One region acts by the law of one contact point, at its sliding centre
+/// if it slides on to the end, else at its centre of pressure. Several that share bodies act by rounds until none of
+/// them approaches, if they have no friction.
 ImpactOutcome impact_outcome(const Scene& then, double time, const std::vector<ContactRegion>& regions);
 
 }  // namespace touchstone::reference

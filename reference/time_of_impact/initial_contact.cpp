@@ -11,21 +11,22 @@
 #include "reference/hull/faces.h"
 
 namespace touchstone::reference {
-namespace {
 
-using Kind = InitialContact::Kind;
-
-std::vector<Triple> vertices(const Body& body, int part) {
+std::vector<Triple> vertices_at_start(const Body& body, int part) {
   const Motion X_WP = composed(motion(body.X_WB), motion(part_pose(body, part)));
   std::vector<Triple> placed;
   for (const Vec3& v : core_of(body, part).vertices) placed.push_back(X_WP(triple(v)));
   return placed;
 }
 
+namespace {
+
+using Kind = InitialContact::Kind;
+
 /// The part as vertices, edges and half-spaces in W, translated by `shift`.
 Hull hull(const Body& body, int part, const Triple& shift) {
   const Core core = core_of(body, part);
-  std::vector<Triple> placed = vertices(body, part);
+  std::vector<Triple> placed = vertices_at_start(body, part);
   for (Triple& v : placed) v = plus(v, shift);
   Hull result;
   const auto at = [&](int v) -> const Triple& { return placed[static_cast<std::size_t>(v)]; };
@@ -85,7 +86,7 @@ std::vector<bool> on_plane(const std::vector<Triple>& vertices, const Triple& n,
 Triple velocity(const BallisticStart& body, const Triple& at) { return plus(body.v, cross(body.w, minus(at, body.p))); }
 
 std::vector<Triple> closest_points_on_A(const Body& A, int part_A, const Body& B, int part_B, const Triple& d) {
-  const std::vector<Triple> a = vertices(A, part_A), b = vertices(B, part_B);
+  const std::vector<Triple> a = vertices_at_start(A, part_A), b = vertices_at_start(B, part_B);
   if (a.size() == 1) return a;
   if (b.size() == 1) return {plus(b[0], d)};
   return common_points(hull(A, part_A, {}), hull(B, part_B, d));
@@ -105,8 +106,8 @@ InitialContact initial_contact(const Body& A, int part_A, const BallisticStart& 
   const Triple d = scaled(factor, Triple{nearest.normal.x, nearest.normal.y, nearest.normal.z});
   result.normals = normals(pair, nearest, d);
   classify(result, result.normals, closest_points_on_A(A, part_A, B, part_B, d), d, a, b);
-  result.on_A = on_plane(vertices(A, part_A), result.n, result.x);
-  result.on_B = on_plane(vertices(B, part_B), result.n, result.y);
+  result.on_A = on_plane(vertices_at_start(A, part_A), result.n, result.x);
+  result.on_B = on_plane(vertices_at_start(B, part_B), result.n, result.y);
   return result;
 }
 

@@ -33,6 +33,8 @@ InitialContact initial_contact(const Body& A, int part_A, const BallisticStart& 
 
 Triple velocity(const BallisticStart& body, const Triple& at);  ///< of the body's point `at`, at its start
 
+std::vector<Triple> vertices_at_start(const Body& body, int part);  ///< of the core, in W
+
 /// The extreme points of the set of closest points x of core A, where d = x − y for the closest points y of core B.
 std::vector<Triple> closest_points_on_A(const Body& A, int part_A, const Body& B, int part_B, const Triple& d);
 

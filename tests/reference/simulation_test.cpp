@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "model/input_error.h"
@@ -253,6 +254,33 @@ TEST_CASE("Newton's cradle whose balls are within the envelope, hit by one, two 
   CHECK(speeds(row_of({-3, -2, 0, 1, 2}, {1, 1, 0, 0, 0})) == Row{0, 0, 0, 1, 1});
   CHECK(speeds(row_of({-4, -3, -2, 0, 1}, {1, 1, 1, 0, 0})) == Row{0, 0, 1, 1, 1});
   CHECK(speeds(row_of({-2, 0, 2}, {1, 0, -1})) == Row{-1, 0, 1});
+}
+
+// By u' = −u at each pair: 2 and 1 leave with 2/3 and 8/3, 1 and 3 with −3 and −1; then the inner two exchange theirs.
+TEST_CASE("A row is hit from both ends at one time: the ends act apart, before the contact between them") {
+  const double gap = 0x1p-34;
+  const std::array<double, 4> x = {-3, 0, 2 + gap, 5 + gap}, v = {2, 0, 0, -2}, m = {2, 1, 1, 3};
+  for (const double friction : {0.0, 0.5}) {
+    std::vector<std::size_t> order = {0, 1, 2, 3};
+    do {
+      std::vector<Body> row;
+      for (const std::size_t k : order) {
+        Body& b = row.emplace_back(ball(1, {x[k], 0, 0}, {v[k], 0, 0}));
+        b.mass = round_mass(m[k]);
+        b.material.friction = friction;
+      }
+      const Trajectory said = simulation(sampled_at(row, {0.625}));
+      REQUIRE(said.events->size() >= 3);
+      std::array<double, 4> now = v;
+      for (std::size_t i = 0; i < 3; ++i) {
+        const Event& event = (*said.events)[i];
+        now[order[static_cast<std::size_t>(event.a)]] = event.after_a.velocity.v_WBcm.x();
+        now[order[static_cast<std::size_t>(event.b)]] = event.after_b.velocity.v_WBcm.x();
+      }
+      const std::array<double, 4> after = {2.0 / 3, -3, 8.0 / 3, -1};
+      for (std::size_t k = 0; k < 4; ++k) CHECK(now[k] == Approx(after[k]).epsilon(1e-14));
+    } while (std::next_permutation(order.begin(), order.end()));
+  }
 }
 
 std::vector<Body> clash(double friction, double other_restitution) {

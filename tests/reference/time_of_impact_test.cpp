@@ -87,10 +87,71 @@ TEST_CASE("Balls that graze are told apart to the last bit of their offset") {
   }
   const Scene touching = pair(ball(1, Vec3(-4, 1.5, 0), Vec3(1, 0, 0)), ball(0.5, Vec3::Zero(), Vec3::Zero()));
   const TimeOfImpactTruth truth = time_of_impact(moving_scene(touching, 8));
-  CHECK(truth.status == Status::undecided);
-  CHECK(truth.time.lo < 4);
-  CHECK(truth.time.lo > 4 - 1e-9);
-  CHECK(truth.gap < 1e-18);
+  CHECK(truth.status == Status::hit);
+  CHECK(truth.time == Interval{4, 4});
+}
+
+/// A box turned about z by arccos 3/5, whose faces z = ±1 slide along those of another; its corner (7/5, 1/5) leads.
+Scene sliding_over(double z) {
+  Scene scene = pair(body(Box{Vec3(1, 1, 1)}, Vec3(-4, 0, z)), body(Box{Vec3(1, 1, 1)}));
+  scene.bodies[0].X_WB.q_WB = {2, 0, 0, 1};
+  scene.bodies[0].velocity.v_WBcm = Vec3(1, 0, 0);
+  return moving_scene(scene, 8);
+}
+
+void check_contains(const TimeOfImpactTruth& truth, const Rational& time) {
+  CAPTURE(truth.time.lo, truth.time.hi);
+  CHECK(truth.status == Status::hit);
+  CHECK(Rational(truth.time.lo) <= time);
+  CHECK(Rational(truth.time.hi) >= time);
+  CHECK(truth.time.hi - truth.time.lo < 1e-14);
+}
+
+TEST_CASE("Bodies that translate and graze are told apart exactly") {
+  SECTION("faces in one plane") {
+    const Rational leads = Rational(8) / Rational(5);
+    check_contains(time_of_impact(sliding_over(2)), leads);
+    check_contains(time_of_impact(sliding_over(2 - 0x1p-51)), leads);
+    CHECK(time_of_impact(sliding_over(2 + 0x1p-51)).status == Status::miss);
+  }
+  SECTION("in common gravity, and carried along") {
+    Scene scene = sliding_over(2);
+    scene.gravity = Vec3(0.5, 0, -8);
+    for (Body& b : scene.bodies) b.velocity.v_WBcm += Vec3(3, -1, 0.25);
+    check_contains(time_of_impact(scene), Rational(8) / Rational(5));
+  }
+  SECTION("a ball along an edge: where the edge begins") {
+    Scene scene = pair(ball(5, Vec3(4, -8, 5), Vec3(0, 1, 0)), body(Box{Vec3(1, 1, 1)}));
+    check_contains(time_of_impact(moving_scene(scene, 16)), Rational(7));
+    scene.bodies[0].X_WB.p_WB.z() += 0x1p-50;
+    CHECK(time_of_impact(moving_scene(scene, 16)).status == Status::miss);
+  }
+  SECTION("one starts later") {
+    Scene scene = sliding_over(2);
+    scene.bodies[1].X_WB.p_WB.x() += 1;
+    scene.bodies[1].velocity.v_WBcm = Vec3(-1, 0, 0);
+    scene.motion->start_times = {0, 1};
+    check_contains(time_of_impact(scene), Rational(9) / Rational(5));  // 8/5 after 1 s, then at twice the speed
+  }
+  SECTION("one part grazes, another one comes later") {
+    Compound two;
+    two.parts = {{{Vec3(0, 0, 2), {}}, Box{Vec3(1, 1, 1)}}, {{Vec3(4, 0, 0), {}}, Box{Vec3(1, 1, 1)}}};
+    Scene scene = pair(body(Box{Vec3(1, 1, 1)}, Vec3(-4, 0, 0)), body(two));
+    scene.bodies[0].velocity.v_WBcm = Vec3(1, 0, 0);
+    scene.motion = Motion{.sample_times = {16}};
+    check_contains(time_of_impact(scene), Rational(2));
+  }
+}
+
+TEST_CASE("Contact at a later start is decided where doubles hold the position there") {
+  for (const double approach : {-1.0, 1.0}) {
+    Scene scene = pair(body(Box{Vec3(1, 1, 1)}, Vec3(-4 - approach, 0, 0)), body(Box{Vec3(1, 1, 1)}, Vec3(-2, 0.5, 0)));
+    scene.bodies[0].velocity.v_WBcm = Vec3(approach, 0, 0);
+    scene.motion = Motion{.sample_times = {4}, .start_times = {0, 1}};
+    const TimeOfImpactTruth truth = time_of_impact(scene);
+    CHECK(truth.status == (approach > 0 ? Status::hit : Status::miss));
+    if (approach > 0) CHECK(truth.time == Interval{1, 1});
+  }
 }
 
 /// The 76 digits of fine_motion.h share no code with the reference, and neither does the test for a separating
