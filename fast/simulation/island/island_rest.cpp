@@ -1,5 +1,7 @@
 #include "fast/simulation/island/island_rest.h"
 
+#include <algorithm>
+
 #include "fast/simulation/island/island_step.h"
 #include "fast/simulation/prediction/length.h"
 
@@ -20,8 +22,9 @@ void remove_approach(ContactGraph& graph) {
 bool rest_test(ContactGraph& graph, double rest_speed) {
   std::vector<contact::ContactConstraint> contact_points = constraints(graph);
   std::vector<bool> braked(graph.bodies().size(), false);
+  const bool held = std::ranges::any_of(graph.bodies(), [](const IslandBody& body) { return body.fixed(); });
   for (const contact::ContactConstraint& at : contact_points) {
-    if (at.friction > 0) braked[at.a] = braked[at.b] = true;
+    if (held && at.friction > 0) braked[at.a] = braked[at.b] = true;
   }
   bool pulled = false;
   for (std::size_t i = 0; i < graph.bodies().size(); ++i) {

@@ -19,7 +19,7 @@ constexpr double hardly_above = 64;          // times the distance that counts a
 constexpr int cuts_at_end_of_contact = 14;   // halvings of a step: it ends less than h/2¹⁴ after the contact does
 constexpr int most_slip_cuts = 8;            // of a step, in the search for the end of slip
 constexpr double share_of_rebound = 0x1p-4;  // the speed at which a body leaves what counts as touching and comes back
-constexpr int few_bodies = 3;                // that move: so many are followed to the end of slip
+constexpr int few_bodies = 2;                // that move: all of their slip is followed to its end
 constexpr double lost = 16;                  // times the distance that counts as touching: bodies farther apart
 constexpr double least_share_of_step = 0x1p-20;  // of a step: a step that short is taken even if corners overlap
 constexpr double step_tolerance = 0x1p-10;       // accuracy of a step, relative to the distance that counts as touching
@@ -224,12 +224,15 @@ StepPlan until_one_slides_off(const ContactGraph& graph, StepPlan plan, double l
   return plan;
 }
 
-/// m/s: slip that a step need not end for.
+/// m/s: slip that a step of h need not end for. In a pile some slip ends in nearly each step, and a heap would take six
+/// times as long, so among many bodies only slip counts that is faster than what gravity makes in a step.
 double negligible_slip(const ContactGraph& graph, double h) {
   double greatest = 0;
   for (const IslandBody& island_body : graph.bodies())
     greatest = std::max(greatest, length(island_body.step_body.acceleration));
-  return std::max(graph.near() / h, share_of_rebound * std::sqrt(2 * greatest * graph.near()));
+  const auto moving = std::ranges::count_if(graph.bodies(), [](const IslandBody& body) { return !body.fixed(); });
+  const double rebound = share_of_rebound * std::sqrt(2 * greatest * graph.near());
+  return std::max({graph.near() / h, rebound, moving > few_bodies ? greatest * h : 0});
 }
 
 /// The share of a step after which the first contact has no slip, if friction reverses it then; 1 if none.
@@ -242,12 +245,8 @@ double slip_ends(const StepPlan& plan, double negligible) {
   return share;
 }
 
-/// A step that ends where the first contact stops slipping: friction has another direction then, or holds. In a pile
-/// slip ends somewhere in nearly each step, and a heap would take six times as long, so only few bodies are followed
-/// that closely.
+/// A step that ends where the first contact stops slipping: friction has another direction then, or holds.
 StepPlan until_slip_ends(const ContactGraph& graph, StepPlan plan, double longest) {
-  const auto moving = std::ranges::count_if(graph.bodies(), [](const IslandBody& body) { return !body.fixed(); });
-  if (moving > few_bodies) return plan;
   const double negligible = negligible_slip(graph, longest);
   for (int k = 0; k < most_slip_cuts; ++k) {
     const double share = slip_ends(plan, negligible);

@@ -118,5 +118,22 @@ TEST_CASE("pile: a stack that a ball strikes takes steps of usual length, and no
   }
 }
 
+// Friction takes at most μ (N + N + m g) from the post that slides, and μ N from the beam on the other one, which so
+// stays at rest. Where the step did not end with the slip, that one was left with 2 mm/s, tilted and sank into the table.
+TEST_CASE("pile: a post that slides under the beam that it carries stops, and the other post has not moved") {
+  const Vec3 half(0.5, 1, 0.75);
+  Body post = brick(half, Vec3(2, 0, half.z()), material), other = brick(half, Vec3(-2, 0, half.z()), material);
+  post.mass = MassProperties{4, Vec3::Zero(), 20 * Mat3::Identity()};
+  post.velocity.v_WBcm = {1, 1, 0};
+  Body beam = brick(Vec3(3, 0.5, 0.25), Vec3(0, 0, 1.75), material);
+  beam.mass = MassProperties{64, Vec3::Zero(), 256 * Mat3::Identity()};
+  const Simulated done = simulate(moving_scene({table(), other, post, beam}, {0, 0, -8}, {0.25}));
+  REQUIRE(!done.stopped);
+  const std::vector<State>& after = done.trajectory.states.back();
+  for (const State& state : after) CHECK(state.velocity.v_WBcm.norm() + state.velocity.w_WB.norm() < 1e-9);
+  CHECK((after[1].X_WB.p_WB - other.X_WB.p_WB).norm() < 1e-9);
+  CHECK(std::abs(after[3].X_WB.p_WB.z() - beam.X_WB.p_WB.z()) < 1e-9);
+}
+
 }  // namespace
 }  // namespace touchstone::fast

@@ -34,6 +34,18 @@ TEST_CASE("island rest: what no friction brakes sleeps only without any speed") 
   }
 }
 
+TEST_CASE("island rest: bodies that touch and move on together do not sleep, rough as they are, if none is fixed") {
+  const Material rough{0, 0.5};
+  const auto sleeps = [&](double speed) {
+    const IslandBodies bodies({ball(1, {-1, 0, 0}, {speed, 0, 0}, rough), ball(1, {1, 0, 0}, {speed, 0, 0}, rough)},
+                              still);
+    ContactGraph graph = bodies.graph(near, reach);
+    return rest_test(graph, 0.5);
+  };
+  CHECK(sleeps(0));
+  CHECK_FALSE(sleeps(0.25));
+}
+
 TEST_CASE("island rest: turning counts as fast as the farthest corner, and a moving support never sleeps") {
   Body box = brick({1, 2, 2}, {0, 0, 2}, {});  // radius 3
   box.velocity.w_WB = {0, 0, 0.125};
