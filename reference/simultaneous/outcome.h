@@ -11,8 +11,8 @@
 namespace touchstone::reference {
 
 /// The regions that approach, of all pairs within the envelope connected to the pair a, b through bodies that move and
-/// have started; pairs that do not approach connect too. Sorted by pair. Empty if the pair itself has none. The scene is
-/// that of all bodies at `time`.
+/// have started; pairs that do not approach connect too. Sorted by pair. Empty if the pair itself has none. The scene
+/// is that of all bodies at `time`.
 std::vector<ContactRegion> acting_regions(const Scene& then, double time, int a, int b, double envelope);
 
 /// The events of one time in their order: the velocities after each are those after its impulse and the ones before.

@@ -137,8 +137,8 @@ std::optional<TranslatingContact> translating_contact(const Parts& parts, const 
   if (!translates(starts[0]) || !translates(starts[1]) || starts[0].c != starts[1].c) return std::nullopt;
   const Translation translation(parts, starts, from);
   const mpq_class span = mpq_class(end) - mpq_class(from);
-  const mpq_class r = mpq_class(core_of(parts.A, parts.a).radius) + mpq_class(core_of(parts.B, parts.b).radius) +
-                      mpq_class(apart);
+  const mpq_class r =
+      mpq_class(core_of(parts.A, parts.a).radius) + mpq_class(core_of(parts.B, parts.b).radius) + mpq_class(apart);
   Triple difference;
   if (r > 0) {
     difference = least_difference(translation, span);

@@ -239,11 +239,12 @@ TEST_CASE("the reference abstains where no double holds the exact value") {
   CHECK(std::holds_alternative<Bounds>(reference->bounds(speck)));
 }
 
-/// B's motion began earlier, so its pose at the start is known to rounding only, where the boxes touch: no bound of the
+/// B's motion began earlier, and no doubles hold its position at the start, where the boxes touch: no bound of the
 /// distance is known. JSON has no word for infinity.
 TEST_CASE("the reference tells no gap that it does not know") {
   Scene scene = pair(body(Box{{3, 3, 2}}, {0, -1, -1}, {1, 1, 1, 1}), body(Box{{2, 1, 2}}, {0, 0, 0}, {1, 1, 1, 1}));
-  scene.bodies[1].velocity.v_WBcm = {0, -6, 0};
+  scene.bodies[1].X_WB.p_WB.x() = 0x1p-60;
+  scene.bodies[1].velocity.v_WBcm = {1, -6, 0};
   scene.motion = Motion{};
   scene.motion->sample_times = {2};
   scene.motion->start_times = {1, 0};

@@ -118,8 +118,8 @@ TEST_CASE("pile: a stack that a ball strikes takes steps of usual length, and no
   }
 }
 
-// Friction takes at most μ (N + N + m g) from the post that slides, and μ N from the beam on the other one, which so
-// stays at rest. Where the step did not end with the slip, that one was left with 2 mm/s, tilted and sank into the table.
+// The beam presses on the other post, so friction holds that one. Where the step did not end with the slip, the other
+// post was left with 2 mm/s, tilted and sank into the table.
 TEST_CASE("pile: a post that slides under the beam that it carries stops, and the other post has not moved") {
   const Vec3 half(0.5, 1, 0.75);
   Body post = brick(half, Vec3(2, 0, half.z()), material), other = brick(half, Vec3(-2, 0, half.z()), material);
