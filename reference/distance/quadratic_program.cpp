@@ -2,8 +2,7 @@
 //   d*             the least |v|² with v = Σ λ a − Σ μ b, Σ λ = Σ μ = 1, all λ, μ ≥ 0
 //   d* = 0         linear programs over all common points x = Σ λ a = Σ μ b of A and B
 // This is the program of CGAL's Polytope_distance_d (v is the difference of two non-negative vectors). That class takes
-// no options, and its pricing cycles forever on some tied pairs (CGAL issue 1552). Bland's rule is slower and
-// terminates.
+// no options, so its pricing cannot be Bland's.
 #include <CGAL/Gmpz.h>
 #include <CGAL/QP_functions.h>
 #include <CGAL/QP_models.h>
@@ -12,6 +11,7 @@
 #include <array>
 
 #include "reference/distance/routes.h"
+#include "reference/exact/bland.h"
 
 namespace touchstone::reference {
 namespace {
@@ -21,12 +21,6 @@ using Program = CGAL::Quadratic_program<Number>;
 
 Number number(const Integer& v) { return Number(v.get_mpz_t()); }
 Integer integer(const Number& v) { return Integer(v.mpz()); }
-
-CGAL::Quadratic_program_options without_cycles() {
-  CGAL::Quadratic_program_options options;
-  options.set_pricing_strategy(CGAL::QP_BLAND);
-  return options;
-}
 
 /// Adds a column: the vertex in three rows, and a 1 in the row that sums its weights.
 void add_vertex(Program& program, int column, const IntegerVec& v, int sum_row) {
@@ -93,7 +87,7 @@ class Participants {
     for (std::size_t i = 0; i < takes_part_.size(); ++i) {
       if (!takes_part_[i]) program.set_c(static_cast<int>(i), Number(-1));
     }
-    const auto solution = CGAL::solve_nonnegative_linear_program(program, Number(), without_cycles());
+    const auto solution = CGAL::solve_nonnegative_linear_program(program, Number(), blands_rule());
     bool more = false;
     auto value = solution.variable_numerators_begin();
     for (std::size_t i = 0; i < takes_part_.size(); ++i, ++value) {
@@ -145,7 +139,7 @@ CGAL::Quadratic_program_solution<Number> least_square(const PosedPair& pair) {
     program.set_d(k + 3, k + 3, Number(2));
   }
   add_weights(program, 6, pair.A, pair.B);
-  return CGAL::solve_nonnegative_quadratic_program(program, Number(), without_cycles());
+  return CGAL::solve_nonnegative_quadratic_program(program, Number(), blands_rule());
 }
 
 }  // namespace

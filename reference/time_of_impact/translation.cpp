@@ -6,6 +6,7 @@
 
 #include <vector>
 
+#include "reference/exact/bland.h"
 #include "reference/exact/linear.h"
 #include "reference/exact/rational.h"
 #include "reference/time_of_impact/initial_contact.h"
@@ -21,12 +22,6 @@ Number number(const mpq_class& v) { return Number(v.get_mpq_t()); }
 
 mpq_class quotient(const CGAL::Quotient<Number>& v) {
   return mpq_class(v.numerator().mpq()) / mpq_class(v.denominator().mpq());
-}
-
-CGAL::Quadratic_program_options without_cycles() {
-  CGAL::Quadratic_program_options options;
-  options.set_pricing_strategy(CGAL::QP_BLAND);
-  return options;
 }
 
 /// How far a body that translates has come by the time `from`.
@@ -82,7 +77,7 @@ struct Translation {
 std::optional<mpq_class> least_time(const Translation& translation, const Triple& difference) {
   Program program = translation.program(difference);
   program.set_c(0, Number(1));
-  const Solution solution = CGAL::solve_nonnegative_linear_program(program, Number(), without_cycles());
+  const Solution solution = CGAL::solve_nonnegative_linear_program(program, Number(), blands_rule());
   if (solution.is_infeasible()) return std::nullopt;
   return quotient(solution.objective_value());
 }
@@ -103,7 +98,7 @@ Triple least_difference(const Translation& translation, const mpq_class& most) {
   program.set_a(0, 5, Number(1));
   program.set_a(first + 6, 5, Number(1));
   program.set_b(5, number(most));
-  const Solution solution = CGAL::solve_nonnegative_quadratic_program(program, Number(), without_cycles());
+  const Solution solution = CGAL::solve_nonnegative_quadratic_program(program, Number(), blands_rule());
   std::vector<mpq_class> values;
   for (auto value = solution.variable_values_begin(); value != solution.variable_values_end(); ++value)
     values.push_back(quotient(*value));
