@@ -161,8 +161,11 @@ class Simulation {
     if (impacts_so_far_++ == limits_.impacts) return "more impacts than allowed";
     if (micro_bounces > limits_.micro_bounces) return "impacts pile up: they rest on each other, which is not followed";
     const Scene then = at(pending.time);
-    const std::vector<ContactRegion> regions = acting_regions(then, pending.time, pending.a, pending.b, envelope(now_));
-    const ImpactOutcome outcome = impact_outcome(then, pending.time, regions);
+    ImpactTimes next;
+    for (const PendingEvent& impact : impacts_) {
+      if (impact.known) next[{impact.a, impact.b}] = impact.time;
+    }
+    const ImpactOutcome outcome = impact_outcome(then, pending.time, {pending.a, pending.b}, envelope(now_), next);
     if (!outcome.undecided.empty()) return outcome.undecided;
     std::set<int> hit;
     for (const Event& event : outcome.events) {

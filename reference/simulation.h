@@ -2,9 +2,10 @@
 //
 // The pair that first comes within the envelope and approaches receives its impulse (reference/impulse.h), at the
 // centre of pressure of its contact region. Pairs that then approach within the envelope and are connected to it
-// through bodies that move act together with it, by the law of docs/design/simultaneous.md. The impulses are computed
-// from the states at that time as they are reported, in doubles. docs/design/simulation.md has the definitions and says
-// which freedom an event has.
+// through bodies that move act together with it, by the law of docs/design/simultaneous.md; an impact that is due
+// before it would cross the envelope, and that bodies within the envelope connect to it, acts at the same time. The
+// impulses are computed from the states at that time as they are reported, in doubles. docs/design/simulation.md has
+// the definitions and says which freedom an event has.
 #pragma once
 
 #include "model/answers.h"
@@ -22,7 +23,8 @@ struct SimulationLimits {
 /// several regions act together with friction or with unlike restitution, for which the law leaves the outcome open:
 /// states and events are complete until that time. Requires a completed scene with a motion; throws what time_of_impact
 /// throws.
-/// Cost: one time of impact for each pair at the start, and after each impact one for each pair of the two bodies.
+/// Cost: one time of impact for each pair at the start, and after each impact one for each pair of the two bodies; at
+/// each impact a distance for each body from each that acts in it.
 Trajectory simulation(const Scene& scene, const SimulationLimits& limits = {});
 
 }  // namespace touchstone::reference

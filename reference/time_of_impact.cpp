@@ -99,9 +99,10 @@ Interval around(const mpq_class& q) {
   return near < q ? Interval{near, std::nextafter(near, infinity)} : Interval{std::nextafter(near, -infinity), near};
 }
 
-/// Decides exactly what intervals leave undecided, if the two translate uniformly relative to each other.
+/// Decides exactly what intervals leave undecided, if the two translate uniformly relative to each other. Requires that
+/// they are apart at first.
 TimeOfImpactTruth decided(TimeOfImpactTruth truth, const Parts& parts, const Question& question) {
-  if (truth.status != Status::undecided || !(truth.time.lo > question.from)) return truth;
+  if (truth.status != Status::undecided) return truth;
   const std::optional<TranslatingContact> contact =
       translating_contact(parts, question.starts, question.apart, question.from, question.end);
   if (!contact) return truth;

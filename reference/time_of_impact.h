@@ -32,9 +32,9 @@ struct TimeOfImpactTruth {
 /// applied force of either begins after that body's start (ask again from its time on), if the motion ends before
 /// both have started, or if a given inertia is not positive definite exactly. Error: enclosed; the width is that of
 /// rounding over the approach speed, usually some 1e-14 s; of bodies that translate uniformly relative to each other
-/// it may be one ulp. Gives up: undecided where the contact is so grazing that 76 digits do not decide and one of
-/// the two rotates or their accelerations differ, or where contact at the start neither separates nor approaches.
-/// Cost: docs/design/time_of_impact.md.
+/// it may be one ulp. Gives up: undecided where the contact is so grazing that 76 digits do not decide, and one of
+/// the two rotates, or their accelerations differ, or a ball overlaps by as little, or where contact at the start
+/// neither separates nor approaches. Cost: docs/design/time_of_impact.md.
 TimeOfImpactTruth time_of_impact(const Scene& scene);
 
 /// The first time, from `from` on, at which the distance is at most `apart` (m, ≥ 0). A hit at the start if that holds

@@ -4,7 +4,6 @@
 #include <array>
 #include <cstddef>
 #include <map>
-#include <numeric>
 #include <optional>
 #include <set>
 #include <utility>
@@ -14,8 +13,9 @@
 #include "reference/exact/rational.h"
 #include "reference/impulse.h"
 #include "reference/impulse/exact_vectors.h"
-#include "reference/simultaneous/components.h"
+#include "reference/motion/ballistic_motion.h"
 #include "reference/simultaneous/contact_rows.h"
+#include "reference/time_of_impact/initial_contact.h"
 
 namespace touchstone::reference {
 namespace {
@@ -116,54 +116,105 @@ ImpactOutcome together(const Scene& then, double time, const std::vector<Contact
   return outcome;
 }
 
-/// By the moving bodies that they share; each in the order of `regions`.
-std::vector<std::vector<ContactRegion>> by_shared_bodies(const Scene& then, const std::vector<ContactRegion>& regions) {
-  const auto moving = [&](int i) {
-    return std::holds_alternative<Fixed>(body(then, i).mass) ? std::nullopt : std::optional(i);
-  };
-  std::vector<MovingPair> pairs;
-  for (const ContactRegion& region : regions) pairs.push_back({moving(region.a), moving(region.b)});
-  std::vector<std::size_t> all(regions.size());
-  std::iota(all.begin(), all.end(), std::size_t{0});
-  std::vector<std::vector<ContactRegion>> parts;
-  for (const std::vector<std::size_t>& component : components(pairs, all)) {
-    parts.emplace_back();
-    for (const std::size_t r : component) parts.back().push_back(regions[r]);
+bool moves(const Scene& then, int i) { return !std::holds_alternative<Fixed>(body(then, i).mass); }
+
+/// The bodies that have started and are within the envelope of body i, by number.
+std::vector<int> near(const Scene& then, double time, int i, double envelope) {
+  std::vector<int> found;
+  for (int j = 0; j < static_cast<int>(then.bodies.size()); ++j) {
+    if (j == i || then.motion->start_times[index(j)] > time) continue;
+    if (distance(pair_of(then, i, j)).distance.lo <= envelope) found.push_back(j);
   }
-  return parts;
+  return found;
 }
 
-}  // namespace
-
-std::vector<ContactRegion> acting_regions(const Scene& then, double time, int a, int b, double envelope) {
-  std::vector<ContactRegion> regions = approaching_regions(then, std::min(a, b), std::max(a, b), envelope);
-  if (regions.empty()) return regions;
-  std::set<std::pair<int, int>> asked = {std::minmax(a, b)};
-  std::set<int> known = {a, b};
-  std::vector<int> connected = {a, b};
-  const auto has_started = [&](int j) { return then.motion->start_times[index(j)] <= time; };
+/// The regions of the pair, and of all pairs that approach and are connected to it by such pairs through bodies that
+/// move, sorted by pair. Empty if the pair itself has none.
+std::vector<ContactRegion> connected_regions(const Scene& then, double time, const BodyPair& pair, double envelope) {
+  std::vector<ContactRegion> regions;
+  std::set<BodyPair> asked;
+  std::vector<int> connected;
+  const auto ask = [&](int i, int j) {
+    const BodyPair two = std::minmax(i, j);
+    if (!asked.insert(two).second) return;
+    const std::vector<ContactRegion> found = approaching_regions(then, two.first, two.second, envelope);
+    if (found.empty()) return;
+    regions.insert(regions.end(), found.begin(), found.end());
+    connected.insert(connected.end(), {i, j});
+  };
+  ask(pair.first, pair.second);
   for (std::size_t k = 0; k < connected.size(); ++k) {
     const int i = connected[k];
-    if (std::holds_alternative<Fixed>(body(then, i).mass)) continue;
-    for (int j = 0; j < static_cast<int>(then.bodies.size()); ++j) {
-      if (j == i || !has_started(j) || distance(pair_of(then, i, j)).distance.lo > envelope) continue;
-      if (known.insert(j).second) connected.push_back(j);
-      if (!asked.insert(std::minmax(i, j)).second) continue;
-      const auto found = approaching_regions(then, std::min(i, j), std::max(i, j), envelope);
-      regions.insert(regions.end(), found.begin(), found.end());
-    }
+    if (!moves(then, i)) continue;
+    for (const int j : near(then, time, i, envelope)) ask(i, j);
   }
   std::ranges::stable_sort(regions, {}, [](const ContactRegion& region) { return std::pair(region.a, region.b); });
   return regions;
 }
 
-ImpactOutcome impact_outcome(const Scene& then, double time, const std::vector<ContactRegion>& regions) {
+/// The bodies that move and are connected to the pair by pairs within the envelope, whether these approach or not.
+std::set<int> cluster(const Scene& then, double time, const BodyPair& pair, double envelope) {
+  std::vector<int> connected;
+  std::set<int> known;
+  const auto add = [&](int i) {
+    if (moves(then, i) && known.insert(i).second) connected.push_back(i);
+  };
+  add(pair.first);
+  add(pair.second);
+  for (std::size_t k = 0; k < connected.size(); ++k) {
+    for (const int j : near(then, time, connected[k], envelope)) add(j);
+  }
+  return known;
+}
+
+/// The time (s) in which the pair that has these regions would cross the envelope.
+double crossing_time(const Scene& then, const std::vector<ContactRegion>& regions, const BodyPair& pair,
+                     double envelope) {
+  Scene two = pair_of(then, pair.first, pair.second);
+  two.motion = touchstone::Motion{.sample_times = then.motion->sample_times};
+  const BallisticStart a = ballistic_start(two, 0), b = ballistic_start(two, 1);
+  double speed = 0;
+  for (const ContactRegion& region : regions) {
+    if (BodyPair(region.a, region.b) != pair) continue;
+    for (const Vec3& x : region.points_W) {
+      const Triple u = minus(velocity(a, triple(x)), velocity(b, triple(x)));
+      speed = std::max(speed, -region.nhat_BA_W.normalized().dot(rounded(u)));
+    }
+  }
+  return envelope / speed;
+}
+
+ImpactOutcome of_regions(const Scene& then, double time, const std::vector<ContactRegion>& regions) {
+  return regions.size() == 1 ? alone(then, time, regions.front()) : together(then, time, regions);
+}
+
+}  // namespace
+
+ImpactOutcome impact_outcome(const Scene& then, double time, const BodyPair& pair, double envelope,
+                             const ImpactTimes& next) {
+  const std::vector<ContactRegion> regions = connected_regions(then, time, pair, envelope);
   if (regions.empty()) return {{}, "where they touch is undecided"};
-  ImpactOutcome all;
-  for (const std::vector<ContactRegion>& part : by_shared_bodies(then, regions)) {
-    ImpactOutcome outcome = part.size() == 1 ? alone(then, time, part.front()) : together(then, time, part);
-    if (!outcome.undecided.empty()) return outcome;
+  ImpactOutcome all = of_regions(then, time, regions);
+  if (!all.undecided.empty()) return all;
+  std::set<int> acting;
+  const auto note = [&](const std::vector<ContactRegion>& some) {
+    for (const ContactRegion& region : some) acting.insert({region.a, region.b});
+  };
+  note(regions);
+  const double until = time + crossing_time(then, regions, pair, envelope);
+  const auto is_new = [&](int i) { return moves(then, i) && !acting.contains(i); };
+  std::optional<std::set<int>> connected;
+  for (const auto& [other, due] : next) {
+    if (due > until || !(is_new(other.first) || is_new(other.second))) continue;
+    if (!connected) connected = cluster(then, time, pair, envelope);
+    if (!connected->contains(other.first) && !connected->contains(other.second)) continue;
+    if (distance(pair_of(then, other.first, other.second)).distance.lo > envelope) continue;
+    const std::vector<ContactRegion> apart = connected_regions(then, time, other, envelope);
+    if (apart.empty()) continue;
+    const ImpactOutcome outcome = of_regions(then, time, apart);
+    if (!outcome.undecided.empty()) continue;
     all.events.insert(all.events.end(), outcome.events.begin(), outcome.events.end());
+    note(apart);
   }
   std::ranges::stable_sort(all.events, {}, [](const Event& event) { return std::pair(event.a, event.b); });
   return all;

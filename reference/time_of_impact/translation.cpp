@@ -120,7 +120,7 @@ bool translates(const BallisticStart& start) {
 void start_later(Body& body, BallisticStart& start, double time) {
   const Triple come = way(start, time), p = plus(triple(body.X_WB.p_WB), come);
   const Vec3 rounded(nearest(p[0]), nearest(p[1]), nearest(p[2]));
-  if (triple(rounded) != p) return;
+  if (!rounded.allFinite() || triple(rounded) != p) return;
   body.X_WB.p_WB = rounded;
   start.p = plus(start.p, come);
   start.v = velocity_at(start, time);

@@ -283,6 +283,34 @@ TEST_CASE("A row is hit from both ends at one time: the ends act apart, before t
   }
 }
 
+/// Ball 0 hits ball 1, ball 2 touches that one and moves with it at first; the rest approach ball 2.
+Trajectory beside_a_hit(const std::vector<Body>& rest, double end) {
+  std::vector<Body> bodies = {ball(1, {0, -3, 0}, {0, 1, 0}), ball(1, {0, 0, 0}, {0, 0, 0}),
+                              ball(1, {2 + 0x1p-34, 0, 0}, {0, 0, 0})};
+  bodies.insert(bodies.end(), rest.begin(), rest.end());
+  for (Body& b : bodies) b.mass = round_mass();
+  for (std::size_t i = 1; i < bodies.size(); ++i) bodies[i].material.friction = 0.5;
+  return simulation(sampled_at(bodies, {end}));
+}
+
+TEST_CASE("A contact that is connected to an impact acts at its own time, unless it is due with it") {
+  const double near = 0.9 * 0x1p-30, x = 2 + 0x1p-34;
+  const Trajectory said =
+      beside_a_hit({ball(1, {x + 2 + near, 0, 0}, {-1e-10, 0, 0}), ball(1, {x, 2 + near, 0}, {0, -1e-10, 0})}, 1.5);
+  CHECK(!said.complete_until);
+  REQUIRE(said.events->size() == 1);
+  CHECK((*said.events)[0].b == 1);
+}
+
+TEST_CASE("An impact whose neighbour's outcome is open has one of its own") {
+  const double x = 2 + 0x1p-34;
+  const Trajectory said = beside_a_hit({ball(1, {x + 3, 0, 0}, {-1, 0, 0}), ball(1, {x, 3, 0}, {0, -1, 0})}, 1.5);
+  REQUIRE(said.complete_until);
+  REQUIRE(said.events->size() == 1);
+  CHECK((*said.events)[0].b == 1);
+  CHECK(said.gave_up.find("bodies[2]") != std::string::npos);
+}
+
 std::vector<Body> clash(double friction, double other_restitution) {
   std::vector<Body> row = {ball(0.5, {-2, 0, 0}, {1, 0, 0}), ball(0.5, {0, 0, 0}, {0, 0, 0}),
                            ball(0.5, {2, 0, 0}, {-1, 0, 0})};

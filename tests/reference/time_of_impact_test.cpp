@@ -143,6 +143,12 @@ TEST_CASE("Bodies that translate and graze are told apart exactly") {
   }
 }
 
+TEST_CASE("A body that is farther away than doubles reach when the other one starts misses it") {
+  Scene scene = pair(ball(1, Vec3(-4, 1.5, 0), Vec3(1e300, 0, 0)), ball(0.5, Vec3::Zero(), Vec3::Zero()));
+  scene.motion = Motion{.sample_times = {1e10}, .start_times = {0, 1e9}};
+  CHECK(time_of_impact(scene).status == Status::miss);
+}
+
 TEST_CASE("Contact at a later start is decided where doubles hold the position there") {
   for (const double approach : {-1.0, 1.0}) {
     Scene scene = pair(body(Box{Vec3(1, 1, 1)}, Vec3(-4 - approach, 0, 0)), body(Box{Vec3(1, 1, 1)}, Vec3(-2, 0.5, 0)));

@@ -1,7 +1,5 @@
 #include "fast/simulation/island/island_rest.h"
 
-#include <algorithm>
-
 #include "fast/simulation/island/island_step.h"
 #include "fast/simulation/prediction/length.h"
 
@@ -10,6 +8,20 @@ namespace {
 
 constexpr double balance_tolerance = 0x1p-30;  // greatest unbalanced acceleration, relative to the applied one
 constexpr double left_over = 0x1p-20;          // of the speed at rest: what a frictionless contact may leave
+
+/// Those that contacts with friction connect to a fixed body.
+std::vector<bool> braked_bodies(const ContactGraph& graph, const std::vector<contact::ContactConstraint>& contacts) {
+  std::vector<bool> braked;
+  for (const IslandBody& island_body : graph.bodies()) braked.push_back(island_body.fixed());
+  for (bool found = true; found;) {
+    found = false;
+    for (const contact::ContactConstraint& at : contacts) {
+      if (!(at.friction > 0) || braked[at.a] == braked[at.b]) continue;
+      braked[at.a] = braked[at.b] = found = true;
+    }
+  }
+  return braked;
+}
 
 }  // namespace
 
@@ -21,11 +33,7 @@ void remove_approach(ContactGraph& graph) {
 
 bool rest_test(ContactGraph& graph, double rest_speed) {
   std::vector<contact::ContactConstraint> contact_points = constraints(graph);
-  std::vector<bool> braked(graph.bodies().size(), false);
-  const bool held = std::ranges::any_of(graph.bodies(), [](const IslandBody& body) { return body.fixed(); });
-  for (const contact::ContactConstraint& at : contact_points) {
-    if (held && at.friction > 0) braked[at.a] = braked[at.b] = true;
-  }
+  const std::vector<bool> braked = braked_bodies(graph, contact_points);
   bool pulled = false;
   for (std::size_t i = 0; i < graph.bodies().size(); ++i) {
     const IslandBody& island_body = graph.bodies()[i];

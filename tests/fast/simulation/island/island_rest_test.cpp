@@ -46,6 +46,18 @@ TEST_CASE("island rest: bodies that touch and move on together do not sleep, rou
   CHECK_FALSE(sleeps(0.25));
 }
 
+TEST_CASE("island rest: rough bodies on each other do not sleep on ice, unless one of them is held") {
+  const Material rough{0, 0.5}, ice{0, 0};
+  for (const bool held : {false, true}) {
+    Body under = table();
+    if (!held) under.material = ice;
+    const IslandBodies bodies({brick({1, 1, 1}, {0, 0, 1}, rough), brick({1, 1, 1}, {0, 0, 3}, rough), under}, g_W);
+    ContactGraph graph = bodies.graph(near, reach);
+    for (const BodyId id : {0, 1}) graph.body(id).step_body.state.velocity.v_WBcm = {0.25, 0, 0};
+    CHECK(rest_test(graph, 0.5) == held);
+  }
+}
+
 TEST_CASE("island rest: turning counts as fast as the farthest corner, and a moving support never sleeps") {
   Body box = brick({1, 2, 2}, {0, 0, 2}, {});  // radius 3
   box.velocity.w_WB = {0, 0, 0.125};
