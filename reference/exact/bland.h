@@ -1,5 +1,5 @@
-// Bland's rule for CGAL's simplex solver. It is slower than the default pricing, which cycles forever on some tied pairs
-// (CGAL issue 1552), and terminates.
+// Bland's rule for CGAL's simplex solver. It is slower than the default pricing, which cycles forever on some tied
+// pairs (CGAL issue 1552), and terminates.
 #pragma once
 
 #include <CGAL/QP_options.h>
