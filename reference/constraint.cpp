@@ -105,6 +105,7 @@ class Simulation {
   Next next() const;
   void sample_until(const Enclosed& until);
   void cross_edge(const EdgeCrossing& crossing);
+  Parabola after(const Next& change) const;
   void handle_contact(const FixedBox& box);
   SlipKnowledge apply_impulse(const FixedBox& box, const EnclosedVec& n_B);
   void land(const FixedBox& box, const EnclosedVec& over, SlipKnowledge slip);
@@ -393,7 +394,11 @@ SlipKnowledge Simulation::apply_impulse(const FixedBox& box, const EnclosedVec& 
   }
   const EnclosedVec jump = plus(scaled(push, n), drag);
   const EnclosedVec spin = scaled(-(1 / (ball_.kappa * ball_.radius)), cross(n, drag));
+  // v + jump; its part along n is e times the approach, which has fewer roundings.
+  const EnclosedVec kept = plus(box.turned_out(across(box.turned_in(path_.v), n_B)), drag);
+  const EnclosedVec rebound = plus(kept, scaled(box.restitution * approach, n));
   path_.v = plus(path_.v, jump);
+  for (std::size_t i = 0; i < 3; ++i) path_.v[i] = shared(path_.v[i], rebound[i]);
   path_.w = plus(path_.w, spin);
   record(Event::Kind::impact, box, n, scaled(ball_.mass, jump), approach,
          hull(length(jump), ball_.radius * length(spin)));
@@ -408,6 +413,13 @@ void Simulation::land(const FixedBox& box, const EnclosedVec& over, SlipKnowledg
   set_resting({&box, *axis, over[*axis].is_positive() ? 1 : -1}, slip);
   leaving_contacts_.clear();
   record(Event::Kind::contact, box, face_->normal_W(), {}, 0, 0);
+}
+
+Parabola Simulation::after(const Next& change) const {
+  const Parabola path = path_.later(change.tau);
+  if (change.what != Next::What::touches) return path;
+  const auto axis = only_axis(excess(*change.touched_box, path.p));
+  return axis ? at_face(path_, change.tau, *change.touched_box, *axis, ball_.radius) : path;
 }
 
 void Simulation::handle_contact(const FixedBox& box) {
@@ -456,7 +468,7 @@ ConstraintTruth Simulation::run() {
     note_clearance(over ? Next{} : change, over ? end - path_.start : change.tau);
     sample_until(over ? end + end : path_.start + change.tau);
     if (over) return truth_;
-    path_ = path_.later(change.tau);
+    path_ = after(change);
     if (change.what == Next::What::slip_stops) {
       const Enclosed rate = law_.slip_rate;
       set_resting(*face_, SlipKnowledge::none);

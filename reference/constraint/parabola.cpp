@@ -124,6 +124,24 @@ Parabola Parabola::later(const Enclosed& tau) const {
           alpha};
 }
 
+Parabola at_face(const Parabola& path, const Enclosed& tau, const FixedBox& box, std::size_t axis,
+                 const Enclosed& radius) {
+  EnclosedVec c = box.in(path.later(tau).p);
+  const Enclosed side = c[axis].is_positive() ? 1 : -1;
+  const Enclosed from = box.in(path.p)[axis], fast = box.turned_in(path.v)[axis], a = box.turned_in(path.a)[axis];
+  c[axis] = side * (box.half[axis] + radius);
+  const Enclosed speed = -(side * root(square(fast) + 2 * a * (c[axis] - from)));
+  Parabola there = path.later(a.holds_zero() ? tau : shared(tau, (speed - fast) / a));
+  EnclosedVec v = box.turned_in(there.v);
+  v[axis] = shared(v[axis], speed);
+  const EnclosedVec p_W = plus(box.origin, box.turned_out(c)), v_W = box.turned_out(v);
+  for (std::size_t i = 0; i < 3; ++i) {
+    there.p[i] = shared(there.p[i], p_W[i]);
+    there.v[i] = shared(there.v[i], v_W[i]);
+  }
+  return there;
+}
+
 EnclosedVec excess(const FixedBox& box, const EnclosedVec& centre_W) {
   const EnclosedVec c = box.in(centre_W);
   return {beyond(c[0], box.half[0]), beyond(c[1], box.half[1]), beyond(c[2], box.half[2])};

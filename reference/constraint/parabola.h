@@ -31,6 +31,12 @@ struct Parabola {
   Parabola later(const Enclosed& tau) const;  ///< the same path with its start at start + τ
 };
 
+/// The path with its start at the contact with a face of the box after tau, narrowed by what is known there: the centre
+/// is exactly `radius` above the face, and along its normal v² = v₀² + 2 a (x − x₀) and τ = (v − v₀)/a. So enclosures
+/// do not grow from one bounce to the next. `axis` is that of the face; the ball approaches.
+Parabola at_face(const Parabola& path, const Enclosed& tau, const FixedBox& box, std::size_t axis,
+                 const Enclosed& radius);
+
 /// How the ball leaves a box that it touches at τ = 0. By default it separates: v·n > 0. `turns_off`: it has just
 /// crossed the edge of `face` along the axis `over` (axes of the box), with v·n = 0, and falls more slowly than the
 /// circle about the edge.

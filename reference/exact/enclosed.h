@@ -72,6 +72,10 @@ class Enclosed {
   friend Enclosed hull(const Enclosed& a, const Enclosed& b) {
     return {std::min(a.lo_, b.lo_), std::max(a.hi_, b.hi_)};
   }
+  /// Of two enclosures of one number: what they have in common.
+  friend Enclosed shared(const Enclosed& a, const Enclosed& b) {
+    return {std::max(a.lo_, b.lo_), std::min(a.hi_, b.hi_)};
+  }
   friend Enclosed square(const Enclosed& a) {
     const Enclosed product = a * a;
     return a.holds_zero() ? Enclosed(Float(0), product.hi_) : product;

@@ -160,6 +160,27 @@ TEST_CASE("constraint: a ball that bounces loses e a bounce") {
   CHECK_THROWS_WITH(constraint(scene), Catch::Contains("more changes"));
 }
 
+// From one bounce to the next enclosures grew by a factor of 40, so far from the origin 10⁻⁵ of an impulse was not
+// known.
+TEST_CASE("constraint: a ball that bounces without loss, far from the origin, is known to rounding") {
+  for (const double turned : {0.0, 0.25}) {
+    const double height = 0x1p-6, fall = std::sqrt(2 * height / g), far = 0x1p35;
+    Scene scene = ball_on_table(Vec3(0x1p-7, 0, 0), 80 * fall);
+    scene.bodies[0].X_WB.p_WB.z() = r + height - far;
+    scene.bodies[1].X_WB.p_WB.z() -= far;
+    scene.bodies[1].material.restitution = 1;
+    scene.bodies[1].X_WB.q_WB = {1, 0, 0, turned};
+    const ConstraintTruth truth = constraint(scene);
+    CAPTURE(turned);
+    REQUIRE(truth.changes.size() == 40);
+    const ConstraintTruth::Change& last = truth.changes.back();
+    CHECK(holds(last.time, 79 * fall, 1e-12));
+    CHECK(width(last.time) < 1e-14);
+    CHECK(width(last.after.v_WB[2]) < 1e-15);
+    CHECK(holds(last.after.v_WB[2], std::sqrt(2 * g * height)));
+  }
+}
+
 TEST_CASE("constraint: what is outside says why") {
   const auto refuses = [](const Scene& scene, const std::string& why) {
     CHECK_THROWS_WITH(constraint(scene), Catch::Contains(why));
