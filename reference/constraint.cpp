@@ -397,8 +397,7 @@ SlipKnowledge Simulation::apply_impulse(const FixedBox& box, const EnclosedVec& 
   // v + jump; its part along n is e times the approach, which has fewer roundings.
   const EnclosedVec kept = plus(box.turned_out(across(box.turned_in(path_.v), n_B)), drag);
   const EnclosedVec rebound = plus(kept, scaled(box.restitution * approach, n));
-  path_.v = plus(path_.v, jump);
-  for (std::size_t i = 0; i < 3; ++i) path_.v[i] = shared(path_.v[i], rebound[i]);
+  path_.v = shared(plus(path_.v, jump), rebound);
   path_.w = plus(path_.w, spin);
   record(Event::Kind::impact, box, n, scaled(ball_.mass, jump), approach,
          hull(length(jump), ball_.radius * length(spin)));

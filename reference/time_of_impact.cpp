@@ -1,7 +1,6 @@
 #include "reference/time_of_impact.h"
 
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -9,6 +8,7 @@
 
 #include "model/input_error.h"
 #include "reference/distance.h"
+#include "reference/exact/enclosed.h"
 #include "reference/exact/float_mode.h"
 #include "reference/exact/rational.h"
 #include "reference/motion/ballistic_motion.h"
@@ -92,13 +92,6 @@ void refuse_overlap_to_rounding(const Question& question) {
   if (distance(scene).verdict == Verdict::overlapping) refuse_overlap(scene.bodies[0], scene.bodies[1]);
 }
 
-Interval around(const mpq_class& q) {
-  const double near = nearest(q);
-  if (near == q) return {near, near};
-  const double infinity = std::numeric_limits<double>::infinity();
-  return near < q ? Interval{near, std::nextafter(near, infinity)} : Interval{std::nextafter(near, -infinity), near};
-}
-
 /// Decides exactly what intervals leave undecided, if the two translate uniformly relative to each other. Requires that
 /// they are apart at first.
 TimeOfImpactTruth decided(TimeOfImpactTruth truth, const Parts& parts, const Question& question) {
@@ -112,7 +105,7 @@ TimeOfImpactTruth decided(TimeOfImpactTruth truth, const Parts& parts, const Que
     return truth;
   }
   truth.status = Status::hit;
-  truth.time = around(*contact->time);
+  truth.time = Enclosed(*contact->time).in_doubles();
   return truth;
 }
 

@@ -134,11 +134,8 @@ Parabola at_face(const Parabola& path, const Enclosed& tau, const FixedBox& box,
   Parabola there = path.later(a.holds_zero() ? tau : shared(tau, (speed - fast) / a));
   EnclosedVec v = box.turned_in(there.v);
   v[axis] = shared(v[axis], speed);
-  const EnclosedVec p_W = plus(box.origin, box.turned_out(c)), v_W = box.turned_out(v);
-  for (std::size_t i = 0; i < 3; ++i) {
-    there.p[i] = shared(there.p[i], p_W[i]);
-    there.v[i] = shared(there.v[i], v_W[i]);
-  }
+  there.p = shared(there.p, plus(box.origin, box.turned_out(c)));
+  there.v = shared(there.v, box.turned_out(v));
   return there;
 }
 

@@ -121,6 +121,10 @@ inline bool operator==(const Enclosed& a, const Enclosed& b) {
 
 using EnclosedVec = Three<Enclosed>;
 
+inline EnclosedVec shared(const EnclosedVec& a, const EnclosedVec& b) {
+  return {shared(a[0], b[0]), shared(a[1], b[1]), shared(a[2], b[2])};
+}
+
 /// Returns −1, 0 (for the point 0) or 1. Throws Undecided with the message `what` if the enclosure does not decide.
 inline int sign_of(const Enclosed& a, const char* what) {
   if (a.is_zero()) return 0;
