@@ -300,6 +300,10 @@ TEST_CASE("A contact that is connected to an impact acts at its own time, unless
   CHECK(!said.complete_until);
   REQUIRE(said.events->size() == 1);
   CHECK((*said.events)[0].b == 1);
+  const Trajectory longer = beside_a_hit({ball(1, {x + 2 + near, 0, 0}, {-1e-10, 0, 0})}, 8);
+  REQUIRE(longer.events->size() >= 2);
+  CHECK((*longer.events)[1].b == 3);
+  CHECK((*longer.events)[1].time > 3);  // from 0.9 to half an envelope
 }
 
 TEST_CASE("An impact whose neighbour's outcome is open has one of its own") {
