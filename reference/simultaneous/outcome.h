@@ -21,13 +21,13 @@ struct ImpactOutcome {
   std::string undecided;  ///< why there is no outcome; else ""
 };
 
-/// What the impact of the pair does at `time`, and the impacts that act with it. Together with it act the regions that
-/// approach, of all pairs within the envelope that such pairs connect to it through bodies that move and have started.
-/// Other impacts act at the same time, but apart, if they are due (`next`) before the pair would cross the envelope,
-/// and pairs within the envelope connect them to it: else the first would change what the second meets. If such an
-/// outcome is undecided, it is left to its own time. One region acts by the law of one contact point, at its sliding
-/// centre if it slides on to the end, else at its centre of pressure. Several act by rounds until none of them
-/// approaches, if they have no friction. The scene is that of all bodies at `time`.
+/// What the impact of the pair does at `time`, and the impacts that act with it. Together with it act the regions
+/// that approach, of all pairs within the envelope that such pairs connect to it through bodies that move and have
+/// started. Other impacts act at the same time, each with its own outcome, if they are due (`next`) before the pair
+/// would cross the envelope, and pairs within the envelope connect them to it: else the first would change what the
+/// second meets. If such an outcome is undecided, it is left to its own time. One region acts by the law of one
+/// contact point, at its sliding centre if it slides on to the end, else at its centre of pressure. Several act by
+/// rounds until none of them approaches, if they have no friction. The scene is that of all bodies at `time`.
 ImpactOutcome impact_outcome(const Scene& then, double time, const BodyPair& pair, double envelope,
                              const ImpactTimes& next);
 
