@@ -28,6 +28,8 @@ enum class Mark : unsigned char {
   exact_proximity,    ///< fast/lin_canny/exact_proximity: a pair that doubles could not decide
   exact_step,         ///< fast/exact/nearest: a pair of vertices added
   face_scan,          ///< fast/lin_canny/bracket: all vertices looked at, since no neighbour shows the highest
+  friction_step,      ///< fast/simultaneous/friction: the friction of all regions changed once
+  friction_turn,      ///< fast/simultaneous/round: friction solved at given normal impulses
   grid_chain,         ///< fast/broad_phase/wrapped_grid: an entry put into a chain
   grid_layout,        ///< cells laid out
   grid_long_body,     ///< a body across more rows than a level has
@@ -74,16 +76,16 @@ enum class Mark : unsigned char {
 
 /// The names, in the order of the enumerators.
 constexpr std::array<const char*, static_cast<std::size_t>(Mark::count_of_marks)> mark_names = {
-    "balance_step",    "centre_step",    "climb",           "climb_step",     "climb_exact",       "contact_newton",
-    "contact_round",   "contact_row",    "contact_sweep",   "depth",          "depth_exact",       "depth_step",
-    "descent",         "descent_step",   "exact_proximity", "exact_step",     "face_scan",         "grid_chain",
-    "grid_layout",     "grid_long_body", "grid_rebuild",    "grid_unchain",   "grid_update",       "impulse_again",
-    "impulse_curve",   "impulse_phase",  "impulse_scaled",  "impulse_series", "impulse_slide_off", "impact_tied",
-    "impact_together", "island_merge",   "micro_bounces",   "pixel_exact",    "pixel_seen",        "plane_step",
-    "proxy_candidate", "proxy_query",    "rest_phase",      "shared_normal",  "step_bounce",       "step_force",
-    "step_long",       "step_shift",     "toi_all_normals", "toi_balls",      "toi_doubt",         "toi_parting",
-    "toi_query",       "toi_search",     "toi_wait",        "tumble_step",    "vertex_scan",       "walk",
-    "walk_in_doubles", "walk_inside",    "walk_restart",    "walk_step"};
+    "balance_step",      "centre_step",   "climb",           "climb_step",     "climb_exact",     "contact_newton",
+    "contact_round",     "contact_row",   "contact_sweep",   "depth",          "depth_exact",     "depth_step",
+    "descent",           "descent_step",  "exact_proximity", "exact_step",     "face_scan",       "friction_step",
+    "friction_turn",     "grid_chain",    "grid_layout",     "grid_long_body", "grid_rebuild",    "grid_unchain",
+    "grid_update",       "impulse_again", "impulse_curve",   "impulse_phase",  "impulse_scaled",  "impulse_series",
+    "impulse_slide_off", "impact_tied",   "impact_together", "island_merge",   "micro_bounces",   "pixel_exact",
+    "pixel_seen",        "plane_step",    "proxy_candidate", "proxy_query",    "rest_phase",      "shared_normal",
+    "step_bounce",       "step_force",    "step_long",       "step_shift",     "toi_all_normals", "toi_balls",
+    "toi_doubt",         "toi_parting",   "toi_query",       "toi_search",     "toi_wait",        "tumble_step",
+    "vertex_scan",       "walk",          "walk_in_doubles", "walk_inside",    "walk_restart",    "walk_step"};
 
 using MarkCounts = std::array<std::uint64_t, static_cast<std::size_t>(Mark::count_of_marks)>;
 

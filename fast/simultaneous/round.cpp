@@ -4,10 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
-#include "fast/contact/combined_solver.h"
 #include "fast/contact/least_norm.h"
 #include "fast/mark.h"
+#include "fast/simultaneous/friction.h"
 #include "fast/simultaneous/nonnegative.h"
 
 namespace touchstone::fast::simultaneous {
@@ -20,8 +21,8 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr int most_friction_sweeps = 400;
-constexpr double friction_convergence = 0x1p-44;  // of the greatest change of velocity, as in contact/solver.h
+constexpr int most_turns = 64;
+constexpr double friction_convergence = 0x1p-44;  // of the greatest friction
 // Of the condition that impulses keep their effect (`shared`).
 constexpr double least_weight = 0x1p6, greatest_weight = 0x1p24, weight_ratio = 0x1p6;
 constexpr int steps_per_weight = 3;
@@ -120,26 +121,43 @@ std::vector<ContactRow> points_of(const std::vector<Region>& regions, const std:
   return all;
 }
 
-/// Friction at given normal impulses: against the slip that is left, in the disc μ P_n, at all points at once.
-void add_friction(std::vector<ContactRow>& rows, const std::vector<Mobility>& bodies, std::vector<Twist>& twists) {
-  double greatest = 0;
-  for (int sweep = 0; sweep < most_friction_sweeps; ++sweep) {
-    mark(Mark::contact_sweep);
-    mark(Mark::contact_row, rows.size());
-    double change = 0;
-    for (ContactRow& row : rows) {
-      const double P_n = row.n.dot(row.P);
-      const Vec3 u = relative_velocity(row, twists), slip = u - row.n.dot(u) * row.n;
-      Vec3 P_t = row.P - P_n * row.n - slip / row.K_tt;
-      const double size = P_t.norm(), most = row.friction * P_n;
-      if (size > most) P_t *= most / size;
-      const Vec3 added = P_n * row.n + P_t - row.P;
-      apply_impulse(row, added, bodies, twists);
-      row.P += added;
-      change = std::max(change, added.norm() * row.K_tt);
+void apply(const std::vector<ContactRow>& rows, const std::vector<Mobility>& bodies, std::vector<Twist>& twists) {
+  for (const ContactRow& row : rows) apply_impulse(row, row.P, bodies, twists);
+}
+
+/// Normal impulses of compression, if `twists` are the velocities that all other impulses leave.
+void press(const std::vector<Region>& regions, std::vector<ContactRow>& rows, const std::vector<Mobility>& bodies,
+           const std::vector<Twist>& twists) {
+  VectorXd p = compression(rows, bodies, twists, 0);
+  if (regions.size() > 1) p = shared(regions, rows, bodies, p);
+  for (std::size_t k = 0; k < rows.size(); ++k) rows[k].P = p[static_cast<Index>(k)] * rows[k].n;
+}
+
+/// Friction and normal impulses of compression in turn, each with what the other was last, until friction stays. Each
+/// has a unique effect, so the order of points and regions does not matter. Together they need not be unique.
+void press_and_rub(const std::vector<Region>& regions, std::vector<ContactRow>& rows,
+                   const std::vector<Mobility>& bodies, const std::vector<Twist>& before) {
+  std::vector<Vec3> friction(regions.size(), Vec3::Zero());
+  for (int turn = 1;; ++turn) {
+    mark(Mark::friction_turn);
+    std::vector<ContactRow> centres = centres_of_pressure(regions, rows, bodies);
+    std::vector<Twist> twists = before;
+    for (std::size_t r = 0; r < centres.size(); ++r) centres[r].P += friction[r];
+    apply(centres, bodies, twists);
+    add_friction(centres, bodies, twists);
+    double change = 0, greatest = 0;
+    twists = before;
+    for (std::size_t r = 0; r < centres.size(); ++r) {
+      const Vec3 last = std::exchange(friction[r], friction_of(centres[r]));
+      change = std::max(change, (friction[r] - last).norm());
+      greatest = std::max(greatest, friction[r].norm());
+      apply_impulse(centres[r], friction[r], bodies, twists);
     }
-    greatest = std::max(greatest, change);
-    if (change <= friction_convergence * greatest) return;
+    if (change <= friction_convergence * greatest || turn == most_turns) {
+      share_friction(regions, centres, rows);
+      return;
+    }
+    press(regions, rows, bodies, twists);
   }
 }
 
@@ -199,14 +217,9 @@ void act(std::vector<Region>& regions, const std::vector<Mobility>& bodies, std:
   const bool is_rough = std::ranges::any_of(rows, [](const ContactRow& row) { return row.friction > 0; });
   const bool one_e = std::ranges::all_of(
       regions, [&](const Region& region) { return region.restitution == regions.front().restitution; });
-  VectorXd p = compression(rows, bodies, twists, 0);
-  if (regions.size() > 1) p = shared(regions, rows, bodies, p);
-  for (std::size_t k = 0; k < rows.size(); ++k) rows[k].P = p[static_cast<Index>(k)] * rows[k].n;
-  if (is_rough) {
-    contact::solve_combined(rows, bodies, twists, {});  // from the impulses without friction
-  } else {
-    for (const ContactRow& row : rows) apply_impulse(row, row.P, bodies, twists);
-  }
+  press(regions, rows, bodies, twists);
+  if (is_rough) press_and_rub(regions, rows, bodies, twists);
+  apply(rows, bodies, twists);
   std::vector<ContactRow> back = rows;
   std::vector<Twist> after = twists;
   double returned = 0;  // Σ e² w
@@ -220,7 +233,11 @@ void act(std::vector<Region>& regions, const std::vector<Mobility>& bodies, std:
     }
   }
   double share = 1;
-  if (is_rough) add_friction(back, bodies, after);
+  if (is_rough) {
+    std::vector<ContactRow> centres = centres_of_pressure(regions, back, bodies);
+    add_friction(centres, bodies, after);
+    share_friction(regions, centres, back);
+  }
   if (is_rough || !one_e) {
     double b = 0, c = 0;
     for (const ContactRow& row : back) {

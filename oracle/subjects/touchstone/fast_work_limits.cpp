@@ -57,7 +57,7 @@ std::vector<WorkLimit> fast_work_limits() {
       {"time_of_impact", "exact_proximity", 1, {{"toi_search", 1}}},
       {"time_of_impact", "exact_step", 8, {{"exact_proximity", 6}}},
 
-      {"simulation", "toi_query", 128, {{"toi_search", 6}, {"radians", 4}, {"aspect", 0.0625}}},
+      {"simulation", "toi_query", 128, {{"toi_search", 6}, {"radians", 4}, {"aspect", 0.0625}, {"contact_round", 0.5}}},
       {"simulation", "tumble_step", 2048, {{"toi_query", 3}}},
       {"simulation", "walk", 2048, {{"toi_query", 4}, {"contact_round", 16}}},
       {"simulation", "walk_step", 64, {{"walk", 7}}},
@@ -83,6 +83,8 @@ std::vector<WorkLimit> fast_work_limits() {
       {"simulation", "walk_restart", 64, {{"walk", 1}}},
       {"simulation", "island_merge", 32, {{"event", 2}, {"step", 2}}},
       {"simulation", "impact_together", 8, {{"event", 0.5}}},
+      {"simulation", "friction_turn", 64, {{"impact_together", 48}}},
+      {"simulation", "friction_step", 512, {{"friction_turn", 64}, {"impact_together", 64}}},
       {"simulation", "impulse_curve", 128, {{"event", 24}}},
       {"simulation", "impulse_slide_off", 32, {{"impulse_curve", 1}}},
       {"simulation", "micro_bounces", 8, {{"event", 1}}},

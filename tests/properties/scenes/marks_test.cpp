@@ -63,6 +63,8 @@ const std::vector<Reach> reaches = {
     {Mark::exact_proximity, "distance", "touching.exact"},
     {Mark::exact_step, "constraint", "tables.stack"},
     {Mark::face_scan, "time_of_impact", "flights.generic"},
+    {Mark::friction_step, "simulation", "runs.parts_land"},
+    {Mark::friction_turn, "simulation", "runs.parts_land"},
     {Mark::grid_chain, "broad_phase", "films.many"},
     {Mark::grid_layout, "broad_phase", "films.growing"},
     {Mark::grid_long_body, "broad_phase", "films.many_sizes"},
