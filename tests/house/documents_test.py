@@ -23,8 +23,8 @@ def anchors(text):
 
 
 def cited(text):
-    """The keys, as in docs/sources.bib: the first author and the year."""
-    return {author.split()[-1].lower() + year for author, year in CITATION.findall(text)}
+    """The keys, as in docs/sources.bib: the first author, without an apostrophe, and the year."""
+    return {author.split()[-1].lower().replace("'", "") + year for author, year in CITATION.findall(text)}
 
 
 def broken_links(root, documents):
