@@ -18,7 +18,7 @@ enum class Mark : unsigned char {
   climb_exact,        ///< an axis along which doubles could not decide
   contact_newton,     ///< fast/contact/sparse/newton: a factorisation
   contact_round,      ///< fast/contact/step: the contacts of a step solved for one guess of where bodies end
-  contact_row,        ///< fast/contact, fast/simultaneous: a contact relaxed, linearised for a round or factorised
+  contact_row,        ///< fast/contact: a contact relaxed, linearised for a round or factorised
   contact_sweep,      ///< fast/contact/solver: each contact relaxed once
   depth,              ///< fast/penetration/depth_bracket: one pair of convex bodies
   depth_exact,        ///< fast/penetration/exact_depth: a vertex added
@@ -28,8 +28,8 @@ enum class Mark : unsigned char {
   exact_proximity,    ///< fast/lin_canny/exact_proximity: a pair that doubles could not decide
   exact_step,         ///< fast/exact/nearest: a pair of vertices added
   face_scan,          ///< fast/lin_canny/bracket: all vertices looked at, since no neighbour shows the highest
-  friction_step,      ///< fast/simultaneous/friction: the friction of all regions changed once
-  friction_turn,      ///< fast/simultaneous/round: friction solved at given normal impulses
+  friction_step,      ///< fast/simultaneous/friction: the friction of all points changed once
+  friction_turn,      ///< fast/simultaneous/round: a point whose normal impulse and friction are solved in turn
   grid_chain,         ///< fast/broad_phase/wrapped_grid: an entry put into a chain
   grid_layout,        ///< cells laid out
   grid_long_body,     ///< a body across more rows than a level has

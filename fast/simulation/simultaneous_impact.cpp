@@ -201,7 +201,14 @@ std::vector<ContactImpulse> act_together(const Run& run, const std::vector<PairP
     const auto row = [&](std::size_t k) -> const contact::ContactRow& {
       return regions[region_of[i]].points[first_of[i] + k];
     };
-    // P_t is shared like P_n, so the sum of P acts at its centre.
+    if (row(0).friction > 0) {
+      for (std::size_t k = 0; k < points.size(); ++k) {
+        if (row(k).P.isZero(0)) continue;
+        impulses.push_back({points[k].a, points[k].b, points[k].touch, row(k).P});
+        if (presses.empty() || presses.back() != i) presses.push_back(i);
+      }
+      continue;
+    }
     const std::optional<Touch> centre = weighted_mean(points, [&](std::size_t k) { return row(k).n.dot(row(k).P); });
     if (!centre) continue;
     Vec3 P = Vec3::Zero();

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <utility>
 
+#include "fast/contact/combined_solver.h"
 #include "fast/contact/least_norm.h"
 #include "fast/mark.h"
 #include "fast/simultaneous/friction.h"
@@ -21,8 +22,9 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr int most_turns = 64;
-constexpr double friction_convergence = 0x1p-44;  // of the greatest friction
+constexpr double even_weight = 0x1p-2;  // of an even pressure in the energies of wrenches, with friction
+constexpr std::size_t most_turns = 32, most_turns_times_points = 512;  // a turn costs the cube of the points
+constexpr double friction_convergence = 0x1p-44;                       // of the greatest friction
 // Of the condition that impulses keep their effect (`shared`).
 constexpr double least_weight = 0x1p6, greatest_weight = 0x1p24, weight_ratio = 0x1p6;
 constexpr int steps_per_weight = 3;
@@ -78,13 +80,24 @@ MatrixXd separate_responses(const std::vector<Region>& regions, const std::vecto
   return A;
 }
 
+bool is_rough(const std::vector<ContactRow>& points) {
+  return std::ranges::any_of(points, [](const ContactRow& row) { return row.friction > 0; });
+}
+
 /// The impulses with the effect of p that have the least sum of energies of the regions' wrenches. By the method of
 /// multipliers (Hestenes 1969): the condition has a weight, and what it lets pass is added to its goal. A great weight
 /// hides the energies behind the rounding of the condition, so it grows only as long as the effect is missed, as it is
-/// where masses differ much.
+/// where masses differ much. With friction the energies of the points' own impulses count too, a little: friction
+/// depends on p, which the wrenches alone leave open.
 VectorXd shared(const std::vector<Region>& regions, const std::vector<ContactRow>& points,
                 const std::vector<Mobility>& bodies, const VectorXd& p) {
-  const MatrixXd A = responses(points, bodies), D = separate_responses(regions, bodies, p.size());
+  const MatrixXd A = responses(points, bodies);
+  MatrixXd D = separate_responses(regions, bodies, p.size());
+  if (is_rough(points)) {
+    const VectorXd sizes = D.colwise().norm();
+    D.conservativeResize(D.rows() + p.size(), Eigen::NoChange);
+    D.bottomRows(p.size()) = even_weight * MatrixXd(sizes.asDiagonal());
+  }
   const VectorXd effect = A * p;
   MatrixXd both(A.rows() + D.rows(), p.size());
   both.bottomRows(D.rows()) = D;
@@ -134,31 +147,32 @@ void press(const std::vector<Region>& regions, std::vector<ContactRow>& rows, co
 }
 
 /// Friction and normal impulses of compression in turn, each with what the other was last, until friction stays. Each
-/// has a unique effect, so the order of points and regions does not matter. Together they need not be unique.
+/// has a unique effect, so the order of points and regions does not matter. What they have not reached after some turns
+/// is left to the contact solver.
 void press_and_rub(const std::vector<Region>& regions, std::vector<ContactRow>& rows,
-                   const std::vector<Mobility>& bodies, const std::vector<Twist>& before) {
-  std::vector<Vec3> friction(regions.size(), Vec3::Zero());
-  for (int turn = 1;; ++turn) {
-    mark(Mark::friction_turn);
-    std::vector<ContactRow> centres = centres_of_pressure(regions, rows, bodies);
-    std::vector<Twist> twists = before;
-    for (std::size_t r = 0; r < centres.size(); ++r) centres[r].P += friction[r];
-    apply(centres, bodies, twists);
-    add_friction(centres, bodies, twists);
-    double change = 0, greatest = 0;
+                   const std::vector<Mobility>& bodies, std::vector<Twist>& twists) {
+  const std::vector<Twist> before = twists;
+  std::vector<Vec3> friction(rows.size(), Vec3::Zero());
+  const std::size_t turns = std::clamp<std::size_t>(most_turns_times_points / rows.size(), 2, most_turns);
+  for (std::size_t turn = 1; turn <= turns; ++turn) {
+    mark(Mark::friction_turn, rows.size());
+    for (std::size_t k = 0; k < rows.size(); ++k) rows[k].P += friction[k];
     twists = before;
-    for (std::size_t r = 0; r < centres.size(); ++r) {
-      const Vec3 last = std::exchange(friction[r], friction_of(centres[r]));
-      change = std::max(change, (friction[r] - last).norm());
-      greatest = std::max(greatest, friction[r].norm());
-      apply_impulse(centres[r], friction[r], bodies, twists);
+    apply(rows, bodies, twists);
+    add_friction(rows, bodies, twists);
+    double change = 0, greatest = 0;
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+      const Vec3 last = std::exchange(friction[k], friction_of(rows[k]));
+      change = std::max(change, (friction[k] - last).norm());
+      greatest = std::max(greatest, friction[k].norm());
     }
-    if (change <= friction_convergence * greatest || turn == most_turns) {
-      share_friction(regions, centres, rows);
-      return;
-    }
+    if (change <= friction_convergence * greatest || turn == turns) break;
+    twists = before;
+    for (std::size_t k = 0; k < rows.size(); ++k) apply_impulse(rows[k], friction[k], bodies, twists);
     press(regions, rows, bodies, twists);
   }
+  twists = before;
+  contact::solve_combined(rows, bodies, twists, {});
 }
 
 /// The greatest s ≤ 1 with s b + s² c ≤ most, where b ≤ most.
@@ -214,12 +228,15 @@ VectorXd compression(const std::vector<ContactRow>& points, const std::vector<Mo
 void act(std::vector<Region>& regions, const std::vector<Mobility>& bodies, std::vector<Twist>& twists) {
   const std::vector<Twist> before = twists;
   std::vector<ContactRow> rows = points_of(regions, bodies);
-  const bool is_rough = std::ranges::any_of(rows, [](const ContactRow& row) { return row.friction > 0; });
+  const bool rough = is_rough(rows);
   const bool one_e = std::ranges::all_of(
       regions, [&](const Region& region) { return region.restitution == regions.front().restitution; });
   press(regions, rows, bodies, twists);
-  if (is_rough) press_and_rub(regions, rows, bodies, twists);
-  apply(rows, bodies, twists);
+  if (rough) {
+    press_and_rub(regions, rows, bodies, twists);
+  } else {
+    apply(rows, bodies, twists);
+  }
   std::vector<ContactRow> back = rows;
   std::vector<Twist> after = twists;
   double returned = 0;  // Σ e² w
@@ -233,19 +250,18 @@ void act(std::vector<Region>& regions, const std::vector<Mobility>& bodies, std:
     }
   }
   double share = 1;
-  if (is_rough) {
-    std::vector<ContactRow> centres = centres_of_pressure(regions, back, bodies);
-    add_friction(centres, bodies, after);
-    share_friction(regions, centres, back);
-  }
-  if (is_rough || !one_e) {
+  if (rough) add_friction(back, bodies, after);
+  if (rough || !one_e) {
     double b = 0, c = 0;
     for (const ContactRow& row : back) {
       const Vec3 u = relative_velocity(row, twists);
       b += row.P.dot(u);
       c += row.P.dot(relative_velocity(row, after) - u) / 2;
     }
-    share = greatest_share(b, c, std::max(0.0, returned));
+    double lost = 0;
+    for (const ContactRow& row : rows)
+      lost -= row.P.dot(relative_velocity(row, before) + relative_velocity(row, twists)) / 2;
+    share = greatest_share(b, c, std::max(0.0, std::min(returned, lost)));
   }
   twists = before;
   k = 0;

@@ -40,10 +40,11 @@ Eigen::VectorXd compression(const std::vector<contact::ContactRow>& points,
 /// − e²) w, where w = ½ Σ p (−u_n) is the work of compression of a region. With one e, s = 1: kinetic energy falls by
 /// exactly (1 − e²) of what compression took, and the velocities do not depend on p.
 ///
-/// With friction, each region rubs at its centre of pressure (friction.h). Compression fulfils Coulomb's law with the
-/// slip there at its end, restitution adds s e P_n with friction against the slip at the end of restitution. Energy is
-/// bounded by the same s. Normal impulses and friction of compression are solved in turn; if they have not converged
-/// after 64 turns, as it happens with μ > 1, a region may still approach.
+/// With friction, compression fulfils Coulomb's law with the slip at its end (contact/solver.h). Where the regions are
+/// redundant, several impulses do. Normal impulses at given friction and friction at given normal impulses, each with a
+/// unique effect, are solved in turn, at most 32 times; the contact solver goes on from there. Restitution adds s e P_n
+/// with friction against the slip at its end, with s so small that no more energy returns than above, nor than
+/// compression took.
 void act(std::vector<Region>& regions, const std::vector<contact::Mobility>& bodies,
          std::vector<contact::Twist>& twists);
 

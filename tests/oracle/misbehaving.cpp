@@ -134,7 +134,7 @@ int serve_text(const std::string& text) {
 int run(const std::string& mode) {
   if (mode == "start_exit") return std::fputs("no licence found\n", stderr), 4;
   if (mode == "start_words") return std::puts("Welcome!"), 0;
-  if (mode == "start_deaf") return fclose(stdin), std::fflush(stdout), spin(), 0;
+  if (mode == "start_deaf") return fclose(stdin), std::fflush(stdout), pause();
   if (const auto text = texts.find(mode); text != texts.end()) return serve_text(text->second);
   Misbehaving subject(tricks.at(mode));
   return serve(subject);

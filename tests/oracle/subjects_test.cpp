@@ -343,7 +343,8 @@ TEST_CASE("oracle: impulse: Simbody's step turns no body, however fast it spins"
 }
 
 TEST_CASE("a subject in Python") {
-  const auto subject = connect("exec:python3 '" TOUCHSTONE_SOURCE "/oracle/subjects/python/sphere_engine.py'", "");
+  const auto subject =
+      connect("exec:/usr/bin/python3 '" TOUCHSTONE_SOURCE "/oracle/subjects/python/sphere_engine.py'", "");
   const Distance spheres = said(subject->distance(pair(body(Sphere{1}, {13, 24, 5}), body(Sphere{2}, {10, 20, 5}))));
   CHECK(near(spheres.distance.value(), 2));
   CHECK(near(*spheres.p_WCa - *spheres.p_WCb, {1.2, 1.6, 0}));

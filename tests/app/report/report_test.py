@@ -156,8 +156,8 @@ class Commands(Test):
             self.assertIn(finding["why"], done.stdout)
 
     def test_they_run_from_anywhere(self):
-        for subject, limit, cases in [("fcl.indep", 1, 30), ("exec:python3 engines/engine.py none \"it's $HOME\"", 1, 3),
-                                      ("exec:python3 engines/engine.py hangs", 0.3, 1), (f"exec:'{CANARY}' canary.nan", 1, 3)]:
+        for subject, limit, cases in [("fcl.indep", 1, 30), ("exec:/usr/bin/python3 engines/engine.py none \"it's $HOME\"", 1, 3),
+                                      ("exec:/usr/bin/python3 engines/engine.py hangs", 0.3, 1), (f"exec:'{CANARY}' canary.nan", 1, 3)]:
             if subject == "fcl.indep" and "fcl.indep" not in self.succeeds("list", "subjects"):
                 continue
             with self.subTest(subject):

@@ -1,4 +1,4 @@
-// Friction at the centres of pressure of several regions: the conditions of its minimum, and its distribution.
+// Friction at given normal impulses: the conditions of its minimum.
 #include "fast/simultaneous/friction.h"
 
 #include <algorithm>
@@ -11,16 +11,16 @@
 namespace touchstone::fast::simultaneous {
 namespace {
 
-/// A box that slides and spins on up to six regions of a table, with normal impulses.
+/// A box that slides and spins on up to four points of a table, with normal impulses.
 struct Sliding {
   explicit Sliding(unsigned seed) : generator(seed) {
     impacts.bodies = {{1, Vec3(1, 2, 3).asDiagonal()}, {}};
     impacts.twists = {{Vec3(number(), number(), 0), Vec3(0, 0, number())}, {}};
-    const auto count = 1 + generator() % 6;
+    const auto count = 1 + generator() % 3;
     for (std::size_t r = 0; r < count; ++r) {
       Region& region = impacts.regions.emplace_back();
       const double friction = number() + 1;
-      for (std::size_t k = 0; k < 1 + r % 3; ++k) {
+      for (std::size_t k = 0; k < 1 + r % 2; ++k) {
         region.points.push_back(point(0, 1, {0, 0, 1}, {number(), number(), -0.5}, {number(), number(), 0}));
         region.points.back().friction = friction;
         region.points.back().P = (number() + 1) / 8 * Vec3::UnitZ();
@@ -45,44 +45,25 @@ TEST_CASE("friction: it stops slip, or is opposite to the slip that is left and 
     Sliding drawn(seed);
     const auto& bodies = drawn.impacts.bodies;
     std::vector<Twist> twists = drawn.impacts.twists;
-    std::vector<ContactRow> centres = centres_of_pressure(drawn.impacts.regions, drawn.points, bodies);
     const double before = energy(drawn.impacts);
     double fastest = 0;
-    for (const ContactRow& row : centres)
+    for (const ContactRow& row : drawn.points)
       fastest = std::max(fastest, relative_velocity(row, twists).norm() + row.K_tt * row.friction * row.P.norm());
-    add_friction(centres, bodies, twists);
-    // A last step of at most 2⁻⁴⁴ of the greatest velocity is that much times the number of centres in slip, on the rim
-    // of the disc twice.
-    const double rest = 2 * static_cast<double>(centres.size()) * 0x1p-44 * fastest;
+    add_friction(drawn.points, bodies, twists);
+    // The last step is at most 2⁻⁴⁴ of the greatest velocity. Times the number of points it is the slip before that
+    // step, and also what the step changes. On the rim of the disc slip counts twice.
+    const double rest = 4 * static_cast<double>(drawn.points.size()) * 0x1p-44 * fastest;
     Impacts after = drawn.impacts;
     after.twists = twists;
     CHECK(energy(after) <= before * (1 + 1e-12));
-    for (const ContactRow& centre : centres) {
-      const Vec3 u = relative_velocity(centre, twists), slip = u - centre.n.dot(u) * centre.n;
-      const Vec3 P_t = friction_of(centre);
-      const double most = centre.friction * centre.n.dot(centre.P);
+    for (const ContactRow& row : drawn.points) {
+      const Vec3 u = relative_velocity(row, twists), slip = u - row.n.dot(u) * row.n;
+      const Vec3 P_t = friction_of(row);
+      const double most = row.friction * row.n.dot(row.P);
       CHECK(P_t.norm() <= most * (1 + 1e-12));
       // Inside of the disc nothing slips; on the rim P_t is opposite to the slip.
       CHECK(slip.norm() * most + slip.dot(P_t) <= rest * most);
     }
-  }
-}
-
-TEST_CASE("friction: shared over the points it has the effect that it has at the centre") {
-  for (unsigned seed = 0; seed < 50; ++seed) {
-    INFO("seed " << seed);
-    Sliding drawn(seed);
-    const auto& bodies = drawn.impacts.bodies;
-    std::vector<Twist> at_centres = drawn.impacts.twists, at_points = drawn.impacts.twists;
-    std::vector<ContactRow> centres = centres_of_pressure(drawn.impacts.regions, drawn.points, bodies);
-    add_friction(centres, bodies, at_centres);
-    share_friction(drawn.impacts.regions, centres, drawn.points);
-    for (const ContactRow& row : drawn.points) {
-      CHECK(friction_of(row).norm() <= row.friction * row.n.dot(row.P) * (1 + 1e-12));
-      apply_impulse(row, friction_of(row), bodies, at_points);
-    }
-    CHECK(is_near(at_points[0].v, at_centres[0].v, 1e-13));
-    CHECK(is_near(at_points[0].w, at_centres[0].w, 1e-13));
   }
 }
 

@@ -64,6 +64,28 @@ struct Draw {
     return all;
   }
 
+  /// A box that lands on two blocks side by side, of unlike e and with friction up to `most`.
+  Impacts landing(double most) {
+    Impacts all;
+    const Vec3 half(1 + number() / 2, 1 + number() / 2, 0.5), square = half.cwiseAbs2();
+    const Vec3 inertia = (square.sum() * Vec3::Ones() - square) / 3;
+    all.bodies = {{1, inertia.cwiseInverse().asDiagonal()}, {}};
+    all.twists = {{Vec3(number(), number(), -1), Vec3::Zero()}, {}};
+    const double middle = number() / 2 * half.x();
+    for (const double end : {-half.x(), half.x()}) {
+      Region& region = all.regions.emplace_back();
+      region.restitution = (number() + 1) / 2;
+      const double friction = (number() + 1) / 2 * most;
+      for (const double x : {middle, end}) {
+        for (const double y : {-half.y(), half.y()}) {
+          region.points.push_back(point(0, 1, {0, 0, 1}, {x, y, -half.z()}));
+          region.points.back().friction = friction;
+        }
+      }
+    }
+    return all;
+  }
+
   std::mt19937 generator;
 };
 
@@ -129,10 +151,10 @@ TEST_CASE("round: without friction and with one e, energy falls by 1 - e² of wh
 }
 
 TEST_CASE("round: the order of points and regions, repeated and added points and exchanged bodies change nothing") {
-  for (unsigned seed = 0; seed < 160; ++seed) {
+  for (unsigned seed = 0; seed < 80; ++seed) {
     INFO("seed " << seed);
     Draw draw(seed);
-    const Impacts all = draw.scene(1, seed < 80 ? 0 : (seed % 5) / 4.0, seed % 2 == 0);
+    const Impacts all = draw.scene(1, 0, seed % 2 == 0);
     Impacts plain = all, other = all;
     plain.regions = approaching(all);
     other.regions = plain.regions;
@@ -158,6 +180,35 @@ TEST_CASE("round: the order of points and regions, repeated and added points and
     for (std::size_t i = 0; i < plain.twists.size(); ++i) {
       CHECK(is_near(plain.twists[i].v, other.twists[i].v, 1e-9));
       CHECK(is_near(plain.twists[i].w, other.twists[i].w, 1e-9));
+    }
+  }
+}
+
+// What the turns have not reached depends on the order; 2⁻¹⁰ is what TS-SIMULATION-30 allows.
+TEST_CASE("round: with friction the order of points and regions and exchanged bodies change little") {
+  for (unsigned seed = 0; seed < 160; ++seed) {
+    INFO("seed " << seed);
+    const Impacts all = seed % 2 == 0 ? Draw(seed).scene(1, 0.3, false) : Draw(seed).landing(0.5);
+    Impacts plain = all, other = all;
+    plain.regions = approaching(all);
+    if (plain.regions.empty()) continue;
+    other.regions = plain.regions;
+    std::ranges::reverse(other.regions);
+    for (Region& region : other.regions) {
+      std::ranges::reverse(region.points);
+      for (ContactRow& row : region.points) {
+        std::swap(row.a, row.b);
+        std::swap(row.arm_A, row.arm_B);
+        row.n = -row.n;
+      }
+    }
+    const double before = energy(all);
+    act(plain.regions, plain.bodies, plain.twists);
+    act(other.regions, other.bodies, other.twists);
+    CHECK(energy(plain) <= before * (1 + 1e-12));
+    for (std::size_t i = 0; i < plain.twists.size(); ++i) {
+      CHECK(is_near(plain.twists[i].v, other.twists[i].v, 0x1p-10));
+      CHECK(is_near(plain.twists[i].w, other.twists[i].w, 0x1p-10));
     }
   }
 }
