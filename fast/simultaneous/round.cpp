@@ -84,20 +84,32 @@ bool is_rough(const std::vector<ContactRow>& points) {
   return std::ranges::any_of(points, [](const ContactRow& row) { return row.friction > 0; });
 }
 
+/// What does not change from turn to turn.
+struct Responses {
+  MatrixXd together;  ///< of all points
+  MatrixXd apart;     ///< of each region's alone; empty if there is one region
+};
+
+/// With friction the energies of the points' own impulses count too, a little: friction depends on p, which the
+/// wrenches alone leave open.
+Responses responses_of(const std::vector<Region>& regions, const std::vector<ContactRow>& points,
+                       const std::vector<Mobility>& bodies) {
+  Responses all{responses(points, bodies), {}};
+  if (regions.size() == 1) return all;
+  all.apart = separate_responses(regions, bodies, all.together.cols());
+  if (!is_rough(points)) return all;
+  const VectorXd sizes = all.apart.colwise().norm();
+  all.apart.conservativeResize(all.apart.rows() + sizes.size(), Eigen::NoChange);
+  all.apart.bottomRows(sizes.size()) = even_weight * MatrixXd(sizes.asDiagonal());
+  return all;
+}
+
 /// The impulses with the effect of p that have the least sum of energies of the regions' wrenches. By the method of
 /// multipliers (Hestenes 1969): the condition has a weight, and what it lets pass is added to its goal. A great weight
 /// hides the energies behind the rounding of the condition, so it grows only as long as the effect is missed, as it is
-/// where masses differ much. With friction the energies of the points' own impulses count too, a little: friction
-/// depends on p, which the wrenches alone leave open.
-VectorXd shared(const std::vector<Region>& regions, const std::vector<ContactRow>& points,
-                const std::vector<Mobility>& bodies, const VectorXd& p) {
-  const MatrixXd A = responses(points, bodies);
-  MatrixXd D = separate_responses(regions, bodies, p.size());
-  if (is_rough(points)) {
-    const VectorXd sizes = D.colwise().norm();
-    D.conservativeResize(D.rows() + p.size(), Eigen::NoChange);
-    D.bottomRows(p.size()) = even_weight * MatrixXd(sizes.asDiagonal());
-  }
+/// where masses differ much.
+VectorXd shared(const Responses& responses, const VectorXd& p) {
+  const MatrixXd &A = responses.together, &D = responses.apart;
   const VectorXd effect = A * p;
   MatrixXd both(A.rows() + D.rows(), p.size());
   both.bottomRows(D.rows()) = D;
@@ -138,19 +150,28 @@ void apply(const std::vector<ContactRow>& rows, const std::vector<Mobility>& bod
   for (const ContactRow& row : rows) apply_impulse(row, row.P, bodies, twists);
 }
 
+/// `compression` with the points' responses.
+VectorXd compression_by(const MatrixXd& A, const std::vector<ContactRow>& points, const std::vector<Twist>& twists,
+                        double least_u_n) {
+  VectorXd missing(A.cols());
+  for (std::size_t k = 0; k < points.size(); ++k)
+    missing[static_cast<Index>(k)] = least_u_n - normal_velocity(points[k], twists);
+  // With Aᵀb = missing, the least |A p − b| over p ≥ 0 is the projection.
+  return nonnegative_least_squares(A, contact::least_norm_solution(A.transpose(), missing));
+}
+
 /// Normal impulses of compression, if `twists` are the velocities that all other impulses leave.
-void press(const std::vector<Region>& regions, std::vector<ContactRow>& rows, const std::vector<Mobility>& bodies,
-           const std::vector<Twist>& twists) {
-  VectorXd p = compression(rows, bodies, twists, 0);
-  if (regions.size() > 1) p = shared(regions, rows, bodies, p);
+void press(const Responses& responses, std::vector<ContactRow>& rows, const std::vector<Twist>& twists) {
+  VectorXd p = compression_by(responses.together, rows, twists, 0);
+  if (responses.apart.size() > 0) p = shared(responses, p);
   for (std::size_t k = 0; k < rows.size(); ++k) rows[k].P = p[static_cast<Index>(k)] * rows[k].n;
 }
 
 /// Friction and normal impulses of compression in turn, each with what the other was last, until friction stays. Each
 /// has a unique effect, so the order of points and regions does not matter. What they have not reached after some turns
 /// is left to the contact solver.
-void press_and_rub(const std::vector<Region>& regions, std::vector<ContactRow>& rows,
-                   const std::vector<Mobility>& bodies, std::vector<Twist>& twists) {
+void press_and_rub(const Responses& responses, std::vector<ContactRow>& rows, const std::vector<Mobility>& bodies,
+                   std::vector<Twist>& twists) {
   const std::vector<Twist> before = twists;
   std::vector<Vec3> friction(rows.size(), Vec3::Zero());
   const std::size_t turns = std::clamp<std::size_t>(most_turns_times_points / rows.size(), 2, most_turns);
@@ -169,7 +190,7 @@ void press_and_rub(const std::vector<Region>& regions, std::vector<ContactRow>& 
     if (change <= friction_convergence * greatest || turn == turns) break;
     twists = before;
     for (std::size_t k = 0; k < rows.size(); ++k) apply_impulse(rows[k], friction[k], bodies, twists);
-    press(regions, rows, bodies, twists);
+    press(responses, rows, twists);
   }
   twists = before;
   contact::solve_combined(rows, bodies, twists, {});
@@ -217,12 +238,7 @@ std::vector<std::vector<std::size_t>> components(const std::vector<Region>& regi
 
 VectorXd compression(const std::vector<ContactRow>& points, const std::vector<Mobility>& bodies,
                      const std::vector<Twist>& twists, double least_u_n) {
-  const MatrixXd A = responses(points, bodies);
-  VectorXd missing(A.cols());
-  for (std::size_t k = 0; k < points.size(); ++k)
-    missing[static_cast<Index>(k)] = least_u_n - normal_velocity(points[k], twists);
-  // With Aᵀb = missing, the least |A p − b| over p ≥ 0 is the projection.
-  return nonnegative_least_squares(A, contact::least_norm_solution(A.transpose(), missing));
+  return compression_by(responses(points, bodies), points, twists, least_u_n);
 }
 
 void act(std::vector<Region>& regions, const std::vector<Mobility>& bodies, std::vector<Twist>& twists) {
@@ -231,9 +247,10 @@ void act(std::vector<Region>& regions, const std::vector<Mobility>& bodies, std:
   const bool rough = is_rough(rows);
   const bool one_e = std::ranges::all_of(
       regions, [&](const Region& region) { return region.restitution == regions.front().restitution; });
-  press(regions, rows, bodies, twists);
+  const Responses responses = responses_of(regions, rows, bodies);
+  press(responses, rows, twists);
   if (rough) {
-    press_and_rub(regions, rows, bodies, twists);
+    press_and_rub(responses, rows, bodies, twists);
   } else {
     apply(rows, bodies, twists);
   }

@@ -66,6 +66,7 @@ def broken_sources(root, documents):
 def main(root):
     assert links("[a](b.md) `[c](d)` ```\n[e](f)\n```") == ["b.md"]
     assert cited("Gilbert, Johnson & Keerthi 1988; van den Bergen 2001") == {"gilbert1988", "bergen2001"}
+    assert cited("O'Donoghue & Candès 2015") == {"odonoghue2015"}
     ours = (p for p in sorted(root.rglob("*.md")) if not p.relative_to(root).parts[0].startswith(("build", "."))
             and "node_modules" not in p.parts)
     documents = {p: p.read_text() for p in ours}
