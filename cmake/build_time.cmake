@@ -14,7 +14,7 @@ function(touchstone_optimise target layer)
   get_target_property(links ${target} LINK_LIBRARIES)
   if(layer STREQUAL "app" OR links MATCHES "Catch2")
     set(level -Og)
-  elseif(layer MATCHES "^(oracle|properties|subject)$")
+  elseif(layer MATCHES "^(reference|oracle|properties|subject)$")
     set(level -O2)
   endif()
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:${level}>)
@@ -76,11 +76,12 @@ function(touchstone_headers owner type level)
   target_precompile_headers(${owner} PRIVATE ${ARGN})
 endfunction()
 
-# touchstone_units(<target> <units> [APART <sources> …]): compiles the sources of a target in so many units. A source's
-# unit depends on its own name alone, so a new source changes one unit. Sources of one unit share an unnamed namespace:
-# those that each define the same local names stand APART.
+# touchstone_units(<target> <units> [SALT <number>] [APART <sources> …]): compiles the sources of a target in so many
+# units. A source's unit depends on its own name and the salt alone, so a new source changes one unit. Sources of one
+# unit share an unnamed namespace: salts were searched with which no two of them define the same local name in two ways,
+# and which make units of like size. A source that does all the same stands APART.
 function(touchstone_units target units)
-  cmake_parse_arguments(ARG "" "" "APART" ${ARGN})
+  cmake_parse_arguments(ARG "" "SALT" "APART" ${ARGN})
   if(DEFINED CMAKE_UNITY_BUILD)
     return()
   endif()
@@ -88,7 +89,7 @@ function(touchstone_units target units)
   foreach(source IN LISTS sources)
     cmake_path(IS_ABSOLUTE source generated)
     if(NOT generated AND NOT source IN_LIST ARG_APART)
-      string(MD5 hash ${source})
+      string(MD5 hash ${ARG_SALT}${source})
       string(SUBSTRING ${hash} 0 6 hash)
       math(EXPR unit "0x${hash} % ${units}")
       set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${unit})

@@ -28,7 +28,9 @@ std::optional<NextEvent> earliest_event(const Run& run) {
   const PairEvent* pair = run.schedule.next();
   const double step_end = stepping ? stepping->until() : simulation::never;
   const double contact = pair ? pair->time : simulation::never;
-  const double force = run.world.next_force_time(), next = std::min({force, contact, step_end});
+  const AppliedForce* applied = run.world.next_force();
+  const double force = applied != nullptr ? applied->time : simulation::never,
+               next = std::min({force, contact, step_end});
   if (waiting && next > run.world.now()) {
     return NextEvent{NextEvent::Kind::step_begins, run.world.now(), waiting->graph().key()};
   }

@@ -98,7 +98,7 @@ Scene as_at(Scene scene, const std::vector<State>& states) {
 /// m: no more than the two overlap; 0 if they are not proved to.
 double overlap(const Scene& pair) {
   const bool is_deep = oracle::truth::distance(pair).verdict == Verdict::overlapping;
-  return is_deep ? oracle::truth::penetration(pair).depth.lo : 0;
+  return is_deep ? judge::margin(pair).lo : 0;
 }
 
 /// Of the two of all bodies that overlap most, or the first two that overlap too much.
@@ -239,8 +239,11 @@ Finding cone(const Scene& scene, Subject& subject) {
       if (event.kind == Event::Kind::force) continue;
       const auto body = [&](int i) -> const Body& { return scene.bodies[static_cast<std::size_t>(i)]; };
       const double mu = std::min(body(event.a).material.friction, body(event.b).material.friction);
-      const double P_n = event.nhat_BA_W.dot(event.P_A_W), size = event.P_A_W.norm();
-      const double P_t = (event.P_A_W - P_n * event.nhat_BA_W).norm();
+      if (std::abs(event.nhat_BA_W.norm() - 1) > tolerance::unit_length(subject.card().precision))
+        return judge::wrong(Defect::wrong_normal, "n = " + text(event.nhat_BA_W) + " at " + text(event.time) + " s",
+                            "a unit normal");
+      const Vec3 n = event.nhat_BA_W.normalized();
+      const double P_n = n.dot(event.P_A_W), size = event.P_A_W.norm(), P_t = (event.P_A_W - P_n * n).norm();
       const double beyond = std::max({-P_n, P_t - mu * P_n, 0.0});
       const oracle::Real impulse = size, friction = mu;
       const Finding finding = judge::at_most(

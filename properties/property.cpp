@@ -46,7 +46,8 @@ Property of_valid_start(Property property) {
     const oracle::Finding outside = oracle::judge::outside("the bodies overlap at the start");
     if (!is_of_any_answer) return outside;
     const oracle::Finding found = check(scene, subject);
-    return found.defect == oracle::Defect::threw ? outside : found;
+    const bool is_refusal = found.defect == oracle::Defect::threw || found.defect == oracle::Defect::refused;
+    return is_refusal ? outside : found;
   };
   return property;
 }

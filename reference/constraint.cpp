@@ -19,7 +19,7 @@ constexpr std::size_t most_changes = 40;
 Enclosed length(const EnclosedVec& a) { return root(inner(a, a)); }
 EnclosedVec enclosed(const Triple& a) { return {Enclosed(a[0]), Enclosed(a[1]), Enclosed(a[2])}; }
 std::string place(std::size_t body) { return "bodies[" + std::to_string(body) + "]"; }
-Vec3 nearest(const EnclosedVec& a) {
+Vec3 nearest_doubles(const EnclosedVec& a) {
   Vec3 v;
   for (std::size_t i = 0; i < 3; ++i) v[static_cast<Eigen::Index>(i)] = a[i].middle().convert_to<double>();
   return v;
@@ -218,9 +218,9 @@ void Simulation::record(Event::Kind kind, const FixedBox& box, const EnclosedVec
   change.kind = kind;
   change.time = path_.start.in_doubles();
   change.other = box.body;
-  change.p_WC = nearest(minus(path_.p, scaled(ball_.radius, n)));
-  change.nhat_W = nearest(n);
-  change.P_W = nearest(P);
+  change.p_WC = nearest_doubles(minus(path_.p, scaled(ball_.radius, n)));
+  change.nhat_W = nearest_doubles(n);
+  change.P_W = nearest_doubles(P);
   change.segment.mode = mode_;
   change.rate = rate.in_doubles().lo;
   change.velocity_jump = velocity_jump.in_doubles().hi;

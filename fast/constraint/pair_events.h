@@ -26,7 +26,7 @@ struct PairStep {
 /// `release`.
 class PairEvents {
  public:
-  /// Returns the event of this step, if any. `weight`: the velocity that gravity adds in a step (m/s).
+  /// Returns the event of this step, if any. `weight`: the velocity that gravity and forces add in a step (m/s).
   std::optional<Event::Kind> update(const PairStep& step, double weight);
 
  private:

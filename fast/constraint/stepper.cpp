@@ -88,12 +88,28 @@ std::vector<contact::Twist> Stepper::free_twists(double time, double h) const {
     twists.push_back(body.twist());
     if (!body.is_fixed()) twists.back().v += h * scene_.gravity;
   }
+  const std::vector<Vec3> force_W = applied_forces(time);
+  for (std::size_t i = 0; i < bodies_.size(); ++i) twists[i].v += h * bodies_[i].inverse_mass() * force_W[i];
+  return twists;
+}
+
+std::vector<Vec3> Stepper::applied_forces(double time) const {
   std::vector<Vec3> force_W(bodies_.size(), Vec3::Zero());
   for (const AppliedForce& force : scene_.motion->forces) {
     if (force.time <= time) force_W[index(force.body)] = force.force_W;
   }
-  for (std::size_t i = 0; i < bodies_.size(); ++i) twists[i].v += h * bodies_[i].inverse_mass() * force_W[i];
-  return twists;
+  return force_W;
+}
+
+/// Of all bodies, since what presses one presses those below it.
+double Stepper::weight(double time, double h) const {
+  double greatest = scene_.gravity.norm();
+  const std::vector<Vec3> force_W = applied_forces(time);
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    if (force_W[i].isZero(0)) continue;
+    greatest = std::max(greatest, (scene_.gravity + bodies_[i].inverse_mass() * force_W[i]).norm());
+  }
+  return h * greatest;
 }
 
 /// Solves without restitution to find which contacts are impacts; if there are any, solves again with restitution. A
@@ -251,7 +267,7 @@ void Stepper::advance(double from, double to, int steps) {
 }
 
 void Stepper::short_step(double time, double h, double until) {
-  const double weight = h * scene_.gravity.norm();
+  const double weight = this->weight(time, h);
   emit_forces(time);
   find_contacts(h);
   std::vector<contact::Twist> now, twists = free_twists(time, h);

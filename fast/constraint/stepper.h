@@ -39,7 +39,9 @@ class Stepper {
   void find_contacts(double h);
   void emit_forces(double time);
   std::vector<contact::Twist> free_twists(double time, double h) const;
-  /// `weight`: the velocity that gravity adds in a step, m/s.
+  std::vector<Vec3> applied_forces(double time) const;  ///< N; of each body
+  /// The greatest velocity that gravity and applied forces add to a body in a step, m/s.
+  double weight(double time, double h) const;
   void solve_contacts(std::vector<contact::Twist>& twists, double weight);
   std::vector<contact::Twist> apart(double h);
   void keep_impulses(const ContactPair& contact_pair) const;

@@ -28,9 +28,11 @@ void set_trajectory(Run& run, BodyId id, const State& state) {
 
 void apply_force(Run& run) {
   World& world = run.world;
-  const AppliedForce& force = world.apply_next_force();
+  const AppliedForce& force = *world.next_force();
   const auto id = static_cast<BodyId>(force.body);
   cut_step(run, id);
+  sum_up_bounces(run, id);  // their impulse is what the forces until now do not explain
+  world.apply_next_force();
   BodyMotion& body = world.body(id);
   const double from = std::max(world.now(), body.path().since);
   Island* const island = run.islands.of(id);

@@ -56,16 +56,16 @@ Coefficients World::coefficients(BodyId a, BodyId b) const {
   return simulation::coefficients(bodies_[a], bodies_[b], scene_->motion->law);
 }
 
-double World::next_force_time() const {
+const AppliedForce* World::next_force() const {
   const std::vector<AppliedForce>& forces = scene_->motion->forces;
-  return applied_forces_ < forces.size() ? forces[applied_forces_].time : never;
+  return applied_forces_ < forces.size() ? &forces[applied_forces_] : nullptr;
 }
 
-const AppliedForce& World::apply_next_force() {
-  const AppliedForce& force = scene_->motion->forces[applied_forces_++];
+void World::apply_next_force() {
+  const AppliedForce& force = *next_force();
   const auto id = static_cast<BodyId>(force.body);
   acceleration_[id] = scene_->gravity + bodies_[id].inverse_mass() * force.force_W;
-  return force;
+  ++applied_forces_;
 }
 
 }  // namespace touchstone::fast::simulation

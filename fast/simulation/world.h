@@ -41,9 +41,9 @@ class World {
   }
 
   const Vec3& acceleration(BodyId id) const { return acceleration_[id]; }  ///< m/s²; by gravity and the applied force
-  double next_force_time() const;                                          ///< s; infinity if there is none
-  /// Sets the acceleration of the next force's body, which does not change its trajectory yet. Returns the force.
-  const AppliedForce& apply_next_force();
+  const AppliedForce* next_force() const;                                  ///< null if there is none
+  /// Sets the acceleration of the next force's body, which does not change its trajectory yet.
+  void apply_next_force();
 
   /// `speed`: that of the body before the impact (m/s; `speed_bound` of response.h).
   void count_impact(BodyId id, double speed) {

@@ -1,6 +1,8 @@
 #include "oracle/process/protocol.h"
 
 #include <array>
+#include <cmath>
+#include <cstdint>
 #include <initializer_list>
 #include <map>
 #include <utility>
@@ -73,6 +75,13 @@ double read_limit(const Node& node) {
   const double limit = node.number();
   if (!(limit >= 0)) node.refuse("expected a number of at least 0");
   return limit;
+}
+
+std::uint64_t read_count(const Node& node) {
+  const double count = node.number();
+  if (!(count >= 0 && count < 0x1p64 && count == std::floor(count)))
+    node.refuse("expected a whole number from 0 to 2^64 - 1");
+  return static_cast<std::uint64_t>(count);
 }
 
 void read_limit(const Node& object, const char* key, std::optional<double>& limit) {
@@ -197,7 +206,7 @@ Card read_card(const Node& node) {
   card.precision = read_word(node.at("precision"), precisions);
   card.answers = read_texts(node.at("answers"));
   if (const auto knows = node.find("knows_touching")) card.knows_touching = knows->truth();
-  if (const auto margin = node.find("broad_phase_margin")) card.broad_phase_margin = margin->number();
+  if (const auto margin = node.find("broad_phase_margin")) card.broad_phase_margin = read_limit(*margin);
   if (const auto domain = node.find("domain")) card.domain = read_domain(*domain);
   if (const auto tolerance = node.find("distance_tolerance")) {
     card.distance_tolerance = read_distance_tolerance(*tolerance);
@@ -426,7 +435,7 @@ Answer<Work> read_work(std::string_view line, Seq seq) {
   return read_part<Work>(line, seq, "work", [](const Json& json, const char* place) {
     const Node node(json, place);
     Work counts;
-    for (const std::string& name : node.keys()) counts[name] = static_cast<std::uint64_t>(read_limit(node.at(name)));
+    for (const std::string& name : node.keys()) counts[name] = read_count(node.at(name));
     return counts;
   });
 }

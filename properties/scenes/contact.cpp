@@ -399,7 +399,17 @@ Scene generic(Random& random) {
   const auto any = [&random](double limit) {
     return Vec3{limit * (2 * random.unit() - 1), limit * (2 * random.unit() - 1), limit * (2 * random.unit() - 1)};
   };
+  // C near the needle's end, as far beside its axis as it is thick.
+  const auto needle = [&] {
+    const double thin = std::ldexp(1.0, -random.between(8, 24));
+    Body body = at_rest(Box{Vec3(1, thin, thin)}, {Vec3::Zero(), small_quaternion(random)});
+    body.mass = Density{(0.5 + random.unit()) / (thin * thin)};
+    body.velocity.w_WB = any(3);
+    const Vec3 beside = thin * any(1);
+    return Arm{body, turned_by(body.X_WB.q_WB, Vec3(0.5 + random.unit() / 2, beside.y(), beside.z()))};
+  };
   const auto arm = [&] {
+    if (random.one_in(8)) return needle();
     const Vec3 half = any(1).cwiseAbs() + Vec3::Constant(0.25);
     Body body = at_rest(Box{half}, {Vec3::Zero(), small_quaternion(random)});
     body.mass = Density{0.5 + random.unit()};
@@ -477,7 +487,7 @@ std::vector<Family> contact_families() {
       {"contact.jamming", "friction that can press the bodies together, often twice", queries, true, jamming},
       {"contact.off_centre", "centres of mass off the bodies' origins, turned", queries, true, off_centre},
       {"contact.times_powers", "velocities and lengths times powers of two", queries, false, times_powers},
-      {"contact.generic", "boxes, velocities and normals at random", queries, false, generic},
+      {"contact.generic", "boxes and needles, velocities and normals at random", queries, false, generic},
       {"contact.far_away", "the same 2^8 to 2^24 m from the origin, centres of mass off the bodies' origins", queries,
        false, far_away},
       {"contact.known", "impacts that are known on paper", queries, true, known},

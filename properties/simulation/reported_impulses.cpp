@@ -135,7 +135,8 @@ Finding add_up(const Scene& scene, Subject& subject) {
 
 /// P·n ≥ 0 and |P_t| ≤ μ P·n.
 Finding in_cone(const TrajectoryCase& asked, const Event& event, double mu, double bounces) {
-  const double P = event.P_A_W.norm(), P_n = event.P_A_W.dot(event.nhat_BA_W);
+  const Vec3 n = event.nhat_BA_W.normalized();
+  const double P = event.P_A_W.norm(), P_n = event.P_A_W.dot(n);
   const double unit = oracle::unit_roundoff(asked.precision) * P;
   const auto at_most = [&](double beyond, double factor, Defect defect, const char* law) {
     return judge::at_most(
@@ -145,8 +146,7 @@ Finding in_cone(const TrajectoryCase& asked, const Event& event, double mu, doub
   };
   Finding worst = at_most(-P_n, 0, Defect::pulls, "P·n ≥ 0");
   if (worst.outcome == Outcome::fails || !std::isfinite(mu)) return worst;
-  worse(worst,
-        at_most((event.P_A_W - P_n * event.nhat_BA_W).norm() - mu * P_n, mu, Defect::beyond_cone, "|P_t| ≤ mu P·n"));
+  worse(worst, at_most((event.P_A_W - P_n * n).norm() - mu * P_n, mu, Defect::beyond_cone, "|P_t| ≤ mu P·n"));
   return worst;
 }
 

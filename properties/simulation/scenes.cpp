@@ -411,6 +411,7 @@ Finding rests(const Scene& given, Subject& subject) {
 
 /// A body that is thrown straight up or down over a table and bounces to decreasing heights.
 struct Bounces {
+  static constexpr Real most_impacts = 0x1p20;
   Real height = 0, v = 0, g = 0, e = 0;
 
   struct Now {
@@ -418,18 +419,19 @@ struct Bounces {
     Real impacts = 0;  ///< so far; infinity: at rest
   };
 
+  /// None after more than `most_impacts`, which are followed one by one.
   // Impact n is at t₁ + 2v₁/g·(e + … + eⁿ⁻¹), with speed eⁿ⁻¹v₁ before it. All impacts are over at t₁ + 2v₁/g·e/(1 −
   // e).
-  Now at(Real t) const {
+  std::optional<Now> at(Real t) const {
     const Real v1 = std::sqrt(v * v + 2 * g * height), t1 = (v + v1) / g;
-    if (t <= t1) return {height + v * t - g * t * t / 2, 0};
+    if (t <= t1) return Now{height + v * t - g * t * t / 2, 0};
     Real up = e * v1, since = t - t1;
     Now now{0, 1};
-    if (e < 1 && since * g * (1 - e) >= 2 * up) return {0, INFINITY};
+    if (e < 1 && since * g * (1 - e) >= 2 * up) return Now{0, INFINITY};
     while (up > 0 && since * g > 2 * up) {
       since -= 2 * up / g;
       up *= e;
-      ++now.impacts;
+      if (++now.impacts > most_impacts) return {};
     }
     now.height = up * since - g * since * since / 2;
     return now;
@@ -476,7 +478,9 @@ Finding bounces(const Scene& given, Subject& subject) {
     const auto which = static_cast<std::size_t>(moving - scene.bodies.begin());
     Finding worst;
     for (std::size_t sample = 0; sample < asked.samples(); ++sample) {
-      const Bounces::Now now = ball.at(asked.time(sample));
+      const std::optional<Bounces::Now> followed = ball.at(asked.time(sample));
+      if (!followed) return sample > 0 ? worst : judge::outside("bounces too often");
+      const Bounces::Now now = *followed;
       const double raised = asked.said.states[sample][which].X_WB.p_WB.z() - moving->X_WB.p_WB.z() + *start;
       const auto said = [&] { return words::text(raised) + " m high at " + words::text(asked.time(sample)) + " s"; };
       const double steps = stepped(ball, now.impacts, asked.time(sample), asked.stepping);

@@ -28,7 +28,7 @@ struct Minimum {
 
 /// The first subset whose projection is inside it and that has no other member below it. It is the nearest one, by
 /// convexity.
-NearestPoint<Integer> nearest(std::span<const IntegerVec> w) {
+NearestPoint<Integer> nearest_point(std::span<const IntegerVec> w) {
   for (const unsigned mask : simplex::subsets) {
     if (mask >> w.size() != 0) continue;
     std::optional<NearestPoint<Integer>> y = simplex::interior_projection(w, mask);
@@ -77,7 +77,7 @@ Minimum minimise(const PosedPair& pair, std::vector<VertexPair> pairs, const Int
   while (true) {
     std::vector<IntegerVec> w;
     for (const auto& [a, b] : pairs) w.push_back(scale * pair.difference(a, b) + shift);
-    NearestPoint<Integer> y = nearest(w);
+    NearestPoint<Integer> y = nearest_point(w);
     Minimum m;
     for (int i = 0; i < y.count; ++i) {
       m.pairs.push_back(pairs[static_cast<std::size_t>(y.members[static_cast<std::size_t>(i)])]);

@@ -47,7 +47,7 @@ bool has_even_mantissa(double x) {
 }
 
 /// 2^exponent · q, exactly.
-mpq_class scaled(mpq_class q, long exponent) {
+mpq_class scaled_by_power_of_two(mpq_class q, long exponent) {
   if (exponent >= 0) {
     mpq_mul_2exp(q.get_mpq_t(), q.get_mpq_t(), static_cast<mp_bitcnt_t>(exponent));
   } else {
@@ -64,7 +64,8 @@ double nearest(const mpq_class& q) {
   // The half-way point between the greatest double and the next power of two decides overflow; ±inf represents that
   // power.
   const auto finite_end = [](double x) {
-    return std::isinf(x) ? mpq_class(x > 0 ? scaled(mpq_class(1), 1024) : mpq_class(-scaled(mpq_class(1), 1024)))
+    return std::isinf(x) ? mpq_class(x > 0 ? scaled_by_power_of_two(mpq_class(1), 1024)
+                                           : mpq_class(-scaled_by_power_of_two(mpq_class(1), 1024)))
                          : mpq_class(x);
   };
   const mpq_class middle = (finite_end(near.lo) + finite_end(near.hi)) / 2;
@@ -126,7 +127,7 @@ Interval Rational::sqrt_enclosure() const {
   const long bits =
       static_cast<long>(mpz_sizeinbase(q.get_num_mpz_t(), 2)) - static_cast<long>(mpz_sizeinbase(q.get_den_mpz_t(), 2));
   const long even = bits - (bits % 2);
-  double lo = std::ldexp(std::sqrt(scaled(q, -even).get_d()), static_cast<int>(even / 2));
+  double lo = std::ldexp(std::sqrt(scaled_by_power_of_two(q, -even).get_d()), static_cast<int>(even / 2));
   if (std::isinf(lo)) return {std::numeric_limits<double>::max(), infinity};
   const auto square = [](double x) { return mpq_class(mpq_class(x) * mpq_class(x)); };
   while (lo > 0 && square(lo) > q) lo = std::nextafter(lo, 0);

@@ -25,13 +25,13 @@ mpq_class pi_stand_in() {
   return pi;
 }
 
-MovingMass moving_mass(const MassProperties& given) {
+MovingMass mass_as_given(const MassProperties& given) {
   const Mat3& I = given.I_BBcm_B;
   return {mpq_class(given.mass), triple(given.p_BBcm), {triple(I.row(0)), triple(I.row(1)), triple(I.row(2))}};
 }
 
 /// From moments about B's origin: c = S/V, and by Steiner's theorem I_c = I_o − V (|c|² 1 − c cᵀ).
-MovingMass moving_mass(const Shape& shape, const mpq_class& density) {
+MovingMass mass_of_density(const Shape& shape, const mpq_class& density) {
   static const mpq_class pi = pi_stand_in();
   const SolidTruth truth = solid(shape);
   const auto value = [&](const SolidTruth::Value& v) {
@@ -66,7 +66,7 @@ bool positive_definite(const std::array<Triple, 3>& I) {
 MovingMass moving_mass(const Body& body, const std::string& place) {
   const auto* given = std::get_if<MassProperties>(&body.mass);
   MovingMass result =
-      given ? moving_mass(*given) : moving_mass(body.shape, mpq_class(std::get<Density>(body.mass).value));
+      given ? mass_as_given(*given) : mass_of_density(body.shape, mpq_class(std::get<Density>(body.mass).value));
   if (!positive_definite(result.inertia)) {
     throw InputError(place + ".mass.I_BBcm_B",
                      "positive definite within rounding, but not exactly: no motion is defined");

@@ -22,7 +22,7 @@ Coordinates<T> combined(const std::array<Coordinates<T>, 3>& axes, const Coordin
   return v.x * axes[0] + v.y * axes[1] + v.z * axes[2];
 }
 
-Coordinates<Wide> components(const std::array<Coordinates<Wide>, 3>& axes, const Coordinates<Wide>& v) {
+Coordinates<Wide> along(const std::array<Coordinates<Wide>, 3>& axes, const Coordinates<Wide>& v) {
   return {dot(axes[0], v), dot(axes[1], v), dot(axes[2], v)};
 }
 
@@ -128,7 +128,7 @@ void Tumble::set_tumble(const Square<mpq_class>& I_B, const Three<mpq_class>& w_
 
   Invariants of;
   of.I = {found.moments[2 - third], found.moments[1], found.moments[third]};
-  of.w = components(axes, w);
+  of.w = along(axes, w);
   of.L = root(enclosed<Wide>(L_squared));
   of.twice_T = enclosed<Wide>(twice_T);
   const Coordinates<Wide> c = {Wide((of.I.y - of.I.z) / of.I.x), Wide((of.I.z - of.I.x) / of.I.y),
@@ -191,7 +191,7 @@ void Tumble::set_near_axis(const Coordinates<Wide>& w, const PrincipalAxes& foun
     const Wide c = (I[(i + 1) % 3] - I[(i + 2) % 3]) / I[i];
     return greater(upper(c), Float(-lower(c)));
   };
-  const Coordinates<Wide> of_axes = components(found.axes, w);
+  const Coordinates<Wide> of_axes = along(found.axes, w);
   const Wide L = length(entrywise(Coordinates<Wide>{I[0], I[1], I[2]}, of_axes)), rate = dot(e, w);
   const Wide unequal = thin(greater(coefficient(0), greater(coefficient(1), coefficient(2)))), fastest = L / I[0];
   turning_ = thin(upper(Wide((Wide(1) + unequal) * fastest * fastest)));

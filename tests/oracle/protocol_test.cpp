@@ -176,6 +176,7 @@ TEST_CASE("an integer in an answer is the double that it reads as") {
   const std::string card =
       R"({"seq":1,"protocol":1,"card":{"name":"n","version":"1","precision":"exact","answers":[],"broad_phase_margin":)";
   CHECK(protocol::read_introduction(card + "590295810358705700000}}", 1).broad_phase_margin == 0x1p69);
+  CHECK_THROWS_AS(protocol::read_introduction(card + "-1}}", 1), InputError);
   // A scene means exactly its numbers.
   std::string question = protocol::ask(1, "distance", json_of(scene()).dump());
   question.replace(question.find("1.25"), 4, "9007199254740993");
@@ -274,7 +275,8 @@ TEST_CASE("a question about work and its answer survive the way") {
   const std::string answer = protocol::work(7, {{"step", 3}, {"exact", std::uint64_t{1} << 40}});
   CHECK(std::get<Work>(protocol::read_work(answer, 7)) == Work{{"step", 3}, {"exact", std::uint64_t{1} << 40}});
   CHECK(std::get<Abstains>(protocol::read_work(R"({"seq":7,"abstains":"no"})", 7)).why == "no");
-  for (const char* counts : {"[1]", R"({"step":-1})", R"({"step":null})", R"({"step":"3"})"}) {
+  for (const char* counts :
+       {"[1]", R"({"step":-1})", R"({"step":0.5})", R"({"step":1e20})", R"({"step":null})", R"({"step":"3"})"}) {
     CHECK_THROWS_AS(protocol::read_work(R"({"seq":7,"work":)" + std::string(counts) + "}", 7), InputError);
   }
   CHECK(by_schema({line.substr(0, line.size() - 1), answer.substr(0, answer.size() - 1)}) ==

@@ -134,6 +134,46 @@ TEST_CASE("broad_phase.film.adds_none: a pair of declared boxes that overlap is 
   CHECK(outcome(2.5, BoxKind::of_turned_box) == Outcome::fails);
 }
 
+/// Three balls of radius 1: the second is 1 from the first, the third 0.0625.
+Scene three_balls() {
+  Scene scene;
+  scene.bodies.resize(3);
+  for (Body& body : scene.bodies) body.shape = Sphere{1};
+  scene.bodies[1].X_WB.p_WB.x() = -3;
+  scene.bodies[2].X_WB.p_WB.x() = 2.0625;
+  return scene;
+}
+
+TEST_CASE("broad_phase: of several pairs too many the worst is judged, in a sequence too") {
+  const Scene scene = three_balls();
+  Scene frame = scene;
+  frame.frames.emplace_back();
+  for (int i = 0; i < 3; ++i) frame.frames[0].push_back({i, scene.bodies[static_cast<std::size_t>(i)].X_WB});
+  tests::FixedSubject subject;
+  subject.introduced.broad_phase_margin = 0.125;
+  const auto outcomes = [&](const PairSet& said, Outcome outcome) {
+    subject.said_pairs = said;
+    subject.said_history = PairHistory{{said, {}, {}}};
+    CHECK(properties::find("broad_phase.adds_none").check(scene, subject).outcome == outcome);
+    CHECK(properties::find("broad_phase.film.adds_none").check(frame, subject).outcome == outcome);
+  };
+  outcomes({{0, 2}}, Outcome::holds);
+  outcomes({{0, 1}, {0, 2}}, Outcome::fails);
+}
+
+TEST_CASE("broad_phase.film.absent: a removed body has no pair, the first or the second of one") {
+  for (const int removed : {0, 1}) {
+    Scene scene = three_balls();
+    scene.bodies.resize(2);
+    scene.frames = {{{0, scene.bodies[0].X_WB}, {1, scene.bodies[0].X_WB}}, {{removed, std::nullopt}}};
+    tests::FixedSubject subject;
+    subject.said_history = PairHistory{{{{0, 1}}, {}, {}}, {{}, {}, {}}};
+    CHECK(properties::find("broad_phase.film.absent").check(scene, subject).outcome == Outcome::holds);
+    subject.said_history = PairHistory{{{{0, 1}}, {}, {}}, {{{0, 1}}, {}, {}}};
+    CHECK(properties::find("broad_phase.film.absent").check(scene, subject).defect == Defect::phantom);
+  }
+}
+
 TEST_CASE("broad_phase.film: a sequence is judged in the precision that the card declares for pair_history") {
   const Scene sequence = octahedron_and_ball_in_a_frame(2.1);  // no float
   OfOneFrame subject(oracle::BoxKind::of_turned_box);

@@ -65,6 +65,43 @@ Scene thrown(Shape shape, const Material& material) {
   return scene;
 }
 
+/// Two balls in one body.
+Compound dumbbell() { return {{{{{-1, 0, 0}, {}}, Sphere{1}}, {{{1, 0, 0}, {}}, Sphere{1}}}}; }
+
+TEST_CASE("constraint.apart: a compound that sinks into a table is judged too") {
+  const Scene scene = thrown(dumbbell(), {0, 0});
+  for (const double z : {1.0, 0.5}) {
+    tests::FixedSubject subject;
+    Trajectory said;
+    said.states = {{{{{0, 0, z}, {}}, {}}, {scene.bodies[1].X_WB, {}}}};
+    subject.said_constraint = said;
+    const oracle::Finding finding = find("constraint.apart").check(scene, subject);
+    CHECK((z < 1 ? finding.defect == oracle::Defect::overdeep : finding.outcome == oracle::Outcome::holds));
+  }
+}
+
+TEST_CASE("constraint.cone: a normal longer than 1 gives no more friction, and is none") {
+  const Scene scene = thrown(Sphere{1}, {0, 1});
+  const auto outcome = [&](double length, double P_t) {
+    Event event;
+    event.kind = Event::Kind::impact;
+    event.time = 0.5;
+    event.a = 0, event.b = 1;
+    event.nhat_BA_W = {0, 0, length};
+    event.P_A_W = {P_t, 0, 1};
+    tests::FixedSubject subject;
+    Trajectory said;
+    said.states = {{{scene.bodies[0].X_WB, {}}, {scene.bodies[1].X_WB, {}}}};
+    said.events.emplace(1, event);
+    subject.said_constraint = said;
+    return find("constraint.cone").check(scene, subject).outcome;
+  };
+  CHECK(outcome(1, 1) == oracle::Outcome::holds);
+  CHECK(outcome(1, 1.1) == oracle::Outcome::fails);
+  CHECK(outcome(1.2, 1.1) == oracle::Outcome::fails);
+  CHECK(outcome(1.2, 0) == oracle::Outcome::fails);
+}
+
 // By Newton's rule a tetrahedron gained 1 % of its energy.
 TEST_CASE("constraint.energy: rebounds with friction are judged of balls alone") {
   const auto judges = [](const Scene& scene) {

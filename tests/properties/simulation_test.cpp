@@ -541,6 +541,29 @@ TEST_CASE("simulation: of bodies that overlap at the start nothing but form, sur
     CHECK(properties::find(std::string("simulation.") + property).check(inside, subject).outcome == Outcome::outside);
   }
   CHECK(properties::find("simulation.ordered").check(inside, subject).outcome == Outcome::holds);
+  for (const Breaks::Kind refusal : {Breaks::Kind::threw, Breaks::Kind::refused}) {
+    subject.said_simulation = Breaks{refusal, "the bodies overlap"};
+    CHECK(properties::find("simulation.survives").check(inside, subject).outcome == Outcome::outside);
+  }
+  subject.said_simulation = Breaks{Breaks::Kind::crashed, "it aborts"};
+  CHECK(properties::find("simulation.survives").check(inside, subject).outcome == Outcome::breaks);
+}
+
+// Less than at the start, and more than at the last sample.
+TEST_CASE("simulation.energy: what was lost does not come back") {
+  Scene scene;
+  scene.bodies = {ball({0, 0, 0}, {2, 0, 0})};
+  scene.motion.emplace();
+  scene.motion->sample_times = {1, 2};
+  const auto outcome = [&](double first, double second) {
+    Trajectory said;
+    said.states = {{at({0, 0, 0}, {first, 0, 0})}, {at({0, 0, 0}, {second, 0, 0})}};
+    tests::FixedSubject subject;
+    subject.said_simulation = said;
+    return properties::find("simulation.energy").check(scene, subject).outcome;
+  };
+  CHECK(outcome(1.5, 1) == Outcome::holds);
+  CHECK(outcome(1, 1.5) == Outcome::fails);
 }
 
 TEST_CASE("simulation: what has not the form of a trajectory is not judged further") {
@@ -707,6 +730,13 @@ TEST_CASE("simulation: a face gives no more friction than its cone has, and does
   std::get<Box>(beside.bodies[1].shape).half_extents.x() = 1;
   CHECK(by_steps("face_impulse", beside, {at({1.84375, 0, 0.5}, {6.74, 0, 0}), of_table()}, std::nullopt) ==
         Outcome::outside);
+}
+
+// At 10⁻¹² m/s a ball with e = 1 bounces 10¹³ times in 4 s.
+TEST_CASE("simulation.bounces: bounces that are too many to follow are outside") {
+  Scene scene = over_table(ball({0, 0, 0.5}, {0, 0, 1e-12}), 4);
+  for (Body& body : scene.bodies) body.material = {1, 0};
+  CHECK(by_steps("bounces", scene, {at({0, 0, 0.5}, {0, 0, 0}), of_table()}, std::nullopt) == Outcome::outside);
 }
 
 // A force that acts for half of the second gives it its momentum; m is the ball's mass.

@@ -105,7 +105,7 @@ void CollisionSchedule::predict(BodyId id_a, BodyId id_b, double from) {
   if (!search) return;
   ++statistics_->pairs;
   if (search->from == std::max(world_->start_time(id_a), world_->start_time(id_b)))
-    refuse_overlap(id_a, id_b, nearest_points(id_a, id_b, search->from));
+    refuse_overlap(id_a, id_b, search->from);
   PairMemory& pair_memory = search_memory(id_a, id_b);
   const RestingContact* rest = rest_of(id_a, id_b);
   const double time =
@@ -175,9 +175,10 @@ const RestingContact* CollisionSchedule::rest_of(BodyId a, BodyId b) const {
   return nullptr;
 }
 
-void CollisionSchedule::refuse_overlap(BodyId a, BodyId b, const Touch& touch) const {
+void CollisionSchedule::refuse_overlap(BodyId a, BodyId b, double t) {
   const BodyMotion &A = world_->body(a), &B = world_->body(b);
-  if (touch.gap >= -clearance(A, B, world_->start_time(a), never)) return;
+  const Touch touch = nearest_points(a, b, t);
+  if (touch.gap >= -clearance(A, B, t, never)) return;
   throw InputError(name(a), "overlaps " + name(b) + " at the start" +
                                 (has_closed_form(A, B) ? " by " + std::to_string(-touch.gap) + " m" : ""));
 }

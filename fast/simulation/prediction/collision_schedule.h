@@ -61,7 +61,7 @@ class CollisionSchedule {
   void update_proxy(BodyId id);
   std::optional<Search> search_of(BodyId a, BodyId b, double from);
   PairMemory& search_memory(BodyId a, BodyId b);
-  void refuse_overlap(BodyId a, BodyId b, const Touch& touch) const;
+  void refuse_overlap(BodyId a, BodyId b, double t);
   const RestingContact* rest_of(BodyId a, BodyId b) const;
 
   const World* world_;

@@ -94,7 +94,8 @@ std::optional<RestingContact> closed_form_rest(const World& world, const RestCan
   const lin_canny::CachedPose at_body(body.ballistic().pose(now)), at_on(on.ballistic().pose(now));
   const std::vector<Vec3> corners = contact::patch(body.model().solid, at_body, on.model().solid, at_on,
                                                    candidate.nhat_W, body.path().place(now), world.envelope());
-  return body_on_face(body, on, candidate.state, now, candidate.nhat_W, corners, acceleration, friction, rest_speed);
+  return body_on_face(body, on, candidate.state, now, candidate.nhat_W, corners, acceleration, friction, rest_speed,
+                      load);
 }
 
 void start_rest(Run& run, const RestCandidate& candidate, const RestingContact& rest, const Vec3& v_before) {

@@ -123,15 +123,15 @@ std::optional<RestingContact> ball_on_face(const BodyMotion& ball, const BodyMot
 
 std::optional<RestingContact> body_on_face(const BodyMotion& body, const BodyMotion& block, State state, double t,
                                            const Vec3& n, const std::vector<Vec3>& corners, const Vec3& gravity,
-                                           double friction, double rest_speed) {
+                                           double friction, double rest_speed, double load) {
   const Vec3 com = body.path().place(t), w = state.velocity.w_WB, V = block.path().v;
   for (const Vec3& corner : corners) {
     const Vec3 r = corner - com;
     const Vec3 u = state.velocity.v_WBcm + w.cross(r) - V;
     if (std::abs(n.dot(u)) > rest_speed || length(w) * length(r) > rest_speed) return {};
   }
-  const double N = -n.dot(gravity);
-  const Vec3 g_t = gravity + N * n, slides = state.velocity.v_WBcm - V - n.dot(state.velocity.v_WBcm - V) * n;
+  const double g_n = -n.dot(gravity), N = load * g_n;
+  const Vec3 g_t = gravity + g_n * n, slides = state.velocity.v_WBcm - V - n.dot(state.velocity.v_WBcm - V) * n;
   const double slope = length(g_t) > negligible * N ? length(g_t) : 0,
                speed = length(slides) > (friction > 0 ? rest_speed : 0) ? length(slides) : 0;
   RestingContact rest;
@@ -147,7 +147,7 @@ std::optional<RestingContact> body_on_face(const BodyMotion& body, const BodyMot
   }
   state.velocity = {speed > 0 ? Vec3(V + slides) : V, Vec3::Zero()};
   rest.start = state;
-  const Vec3 force = rest.acceleration - gravity;
+  const Vec3 force = rest.acceleration - gravity - (1 - load) * g_n * n;
   const Vec3 force_point = com - n.dot(com - corners.front()) / n.dot(force) * force,
              s = force_point - block.path().place(t);
   rest.lever = force_point - state.X_WB.p_WB;

@@ -60,13 +60,13 @@ std::optional<RestingContact> ball_on_face(const BodyMotion& ball, const BodyMot
 /// unless the normal speed and the turning speed of every corner are at most `rest_speed` (m/s), the contact force goes
 /// through the region, and the slip is along the slope, if there is one.
 ///
-///   lies:   a = 0, at slips below `rest_speed`, while |g_t| ≤ μ g_n; without friction at no slip at all
-///   slides: a = g_t − μ g_n σ, until |v| + (g_t·σ − μ g_n) τ = 0, or the force point leaves the face
-/// The force a − g per mass acts through the centre of mass, since the body does not turn; the force point is where its
-/// line intersects the face. If that is outside of the region, the body tips and does not rest.
+///   lies:   a = 0, at slips below `rest_speed`, while |g_t| ≤ μ N, N = load · g_n; without friction at no slip at all
+///   slides: a = g_t − μ N σ, until |v| + (g_t·σ − μ N) τ = 0, or the force point leaves the face
+/// The force a − g_t + N n̂ per mass acts through the centre of mass, since the body does not turn; the force point is
+/// where its line intersects the face. If that is outside of the region, the body tips and does not rest.
 std::optional<RestingContact> body_on_face(const BodyMotion& body, const BodyMotion& block, State state, double t,
                                            const Vec3& nhat_W, const std::vector<Vec3>& corners, const Vec3& gravity,
-                                           double friction, double rest_speed);
+                                           double friction, double rest_speed, double load = 1);
 
 /// The state at the end of slip: a ball rolls, without slip up to rounding; another body is at rest on the block. The
 /// end of slip is known to the rounding of time. What is left of a ball's slip by then is ended by an impulse P at the

@@ -64,8 +64,24 @@ Scene touching_and_overlapping(Random& random) {
   return pair(random, at_rest(below, {Vec3::Zero(), times(q, upside_down)}), at_rest(above, {Vec3::Zero(), q}));
 }
 
-/// 2^40 and more from the origin; or from each other; or with a part that far away.
+/// A ball near the origin by a part of a compound whose origin is 2^16 to 2^30 m away, turned by any angle.
+Scene by_a_far_part(Random& random) {
+  const auto any = [&random](double limit) {
+    return Vec3{limit * (2 * random.unit() - 1), limit * (2 * random.unit() - 1), limit * (2 * random.unit() - 1)};
+  };
+  const Vec3 imaginary = any(1);
+  const Quaternion q{0.5 + random.unit(), imaginary.x(), imaginary.y(), imaginary.z()};
+  const Vec3 arm = any(std::ldexp(1.0, random.between(16, 30)));
+  Compound compound{{{{arm, {}}, Box{any(0.5).cwiseAbs() + Vec3::Constant(0.25)}}, {{2 * arm, {}}, Sphere{0.125}}}};
+  if (random.one_in(2)) std::swap(compound.parts[0], compound.parts[1]);
+  const double radius = 0.25 + random.unit();
+  const Vec3 place = any(2);
+  return pair(random, at_rest(Sphere{radius}, {place, {}}), at_rest(std::move(compound), {-turned_by(q, arm), q}));
+}
+
+/// 2^40 and more from the origin; or from each other; or with a part that far away, which may be the nearest.
 Scene far(Random& random) {
+  if (random.one_in(4)) return by_a_far_part(random);
   const double gap = dyadic_gap(random, 1, 16);
   const int where = random.below(3);
   Vec3 p = small_vector(random, 3);
@@ -108,7 +124,8 @@ std::vector<Family> compound_pair_families() {
        "two parts touch, and two others overlap by 1 to 2^-16 or touch, in any order", pair_queries, true,
        touching_and_overlapping},
       {"compounds.far",
-       "such compounds 2^40 to 2^45 from the origin or from each other, or with a part that far away",
+       "such compounds 2^40 to 2^45 from the origin or from each other, or with a part that far away; or a ball by "
+       "a part 2^16 to 2^30 from its compound's origin",
        {"bounds", "broad_phase", "distance"},
        true,
        far},

@@ -170,5 +170,22 @@ TEST_CASE("time stepper: no ball is alone beside a body that moves, under applie
   for (const Scene& scene : {pushed, aside, box, carried}) CHECK(follow(scene).long_steps == 0);
 }
 
+// Not rounding, which bounced in nearly each step where nothing but a force is a measure of what presses.
+TEST_CASE("time stepper: a crate that a force alone presses onto a floor lies still") {
+  Scene scene = one_ball(Vec3(0, 0, 0.2), {});
+  scene.gravity = Vec3::Zero();
+  scene.bodies[0].shape = Box{Vec3(0.5, 0.3, 0.2)};
+  scene.bodies[0].material = {0.5, 0.5};
+  scene.bodies.push_back(block(Vec3(5, 5, 0.5), Vec3(0, 0, -0.5), 0.5));
+  scene.bodies[1].material.restitution = 0.5;
+  scene.motion->force_bound = 400;
+  scene.motion->forces = {{0, 0, {20, 3, -300}}};
+  const MarkCounts before = mark_counts;
+  const Followed followed = follow(scene);
+  CHECK(marks_since(before)[static_cast<std::size_t>(Mark::step_bounce)] == 0);
+  CHECK(followed.events.size() <= 2);
+  CHECK((followed.ball.X_WB.p_WB - Vec3(0, 0, 0.2)).norm() < 1e-9);
+}
+
 }  // namespace
 }  // namespace touchstone::fast::constraint

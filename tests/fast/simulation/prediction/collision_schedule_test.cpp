@@ -99,6 +99,17 @@ TEST_CASE("collision schedule: bodies that overlap when both have started are re
   }
 }
 
+// When the second one starts, the first one has come 1188 m, which is known to 2e-13 m. They touch to within that.
+TEST_CASE("collision schedule: bodies that touch when the later one starts do not overlap by rounding") {
+  const double speed = 2457.5244425409055, starts = 0.4835812086661767;
+  Scene scene = moving_scene(
+      {ball(0.05, still, {speed, 0, 0}, {}), ball(0.05, {1188.5126402506032, 0, 0}, {2500, 0, 0}, {})}, still, {0.6});
+  scene.motion->start_times = {0, starts};
+  CHECK_NOTHROW(simulate(scene));
+  scene.bodies[1].X_WB.p_WB.x() -= 1e-9;
+  CHECK_THROWS_AS(simulate(scene), InputError);
+}
+
 TEST_CASE("collision schedule: a body that rests is due when its resting contact ends") {
   Parts parts({ball(1, {0, 0, 1}, {1, 0, 0}, {}), table()});
   RestingContact rest;

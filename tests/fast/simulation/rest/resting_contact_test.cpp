@@ -53,12 +53,12 @@ TEST_CASE("resting contact: slip across the slope, and contact at an edge, have 
 
 TEST_CASE("resting contact: a block lies, slides until it stops, or tips") {
   const Body support = table();
-  const auto rest = [&](const Vec3& half, const Vec3& v, const Vec3& gravity, double friction) {
+  const auto rest = [&](const Vec3& half, const Vec3& v, const Vec3& gravity, double friction, double load = 1) {
     const Body block = brick(half, {0, 0, half.z()}, {});
     const std::vector<Vec3> corners = {
         {half.x(), half.y(), 0}, {-half.x(), half.y(), 0}, {-half.x(), -half.y(), 0}, {half.x(), -half.y(), 0}};
     return body_on_face(BodyMotion(block, 0, gravity), BodyMotion(support, 0, still), {block.X_WB, {v, still}}, 0, up,
-                        corners, gravity, friction, 1e-3);
+                        corners, gravity, friction, 1e-3, load);
   };
   const auto lies = rest({1, 1, 1}, {1e-4, 0, 0}, g_W, 0.5);
   REQUIRE(lies.has_value());
@@ -73,6 +73,11 @@ TEST_CASE("resting contact: a block lies, slides until it stops, or tips") {
   CHECK(slides->acceleration.x() == Approx(-5));
   CHECK(slides->until == Approx(0.6));
   CHECK(slides->ends_by == RestingContact::End::slip_ends);
+  const auto bounces = rest({1, 1, 1}, {3, 0, 0}, g_W, 0.5, 0.75);
+  REQUIRE(bounces.has_value());
+  CHECK(bounces->acceleration.x() == Approx(-3.75));
+  CHECK(bounces->until == Approx(0.8));
+  CHECK(bounces->lever == slides->lever);
   CHECK_FALSE(rest({1, 1, 4}, {3, 0, 0}, g_W, 0.5).has_value());  // the force would act 2 m in front of the centre
   CHECK_FALSE(rest({1, 1, 1}, {0, 0, 0.1}, g_W, 0.5).has_value());
   CHECK_FALSE(rest({1, 1, 1}, {0, 3, 0}, {6, 0, -10}, 0.5).has_value());
