@@ -78,8 +78,8 @@ endfunction()
 
 # touchstone_units(<target> <units> [SALT <number>] [APART <sources> …]): compiles the sources of a target in so many
 # units. A source's unit depends on its own name and the salt alone, so a new source changes one unit. Sources of one
-# unit share an unnamed namespace: salts were searched with which no two of them define the same local name in two ways,
-# and which make units of like size. A source that does all the same stands APART.
+# unit share an unnamed namespace, so they may not clash in local names. A salt is any number with which they do not, and
+# with which the units are of like size. Where a new source clashes, rename the local name, or let the source stand APART.
 function(touchstone_units target units)
   cmake_parse_arguments(ARG "" "SALT" "APART" ${ARGN})
   if(DEFINED CMAKE_UNITY_BUILD)

@@ -82,13 +82,12 @@ void Stepper::emit_forces(double time) {
   }
 }
 
-std::vector<contact::Twist> Stepper::free_twists(double time, double h) const {
+std::vector<contact::Twist> Stepper::free_twists(const std::vector<Vec3>& force_W, double h) const {
   std::vector<contact::Twist> twists;
   for (const StepperBody& body : bodies_) {
     twists.push_back(body.twist());
     if (!body.is_fixed()) twists.back().v += h * scene_.gravity;
   }
-  const std::vector<Vec3> force_W = applied_forces(time);
   for (std::size_t i = 0; i < bodies_.size(); ++i) twists[i].v += h * bodies_[i].inverse_mass() * force_W[i];
   return twists;
 }
@@ -102,9 +101,8 @@ std::vector<Vec3> Stepper::applied_forces(double time) const {
 }
 
 /// Of all bodies, since what presses one presses those below it.
-double Stepper::weight(double time, double h) const {
+double Stepper::weight(const std::vector<Vec3>& force_W, double h) const {
   double greatest = scene_.gravity.norm();
-  const std::vector<Vec3> force_W = applied_forces(time);
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     if (force_W[i].isZero(0)) continue;
     greatest = std::max(greatest, (scene_.gravity + bodies_[i].inverse_mass() * force_W[i]).norm());
@@ -234,7 +232,7 @@ bool Stepper::changes_nothing(const std::vector<contact::Twist>& twists, double 
 
 bool Stepper::long_step(double time, double h, double short_h) {
   find_contacts(h);
-  std::vector<contact::Twist> twists = free_twists(time, h);
+  std::vector<contact::Twist> twists = free_twists(applied_forces(time), h);
   solve(contacts_.rows, mobilities_, twists, {.sweeps = sweeps_});
   if (!changes_nothing(twists, h, short_h)) return false;
   mark(Mark::step_long);
@@ -267,10 +265,11 @@ void Stepper::advance(double from, double to, int steps) {
 }
 
 void Stepper::short_step(double time, double h, double until) {
-  const double weight = this->weight(time, h);
+  const std::vector<Vec3> force_W = applied_forces(time);
+  const double weight = this->weight(force_W, h);
   emit_forces(time);
   find_contacts(h);
-  std::vector<contact::Twist> now, twists = free_twists(time, h);
+  std::vector<contact::Twist> now, twists = free_twists(force_W, h);
   for (const StepperBody& body : bodies_) now.push_back(body.twist());
   u_n_.clear();
   for (const contact::ContactRow& row : contacts_.rows) u_n_.push_back(row.n.dot(relative_velocity(row, now)));

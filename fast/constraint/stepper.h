@@ -38,10 +38,10 @@ class Stepper {
   bool changes_nothing(const std::vector<contact::Twist>& twists, double h, double short_h);
   void find_contacts(double h);
   void emit_forces(double time);
-  std::vector<contact::Twist> free_twists(double time, double h) const;
-  std::vector<Vec3> applied_forces(double time) const;  ///< N; of each body
+  std::vector<Vec3> applied_forces(double time) const;  ///< N; on each body
+  std::vector<contact::Twist> free_twists(const std::vector<Vec3>& force_W, double h) const;
   /// The greatest velocity that gravity and applied forces add to a body in a step, m/s.
-  double weight(double time, double h) const;
+  double weight(const std::vector<Vec3>& force_W, double h) const;
   void solve_contacts(std::vector<contact::Twist>& twists, double weight);
   std::vector<contact::Twist> apart(double h);
   void keep_impulses(const ContactPair& contact_pair) const;

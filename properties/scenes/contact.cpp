@@ -396,9 +396,7 @@ Scene times_powers(Random& random) {
 
 /// No small integers: random doubles, a normal in any direction.
 Scene generic(Random& random) {
-  const auto any = [&random](double limit) {
-    return Vec3{limit * (2 * random.unit() - 1), limit * (2 * random.unit() - 1), limit * (2 * random.unit() - 1)};
-  };
+  const auto any = [&random](double limit) { return any_vector(random, limit); };
   // C near the needle's end, as far beside its axis as it is thick.
   const auto needle = [&] {
     const double thin = std::ldexp(1.0, -random.between(8, 24));

@@ -128,6 +128,10 @@ Vec3 small_vector(Random& random, int limit) {
   return {random.whole(-limit, limit), random.whole(-limit, limit), random.whole(-limit, limit)};
 }
 
+Vec3 any_vector(Random& random, double limit) {
+  return {limit * (2 * random.unit() - 1), limit * (2 * random.unit() - 1), limit * (2 * random.unit() - 1)};
+}
+
 double dyadic_gap(Random& random, int least, int greatest) {
   if (random.one_in(4)) return 0;
   const int sign = random.sign();

@@ -63,6 +63,9 @@ double dyadic(Random& random, int lo, int hi, int least, int greatest);
 /// A vector of integers in ±`limit`.
 Vec3 small_vector(Random& random, int limit);
 
+/// A vector of numbers with all bits, in ±`limit`.
+Vec3 any_vector(Random& random, double limit);
+
 /// ±2^-k with k from `least` to `greatest`; 0 with probability 1/4.
 double dyadic_gap(Random& random, int least, int greatest);
 

@@ -66,9 +66,7 @@ Scene touching_and_overlapping(Random& random) {
 
 /// A ball near the origin by a part of a compound whose origin is 2^16 to 2^30 m away, turned by any angle.
 Scene by_a_far_part(Random& random) {
-  const auto any = [&random](double limit) {
-    return Vec3{limit * (2 * random.unit() - 1), limit * (2 * random.unit() - 1), limit * (2 * random.unit() - 1)};
-  };
+  const auto any = [&random](double limit) { return any_vector(random, limit); };
   const Vec3 imaginary = any(1);
   const Quaternion q{0.5 + random.unit(), imaginary.x(), imaginary.y(), imaginary.z()};
   const Vec3 arm = any(std::ldexp(1.0, random.between(16, 30)));
