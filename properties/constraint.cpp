@@ -239,7 +239,7 @@ Finding cone(const Scene& scene, Subject& subject) {
       if (event.kind == Event::Kind::force) continue;
       const auto body = [&](int i) -> const Body& { return scene.bodies[static_cast<std::size_t>(i)]; };
       const double mu = std::min(body(event.a).material.friction, body(event.b).material.friction);
-      if (std::abs(event.nhat_BA_W.norm() - 1) > tolerance::unit_length(subject.card().precision))
+      if (!tolerance::is_unit(event.nhat_BA_W, subject.card().precision))
         return judge::wrong(Defect::wrong_normal, "n = " + text(event.nhat_BA_W) + " at " + text(event.time) + " s",
                             "a unit normal");
       const Vec3 n = event.nhat_BA_W.normalized();

@@ -143,6 +143,8 @@ double unit_length(Precision precision) {
   return rounding(normalised + 2 * turned, normalised, precision) * unit_roundoff(precision);
 }
 
+bool is_unit(const Vec3& n, Precision precision) { return std::abs(n.norm() - 1) <= unit_length(precision); }
+
 // Two poses, and the same again outward, so that the box contains the body in spite of rounding.
 double bounds(const Scene& scene, Precision precision) {
   return times_ulp(rounding(2 * poses, precision), scene, precision);

@@ -38,6 +38,9 @@ double separation(const Scene& scene, Precision precision);
 /// 1: ||n| − 1| of a computed unit vector.
 double unit_length(Precision precision);
 
+/// Whether n has the length 1, but for the rounding of a unit vector.
+bool is_unit(const Vec3& n, Precision precision);
+
 /// m: how much wider a conservative tight box may be than the exact one, on each side.
 double bounds(const Scene& scene, Precision precision);
 

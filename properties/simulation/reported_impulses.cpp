@@ -135,6 +135,8 @@ Finding add_up(const Scene& scene, Subject& subject) {
 
 /// P·n ≥ 0 and |P_t| ≤ μ P·n.
 Finding in_cone(const TrajectoryCase& asked, const Event& event, double mu, double bounces) {
+  if (!tolerance::is_unit(event.nhat_BA_W, asked.precision))
+    return judge::wrong(Defect::wrong_normal, text(event), "a unit normal");
   const Vec3 n = event.nhat_BA_W.normalized();
   const double P = event.P_A_W.norm(), P_n = event.P_A_W.dot(n);
   const double unit = oracle::unit_roundoff(asked.precision) * P;

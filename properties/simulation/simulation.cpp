@@ -160,7 +160,7 @@ Finding in_contact(const TrajectoryCase& asked, const Event& event, const Scene&
     }
   }
   const Point n = event.nhat_BA_W.cast<Real>();
-  if (std::abs(n.norm() - 1) > tolerance::unit_length(asked.precision)) {
+  if (!tolerance::is_unit(event.nhat_BA_W, asked.precision)) {
     return judge::wrong(Defect::wrong_normal, text(event), "a unit normal");
   }
   const auto convex = [](const Body& body) { return !std::holds_alternative<Compound>(body.shape); };
