@@ -121,6 +121,20 @@ TEST_CASE("impulse.decided: nothing regular is ambiguous, and what may jump is n
   CHECK(judged("impulse.survives", shrug).outcome == Outcome::fails);
 }
 
+// It slips at 100 m/s, and its law jumps at an approach of 0.
+TEST_CASE("impulse: where slip jams, an approach is excused only within 1e-9 of the jump") {
+  const auto unanswered = [](double approach) {
+    Scene rod = tests::scene("a rod in Painlevé's range");
+    rod.bodies[0].velocity.v_WBcm.z() = -approach;
+    Impulse said;
+    said.P_A_W = Vec3::Zero();
+    said.after = {rod.bodies[0].velocity, rod.bodies[1].velocity};
+    return judged("impulse.agrees", rod, said).outcome;
+  };
+  CHECK(unanswered(1e-5) == Outcome::fails);
+  CHECK(unanswered(1e-9) == Outcome::outside);
+}
+
 TEST_CASE("impulse: without a contact, or with squares beyond the subject's range, nothing is asked") {
   CHECK(judged("impulse.agrees", tests::scene("spheres apart"), skidding()).outcome == Outcome::outside);
   Scene hard = skid();

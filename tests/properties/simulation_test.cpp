@@ -863,6 +863,32 @@ TEST_CASE("simulation: the moment of an impulse that is a rounding of the moment
   CHECK(judged_with(0x1p-40) == Outcome::fails);
 }
 
+// A unit ball that a floor meets at 1 m/s gets 1 N s up, and 3/8 N s along the floor.
+TEST_CASE("simulation.impulses_hold: the friction of a contact is the lesser of its bodies'") {
+  const auto judged_with = [&](double of_ball, double of_floor) {
+    Scene scene;
+    scene.bodies = {ball({0, 0, 0.5}, {1, 0, -1}), ball({0, 0, -0.5}, {0, 0, 0})};
+    for (Body& body : scene.bodies) body.material.restitution = 0;
+    scene.bodies[0].material.friction = of_ball;
+    scene.bodies[1].material.friction = of_floor;
+    scene.bodies[1].mass = Fixed{};
+    scene.motion.emplace();
+    scene.motion->sample_times = {0};
+    const State below = at({0, 0, -0.5}, {0, 0, 0});
+    Event event = impact(0, 0, 1, {0, 0, 0}, {0, 0, 1}, 1, at({0, 0, 0.5}, {0.625, 0, 0}), below);
+    event.P_A_W = {-0.375, 0, 1};
+    tests::FixedSubject subject;
+    Trajectory said;
+    said.states = {{event.after_a, below}};
+    said.events.emplace(1, event);
+    subject.said_simulation = said;
+    return properties::find("simulation.impulses_hold").check(scene, subject).outcome;
+  };
+  CHECK(judged_with(0.5, 0.5) == Outcome::holds);
+  CHECK(judged_with(0.5, 0.25) == Outcome::fails);
+  CHECK(judged_with(0.25, 0.5) == Outcome::fails);
+}
+
 // The relative speed is 2 m/s, and the way of a step of 1/64 s that of two bodies of 1 m/s. Lifted apart by d each, the
 // angular momentum of two unit masses changes by 2 d.
 TEST_CASE("simulation: lifting an overlap explains a change of angular momentum, by the way of a step") {
