@@ -166,6 +166,7 @@ Finding energy_falls(const Scene& scene, Subject& subject) {
     if (restitution_may_add_energy(scene)) return judge::outside("rebounds with friction of a body that is no ball");
     if (!fixed_bodies_rest(scene) || !scene.motion->forces.empty())
       return judge::outside("an applied force or a moving fixed body may do work");
+    if (said.states.empty()) return judge::silent("any state");
     const std::vector<State> before = first_states(scene);
     const double allowed = tolerance::energy_of_steps(scene);
     const double roundings = tolerance::rounding_of_energies(subject.card().precision);
@@ -260,6 +261,7 @@ Finding cone(const Scene& scene, Subject& subject) {
 
 Finding fixed(const Scene& scene, Subject& subject) {
   return of_steps(scene, subject, [&](const Trajectory& said) {
+    if (said.states.empty()) return judge::silent("any state");
     Finding finding = judge::outside("no body is fixed and at rest");
     for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
       const Body& body = scene.bodies[k];

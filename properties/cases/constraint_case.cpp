@@ -39,7 +39,8 @@ std::string fault_of_steps(const Scene& scene, const Trajectory& said) {
   double last = 0;
   const int count = static_cast<int>(scene.bodies.size());
   for (const Event& event : said.events.value_or(std::vector<Event>{})) {
-    if (event.time < last || event.time > times.back()) return "events that are not in the order of time";
+    if (event.time < last) return "events that are not in the order of time";
+    if (event.time > end) return "an event after the run's end";
     last = event.time;
     const bool is_force = event.kind == Event::Kind::force;
     if (is_force && event.a >= 0 && event.a < count && event.b < 0) continue;

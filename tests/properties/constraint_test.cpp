@@ -102,6 +102,27 @@ TEST_CASE("constraint.cone: a normal longer than 1 gives no more friction, and i
   CHECK(outcome(1.2, 0) == oracle::Outcome::fails);
 }
 
+TEST_CASE("constraint: a run that ends before the first sample holds nothing, and has no event after its end") {
+  const Scene scene = thrown(Sphere{1}, {0, 1});
+  const auto outcome = [&](const char* property, double event_at) {
+    Event event;
+    event.kind = Event::Kind::impact;
+    event.time = event_at;
+    event.a = 0, event.b = 1;
+    event.nhat_BA_W = event.P_A_W = {0, 0, 1};
+    tests::FixedSubject subject;
+    Trajectory said;
+    said.complete_until = 0.5;
+    said.events.emplace(1, event);
+    subject.said_constraint = said;
+    return find(property).check(scene, subject).outcome;
+  };
+  CHECK(outcome("constraint.energy", 0.5) == oracle::Outcome::abstains);
+  CHECK(outcome("constraint.fixed", 0.5) == oracle::Outcome::abstains);
+  CHECK(outcome("constraint.survives", 0.5) == oracle::Outcome::holds);
+  CHECK(outcome("constraint.survives", 0.625) == oracle::Outcome::fails);
+}
+
 // By Newton's rule a tetrahedron gained 1 % of its energy.
 TEST_CASE("constraint.energy: rebounds with friction are judged of balls alone") {
   const auto judges = [](const Scene& scene) {
