@@ -82,18 +82,16 @@ Finding event_states(const Scene& scene, Subject& subject) {
   });
 }
 
-/// Calls judge_it(pair's scene, from, until) for each pair of ballistic segments of two bodies that have time in
-/// common. Keeps the worst finding. Returns true on a failure, which ends the search.
+/// Calls judge_it(pair's scene, segment of a, segment of b) for each pair of ballistic segments of two bodies that have
+/// time in common. Keeps the worst finding. Returns true on a failure, which ends the search.
 template <class JudgeIt>
 bool of_segments_together(const Scene& scene, const std::vector<Segment>& of_a, const std::vector<Segment>& of_b,
                           Finding& worst, JudgeIt&& judge_it) {
   for (std::size_t i = 0, j = 0; i < of_a.size() && j < of_b.size();) {
     const Segment &a = of_a[i], &b = of_b[j];
     const double from = std::max(a.from, b.from), until = std::min(a.until, b.until);
-    if (a.ballistic && b.ballistic && from < until &&
-        worse(worst, judge_it(segment_scene(scene, {a, b}, until), from, until))) {
+    if (a.ballistic && b.ballistic && from < until && worse(worst, judge_it(segment_scene(scene, {a, b}, until), a, b)))
       return true;
-    }
     ++(a.until < b.until ? i : j);
   }
   return false;
@@ -121,12 +119,37 @@ bool stay_apart(const Scene& pair, double until) {
   return (pair.bodies[0].X_WB.p_WB - pair.bodies[1].X_WB.p_WB).norm() > 1.01 * reach;
 }
 
-// Two bodies in ballistic motion do not overlap deeper than rounding explains, up to the next event of either.
+/// m: by how much a pair that was in contact up to a time may still overlap there, as contacts may that last; 0 for
+/// others.
+double left_by_contact(const TrajectoryCase& asked, std::size_t a, std::size_t b, double time) {
+  const auto is_of_pair = [&](const Event& event) {
+    return event.kind == Kind::release && event.time == time && event.a == static_cast<int>(a) &&
+           event.b == static_cast<int>(b);
+  };
+  return std::ranges::any_of(*asked.said.events, is_of_pair) ? 2 * envelope(asked.scene) : 0;
+}
+
+/// m: of two bodies; 0 if they only touch.
+double overlap_of(const Scene& pair) {
+  return truth::distance(pair).verdict == Verdict::overlapping ? judge::margin(pair).lo : 0;
+}
+
+/// m: the deepest overlap at the end of a time, at its half, its quarter and so on.
+double deepest_of_halves(const Scene& pair, double from, double until) {
+  double deepest = 0;
+  for (int halvings = 0; halvings < 16; ++halvings)
+    deepest = std::max(deepest, overlap_of(oracle::pair_at(pair, from + std::ldexp(until - from, -halvings))));
+  return deepest;
+}
+
+// Two bodies in ballistic motion do not overlap deeper than rounding explains, up to the next event of either; after a
+// contact, no deeper than it left them.
 Finding none_missed(const Scene& scene, Subject& subject) {
   return of_timeline(scene, subject, [&](const TrajectoryCase& asked, const Timeline& timeline) {
-    return of_pairs_in_motion(asked, timeline, [&](const Scene& pair, double from, double until) {
+    return of_pairs_in_motion(asked, timeline, [&](const Scene& pair, const Segment& a, const Segment& b) {
+      const double from = std::max(a.from, b.from), until = std::min(a.until, b.until);
       if (stay_apart(pair, until)) return judge::holds();
-      const double slack = tolerance::moving_distance(pair, until, asked.precision);
+      double slack = tolerance::moving_distance(pair, until, asked.precision);
       const auto overlap = [&](double depth) {
         return counted(is_decisive(pair, slack),
                        judge::at_most(
@@ -135,7 +158,12 @@ Finding none_missed(const Scene& scene, Subject& subject) {
                            [&] { return std::string("an impact before the bodies overlap"); }));
       };
       const Scene at_first = oracle::pair_at(pair, from);
-      if (truth::distance(at_first).verdict == Verdict::overlapping) return overlap(judge::margin(at_first).lo);
+      if (const double depth = overlap_of(at_first); depth > 0) {
+        const double left = left_by_contact(asked, a.body, b.body, from);
+        if (left == 0 || depth > left + slack) return overlap(depth);
+        slack += depth;
+        return overlap(deepest_of_halves(pair, from, until));
+      }
       const std::optional<MotionCase> pair_case = motion_case(pair, asked.precision);
       return overlap(pair_case ? -pair_case->deepest(until) : 0);
     });

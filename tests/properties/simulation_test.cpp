@@ -863,6 +863,31 @@ TEST_CASE("simulation: the moment of an impulse that is a rounding of the moment
   CHECK(judged_with(0x1p-40) == Outcome::fails);
 }
 
+// A ball of radius 1/2 rests on a floor for half a second. Then it is `depth` below its top, and leaves it or sinks.
+TEST_CASE("simulation.none_missed: what a contact left overlapping may overlap until it is apart") {
+  const auto judged_with = [&](double depth, double speed, Event::Kind ends_with) {
+    Scene scene = over_table(ball({0, 0, 0.5}, {0, 0, 0}), 1);
+    scene.gravity.setZero();
+    scene.motion->envelope = 0x1p-20;
+    const State after = at({0, 0, 0.5 - depth}, {0, 0, speed});
+    Event begin = impact(0, 0, 1, {0, 0, 0}, {0, 0, 1}, 0, at({0, 0, 0.5}, {0, 0, 0}), of_table()), end = begin;
+    begin.kind = Event::Kind::contact;
+    end.kind = ends_with;
+    end.time = 0.5;
+    end.after_a = after;
+    tests::FixedSubject subject;
+    Trajectory said;
+    said.states = {{at({0, 0, 0.5 - depth + speed / 2}, {0, 0, speed}), of_table()}};
+    said.events = {begin, end};
+    subject.said_simulation = said;
+    return properties::find("simulation.none_missed").check(scene, subject).outcome;
+  };
+  CHECK(judged_with(0x1p-20, 1, Event::Kind::release) == Outcome::holds);
+  CHECK(judged_with(0x1p-18, 1, Event::Kind::release) == Outcome::fails);
+  CHECK(judged_with(0x1p-20, -0.25, Event::Kind::release) == Outcome::fails);
+  CHECK(judged_with(0x1p-20, 1, Event::Kind::impact) == Outcome::fails);
+}
+
 // A unit ball that a floor meets at 1 m/s gets 1 N s up, and 3/8 N s along the floor.
 TEST_CASE("simulation.impulses_hold: the friction of a contact is the lesser of its bodies'") {
   const auto judged_with = [&](double of_ball, double of_floor) {
