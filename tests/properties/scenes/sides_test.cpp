@@ -15,8 +15,8 @@ std::string verdict(const Scene& pair) {
   return truth == Verdict::separated ? "separated" : truth == Verdict::touching ? "touching" : "overlapping";
 }
 
-std::string outcome(const Scene& flight) {
-  const TimeOfImpact::Status truth = oracle::truth::time_of_impact(flight).status;
+std::string outcome(const Scene& motion) {
+  const TimeOfImpact::Status truth = oracle::truth::time_of_impact(motion).status;
   return truth == TimeOfImpact::Status::hit ? "hit" : truth == TimeOfImpact::Status::miss ? "miss" : "undecided";
 }
 
