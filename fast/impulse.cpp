@@ -122,8 +122,9 @@ Velocity pushed(const Body& body, const Side& side, const Vec3& P) {
 /// The solver's error; the effect of rounding u, in the norm of K⁻¹; and that of rounding M [r]×: with |δW| ≤ 16 u
 /// (slenderness), |K^(-1/2) δ(WᵀW) K^(-1/2)| ≤ 2 |δW|/sqrt(least eigenvalue), and the impulse changes by a few times as
 /// much (measured: docs/design/impulse.md); and that of masses computed from densities, which changes K by a share of
-/// itself. All relative to |u|_{K⁻¹}, or to |P|_K/2 if that is more because Newton's law adds so much energy.
-double error_of(const Stated& stated, const Vec3& velocity, const Vec3& P) {
+/// itself; all over the slope with which u_n reaches its goal. All relative to |u|_{K⁻¹}, or to |P|_K/2 if that is more
+/// because Newton's law adds so much energy.
+double error_of(const Stated& stated, const Vec3& velocity, const Vec3& P, double flattest) {
   const Eigen::SelfAdjointEigenSolver<Mat3> eigen(stated.K);
   const double least = eigen.eigenvalues()[0], greatest = eigen.eigenvalues()[2];
   if (!(least > 0)) return infinity;
@@ -134,7 +135,7 @@ double error_of(const Stated& stated, const Vec3& velocity, const Vec3& P) {
   const double speed = (stated.A.speed_error + stated.B.speed_error) / std::sqrt(least);
   const double shape = 32 * u * (stated.A.slenderness + stated.B.slenderness) / std::sqrt(least) +
                        (stated.A.mass_error + stated.B.mass_error);
-  return (impulse::error_bound(greatest / least) + 4 * shape) * norm + 4 * speed;
+  return ((impulse::error_bound(greatest / least) + 4 * shape) * norm + 4 * speed) / flattest;
 }
 
 /// Is u_n above what rounding changes? Else the bodies may approach by as much, so that the impulse is not exactly 0.
@@ -152,14 +153,14 @@ Impacted impact(const Scene& scene) {
   done.after = {scene.bodies[0].velocity, scene.bodies[1].velocity};
   done.outcome = impulse::solve(all.impact);
   if (!done.outcome.regime.approached) {
-    if (!surely_separates(all)) done.error = error_of(all, all.A.velocity - all.B.velocity, Vec3::Zero());
+    if (!surely_separates(all)) done.error = error_of(all, all.A.velocity - all.B.velocity, Vec3::Zero(), 1);
     return done;
   }
   const impulse::Outcome& out = done.outcome;
   done.P_A_W = all.R * Vec3(out.P1, out.P2, out.p);
   done.after = {pushed(scene.bodies[0], all.A, done.P_A_W), pushed(scene.bodies[1], all.B, -done.P_A_W)};
   const Vec3 velocity = all.A.velocity - all.B.velocity;
-  done.error = error_of(all, velocity, done.P_A_W);
+  done.error = error_of(all, velocity, done.P_A_W, out.flattest);
   done.energy_change = done.P_A_W.dot(velocity) + done.P_A_W.dot(all.K * done.P_A_W) / 2;
   if (std::isfinite(all.impact.mu)) {
     done.cone_excess = std::sqrt(out.P1 * out.P1 + out.P2 * out.P2) - all.impact.mu * out.p;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <utility>
+#include <vector>
 
 #include "model/infinity.h"
 #include "model/input_error.h"
@@ -129,6 +130,7 @@ struct Outcome {
   T p_c;
   std::optional<T> stopped, near_jump;
   bool recompressed;
+  std::vector<T> slopes;  ///< over K_nn
 };
 
 /// A few dozen phases are usual. Where the entries of K differ so much that the floats' digits do not separate them
@@ -143,7 +145,11 @@ Outcome<T> solved(const ImpactProblem<T>& problem, PhaseSource source) {
     const std::unique_ptr<Phase<T>> phase = source.next(progress);
     progress.along(*phase);
   }
-  return {progress.now(), progress.p_c(), source.stopped(), progress.near_jump(), progress.recompressed()};
+  std::vector<T> slopes;
+  for (const T& slope : progress.slopes())
+    slopes.push_back(T(slope / T(inner(problem.N, times(problem.K, problem.N)))));
+  return {progress.now(),       progress.p_c(),          source.stopped(),
+          progress.near_jump(), progress.recompressed(), std::move(slopes)};
 }
 
 bool on_lines(const Facts& facts) { return facts.frictionless || facts.no_limit || !facts.slips || facts.straight; }
@@ -257,6 +263,12 @@ void set_normal_impulses(ImpulseTruth& truth, const mpq_class& square, const mpq
 using reference::exact_of;
 mpq_class exact_of(const Enclosed& x) { return exact_of(x.middle()); }
 
+template <class T>
+void set_flattest(ImpulseTruth& truth, const Outcome<T>& outcome) {
+  for (const T& slope : outcome.slopes)
+    truth.flattest = std::min(truth.flattest, static_cast<double>(float_of(exact_of(slope))));
+}
+
 /// Records the result of a solution in other numbers; `shift` and `shift_of_u` are the exponents of its units.
 template <class T>
 Triple recorded(ImpulseTruth& truth, const ImpactProblem<mpq_class>& exact, const ImpactProblem<Float>& problem,
@@ -267,6 +279,7 @@ Triple recorded(ImpulseTruth& truth, const ImpactProblem<mpq_class>& exact, cons
     return q;
   };
   set_modes(truth.modes, exact, outcome);
+  set_flattest(truth, outcome);
   truth.p_c = rational_of(in_si(outcome.p_c));
   truth.p_f = rational_of(in_si(outcome.end.p));
   if (outcome.near_jump) set_ambiguous(truth, problem, ldexp(float_of(exact_of(*outcome.near_jump)), -shift_of_u));
@@ -317,6 +330,7 @@ std::optional<Triple> solve_enclosed(ImpulseTruth& truth, const ImpactProblem<mp
 Triple solve_exactly(ImpulseTruth& truth, const ImpactProblem<mpq_class>& exact, const ImpactProblem<Float>& problem) {
   const Outcome<mpq_class> outcome = exactly(exact);
   set_modes(truth.modes, exact, outcome);
+  for (const mpq_class& slope : outcome.slopes) truth.flattest = std::min(truth.flattest, slope.get_d());
   set_normal_impulses(truth, exact.square, outcome.p_c, outcome.end.p);
   if (outcome.near_jump) {
     set_ambiguous(truth, problem, float_of(*outcome.near_jump) / sqrt(float_of(exact.square)));

@@ -60,6 +60,10 @@ struct ImpulseTruth {
   /// Set if the law itself is discontinuous near this scene: how near, as the missing u_n over sqrt(K_nn u0ᵀ K⁻¹ u0),
   /// at most 1e-9.
   std::optional<double> ambiguous;
+
+  /// How flat u_n(p) is where a compression ends, or Newton's restitution: the least du_n/dp over K_nn; 1 where μ
+  /// |K_tn| ≤ K_nn. An error of u_n moves p by the error over du_n/dp.
+  double flattest = 1;
 };
 
 /// The precision asked for where P is not exact.

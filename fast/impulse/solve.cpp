@@ -47,6 +47,7 @@ class ImpactSolver {
       const double before = at_.p;
       at_.work = 0;
       go({Goal::Of::speed, 0});
+      note_slope();
       if (before == 0) outcome_.compression = at_.p;
       restore(at_.p - before);
     } while (approaches_again());
@@ -72,8 +73,16 @@ class ImpactSolver {
         return go({Goal::Of::work, regained});
       }
       case Law::newton:
-        return go({Goal::Of::speed, -i_.e * i_.un});
+        go({Goal::Of::speed, -i_.e * i_.un});
+        note_slope();
     }
+  }
+
+  /// Bodies that stick have a slope 1/(K⁻¹)_nn, which cond(K) bounds.
+  void note_slope() {
+    if (!jams_ || at_.s == 0) return;
+    const double slope = (i_.b - i_.mu * (i_.k1 * at_.c + i_.k2 * at_.d)) / i_.b;
+    if (slope > 0) outcome_.flattest = std::min(outcome_.flattest, slope);
   }
 
   /// Whether sliding can press the bodies together: u_n decreases in some direction of slip. |k| ≤ |k1| + |k2| decides

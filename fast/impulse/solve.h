@@ -22,6 +22,10 @@ struct Outcome {
   /// Distance from a discontinuity of the law itself, relative to |u|: how far u_n stayed from becoming 0 in the other
   /// way.
   double miss = 1;
+
+  /// At most 1: the least slope du_n/dp, over K_nn, at which u_n reached its goal, where slip can press the bodies
+  /// together. An error of u_n moves p by the error over the slope.
+  double flattest = 1;
 };
 
 /// The impulse of one impact.
@@ -32,7 +36,7 @@ struct Outcome {
 /// = 0.
 ///
 /// Error: |P − P*|_K ≤ error_bound (below), relative to |u|_{K⁻¹}, or to |P|_K/2 if that is more (only Newton's law can
-/// add energy); measured, not proved (docs/design/impulse.md). Source: Routh 1860; Mirtich 1996, 3;
+/// add energy), over `flattest`; measured, not proved (docs/design/impulse.md). Source: Routh 1860; Mirtich 1996, 3;
 /// docs/design/impulse.md for the form.
 Outcome solve(const Impact& impact);
 

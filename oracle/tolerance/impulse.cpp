@@ -26,12 +26,12 @@ constexpr Real of_K = 64;
 constexpr Real of_u = 32;
 
 // At the end of compression u_n crosses 0 with the slope du_n/dp ≥ K_nn − mu|K_tn|, and an error of u_n moves p_c by
-// that error over the slope. Where the bound of the slope is not positive, the crossing may be arbitrarily flat; what
-// is measured above holds for such contacts too, away from where the law jumps.
-Real crossing(const Impact& impact, const Contact& contact) {
+// that error over the slope. Where the bound of the slope is not positive, the crossing may be arbitrarily flat: there
+// the slope is the true one.
+Real crossing(const Scene& scene, const Impact& impact) {
   const Real coupling = impact.k().norm();
-  const Real slope = coupling > 0 ? 1 - contact.friction * coupling / impact.K_nn() : 1;
-  return slope > 0 ? 1 / slope : 1;
+  const Real slope = coupling > 0 ? 1 - scene.contact->friction * coupling / impact.K_nn() : 1;
+  return 1 / (slope > 0 ? slope : static_cast<Real>(truth::impulse(scene).flattest));
 }
 
 // A turn by q/|q| changes a vector by at most 44u of its length (oracle/tolerance/tolerance.cpp); there and back is two
@@ -127,7 +127,7 @@ Real of_arm(const Impact& impact, const ImpactBody& body, Real dr) {
 // √J: effect of a relative error K of K and of an error du (m/s) of u; P/m and I⁻¹(r × P) have that of K once more.
 Real disturbed(const Scene& scene, const Impact& impact, Real K, Real du) {
   const Real N = size(scene, impact), m = impact.least_mass();
-  return crossing(impact, *scene.contact) * ((of_K + 2) * K * N + of_u * std::sqrt(m) * du);
+  return crossing(scene, impact) * ((of_K + 2) * K * N + of_u * std::sqrt(m) * du);
 }
 
 }  // namespace
@@ -154,7 +154,7 @@ double impulse(const Scene& scene, const Impact& impact, const std::array<Veloci
     if (!body.fixed) K += of_arm(impact, body, off.arm) + off.inertia + off.mass;
     du += w * off.arm + 4 * u * (v + w * body.p_BcmC_W.norm());
   }
-  const Real solved = crossing(impact, *scene.contact) * solver(impact) * u * N;
+  const Real solved = crossing(scene, impact) * solver(impact) * u * N;
   return static_cast<double>(disturbed(scene, impact, K, du) + solved + said);
 }
 

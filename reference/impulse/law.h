@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "reference/exact/linear.h"
 #include "reference/impulse/impact.h"
@@ -100,6 +101,8 @@ class ImpactProgress {
   bool recompressed() const { return recompressed_; }
   /// The least change of U (as |ΔU|) that would have made the result jump.
   const std::optional<T>& near_jump() const { return near_jump_; }
+  /// dU/dp > 0 wherever U reached its goal, if μ |K_tn| > K_nn: an error of U moves p by the error over this.
+  const std::vector<T>& slopes() const { return slopes_; }
 
   /// True if neither compression nor restitution ends between two states with U monotone between them.
   bool quiet(const ImpactState<T>& from, const ImpactState<T>& to) const {
@@ -131,6 +134,7 @@ class ImpactProgress {
   }
 
   void turn(const Phase<T>& phase) {
+    if (problem_.facts.painleve && (compressing_ || problem_.law == Law::newton)) slopes_.push_back(phase.slope(now_));
     if (compressing_) {
       watch_peak(phase);
       restitute();
@@ -167,6 +171,7 @@ class ImpactProgress {
   bool compressing_ = true, recompressed_ = false, done_ = false;
   T goal_, p_c_;
   std::optional<T> near_jump_;
+  std::vector<T> slopes_;
 };
 
 }  // namespace touchstone::reference

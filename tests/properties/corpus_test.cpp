@@ -38,6 +38,15 @@ TEST_CASE("Every case of the corpus is whole: read, complete, under a property o
     CHECK(count[query] >= 3);
 }
 
+// The slope by a Runge-Kutta method of fourth order with steps of 10⁻³ and 5·10⁻⁴ N s, which agree to 2·10⁻¹⁰ of it.
+TEST_CASE("corpus: a compression ends where the normal velocity is nearly flat") {
+  const Scene scene = scene_of("impulse/nearly_flat_at_the_end_of_compression");
+  CHECK(oracle::truth::impulse(scene).flattest == Approx(0.001984547865).epsilon(1e-9));
+  const auto subject = oracle::subjects::make_fast();
+  for (const char* property : {"impulse.agrees", "impulse.error_bound"})
+    CHECK(properties::find(property).check(scene, *subject).outcome == oracle::Outcome::holds);
+}
+
 TEST_CASE("An impact of the corpus goes on through restitution, though slip jams in it") {
   const reference::ImpulseTruth& truth = oracle::truth::impulse(scene_of("impulse/stronge_jams_in_restitution"));
   CHECK(truth.p_f > truth.p_c);
