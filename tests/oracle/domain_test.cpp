@@ -1,6 +1,8 @@
 // Which scenes a declared domain contains, at sizes that are known on paper.
 #include "oracle/domain.h"
 
+#include <array>
+
 #include "model/scene.h"
 #include "oracle/truth/truth.h"
 #include "tests/catch.h"
@@ -76,6 +78,18 @@ TEST_CASE("the other limits") {
   inside(with(&Domain::speed, 5.001), with(&Domain::speed, 4.999), pair);
   inside(with(&Domain::angular_speed, 10.001), with(&Domain::angular_speed, 9.999), pair);
   CHECK(*beyond(with(&Domain::speed, 4), pair) == "a speed, m/s: 5 is above 4");
+}
+
+TEST_CASE("domain: the mass ratio is that of the greatest and the least mass, wherever they are") {
+  for (const auto& densities : {std::array{1.0, 4.0, 2.0}, std::array{2.0, 4.0, 1.0}, std::array{4.0, 1.0, 2.0}}) {
+    Scene scene;
+    for (const double density : densities) {
+      Body& body = scene.bodies.emplace_back();
+      body.shape = Box{{1, 1, 1}};
+      body.mass = Density{density};
+    }
+    CHECK(mass_ratio(truth::completed(scene)) == 4);
+  }
 }
 
 TEST_CASE("domain: a scene that moves may be too slow, one at rest or under gravity is not", "[domain]") {
