@@ -95,12 +95,6 @@ Scene as_at(Scene scene, const std::vector<State>& states) {
   return scene;
 }
 
-/// m: no more than the two overlap; 0 if they are not proved to.
-double overlap(const Scene& pair) {
-  const bool is_deep = oracle::truth::distance(pair).verdict == Verdict::overlapping;
-  return is_deep ? judge::margin(pair).lo : 0;
-}
-
 /// Of the two of all bodies that overlap most, or the first two that overlap too much.
 Finding apart_at(const Scene& scene, const std::vector<State>& states, std::size_t sample, oracle::Precision in) {
   const Scene now = as_at(scene, states);
@@ -110,7 +104,7 @@ Finding apart_at(const Scene& scene, const std::vector<State>& states, std::size
       if (is_fixed(now.bodies[a]) && is_fixed(now.bodies[b])) continue;
       Scene pair;
       pair.bodies = {now.bodies[a], now.bodies[b]};
-      const double depth = overlap(pair), rounding = tolerance::rounding_of_places(scene, a, b, in);
+      const double depth = judge::overlap(pair), rounding = tolerance::rounding_of_places(scene, a, b, in);
       const double bound = tolerance::overlap_of_step(scene) + rounding;
       const Finding finding = counted(is_decisive(pair, rounding),
                                       judge::at_most(

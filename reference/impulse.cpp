@@ -145,9 +145,9 @@ Outcome<T> solved(const ImpactProblem<T>& problem, PhaseSource source) {
     const std::unique_ptr<Phase<T>> phase = source.next(progress);
     progress.along(*phase);
   }
-  std::vector<T> slopes;
-  for (const T& slope : progress.slopes())
-    slopes.push_back(T(slope / T(inner(problem.N, times(problem.K, problem.N)))));
+  const T K_nn = inner(problem.N, times(problem.K, problem.N));
+  std::vector<T> slopes = progress.slopes();
+  for (T& slope : slopes) slope = T(slope / K_nn);
   return {progress.now(),       progress.p_c(),          source.stopped(),
           progress.near_jump(), progress.recompressed(), std::move(slopes)};
 }
@@ -259,8 +259,9 @@ void set_normal_impulses(ImpulseTruth& truth, const mpq_class& square, const mpq
   truth.p_f = rational_of(times_length(p_f));
 }
 
-/// Both under the same name as for the other number types.
+/// All under the same name.
 using reference::exact_of;
+const mpq_class& exact_of(const mpq_class& x) { return x; }
 mpq_class exact_of(const Enclosed& x) { return exact_of(x.middle()); }
 
 template <class T>
@@ -330,7 +331,7 @@ std::optional<Triple> solve_enclosed(ImpulseTruth& truth, const ImpactProblem<mp
 Triple solve_exactly(ImpulseTruth& truth, const ImpactProblem<mpq_class>& exact, const ImpactProblem<Float>& problem) {
   const Outcome<mpq_class> outcome = exactly(exact);
   set_modes(truth.modes, exact, outcome);
-  for (const mpq_class& slope : outcome.slopes) truth.flattest = std::min(truth.flattest, slope.get_d());
+  set_flattest(truth, outcome);
   set_normal_impulses(truth, exact.square, outcome.p_c, outcome.end.p);
   if (outcome.near_jump) {
     set_ambiguous(truth, problem, float_of(*outcome.near_jump) / sqrt(float_of(exact.square)));

@@ -172,6 +172,10 @@ Interval margin(const Scene& scene) {
   return {least_compound_depth(scene, truth), infinity};
 }
 
+double overlap(const Scene& scene) {
+  return truth::distance(scene).verdict == Verdict::overlapping ? margin(scene).lo : 0;
+}
+
 Finding verdict(const Scene& scene, const Card& card, Verdict said) {
   const Verdict truth = truth::distance(scene).verdict;
   if (said == truth) return holds();

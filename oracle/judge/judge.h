@@ -89,6 +89,9 @@ Finding given(const Answer<T>& answer, JudgeIt&& judge_it) {
 /// compounds, whose depth is unknown, from a certified lower bound to infinity.
 Interval margin(const Scene& scene);
 
+/// m: how deep the two bodies of a scene surely overlap; 0 if they do not. Of compounds a certified lower bound.
+double overlap(const Scene& scene);
+
 /// A subject that is exact, or declares that it knows touching, must give the exact one of three verdicts.
 bool is_held_to_touching(const Card& card);
 

@@ -124,10 +124,10 @@ Real of_arm(const Impact& impact, const ImpactBody& body, Real dr) {
   return 2 * dr * std::sqrt(impact.least_mass() / body.moments[0]);
 }
 
-// √J: effect of a relative error K of K and of an error du (m/s) of u; P/m and I⁻¹(r × P) have that of K once more.
-Real disturbed(const Scene& scene, const Impact& impact, Real K, Real du) {
-  const Real N = size(scene, impact), m = impact.least_mass();
-  return crossing(scene, impact) * ((of_K + 2) * K * N + of_u * std::sqrt(m) * du);
+// √J: effect of a relative error K of K and of an error du (m/s) of u, but for `crossing`; P/m and I⁻¹(r × P) have that
+// of K once more.
+Real disturbed(const Impact& impact, Real N, Real K, Real du) {
+  return (of_K + 2) * K * N + of_u * std::sqrt(impact.least_mass()) * du;
 }
 
 }  // namespace
@@ -154,8 +154,7 @@ double impulse(const Scene& scene, const Impact& impact, const std::array<Veloci
     if (!body.fixed) K += of_arm(impact, body, off.arm) + off.inertia + off.mass;
     du += w * off.arm + 4 * u * (v + w * body.p_BcmC_W.norm());
   }
-  const Real solved = crossing(scene, impact) * solver(impact) * u * N;
-  return static_cast<double>(disturbed(scene, impact, K, du) + solved + said);
+  return static_cast<double>(crossing(scene, impact) * (disturbed(impact, N, K, du) + solver(impact) * u * N) + said);
 }
 
 double of_input(const Scene& scene, const Impact& impact, const std::array<double, 2>& arms, double u) {
@@ -163,7 +162,7 @@ double of_input(const Scene& scene, const Impact& impact, const std::array<doubl
   for (std::size_t i = 0; i < 2; ++i) {
     if (!impact.bodies[i].fixed) K += of_arm(impact, impact.bodies[i], arms[i]);
   }
-  return static_cast<double>(disturbed(scene, impact, K, u));
+  return static_cast<double>(crossing(scene, impact) * disturbed(impact, size(scene, impact), K, u));
 }
 
 // The energy changes by Σ ½ P·(u + u'), so errors of u' count that the solution leaves, not those of P, which may be

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "oracle/judge/words.h"
+#include "properties/cases/timeline.h"
 
 namespace touchstone::properties {
 namespace {
@@ -30,7 +31,7 @@ std::string at(const RollingCase& asked, std::size_t sample) {
 
 std::string fault_of_steps(const Scene& scene, const Trajectory& said) {
   const std::vector<double>& times = scene.motion->sample_times;
-  const double end = said.complete_until.value_or(times.back());
+  const double end = complete_until(scene, said);
   const auto whole = static_cast<std::size_t>(std::ranges::upper_bound(times, end) - times.begin());
   if (said.states.size() != whole) return "not one entry of states per sample time";
   for (const std::vector<State>& bodies : said.states) {
@@ -40,7 +41,7 @@ std::string fault_of_steps(const Scene& scene, const Trajectory& said) {
   const int count = static_cast<int>(scene.bodies.size());
   for (const Event& event : said.events.value_or(std::vector<Event>{})) {
     if (event.time < last) return "events that are not in the order of time";
-    if (event.time > end) return "an event after the run's end";
+    if (event.time > std::min(end, times.back())) return "an event after the run's end";
     last = event.time;
     const bool is_force = event.kind == Event::Kind::force;
     if (is_force && event.a >= 0 && event.a < count && event.b < 0) continue;

@@ -129,16 +129,11 @@ double left_by_contact(const TrajectoryCase& asked, std::size_t a, std::size_t b
   return std::ranges::any_of(*asked.said.events, is_of_pair) ? 2 * envelope(asked.scene) : 0;
 }
 
-/// m: of two bodies; 0 if they only touch.
-double overlap_of(const Scene& pair) {
-  return truth::distance(pair).verdict == Verdict::overlapping ? judge::margin(pair).lo : 0;
-}
-
 /// m: the deepest overlap at the end of a time, at its half, its quarter and so on.
 double deepest_of_halves(const Scene& pair, double from, double until) {
   double deepest = 0;
   for (int halvings = 0; halvings < 16; ++halvings)
-    deepest = std::max(deepest, overlap_of(oracle::pair_at(pair, from + std::ldexp(until - from, -halvings))));
+    deepest = std::max(deepest, judge::overlap(oracle::pair_at(pair, from + std::ldexp(until - from, -halvings))));
   return deepest;
 }
 
@@ -149,23 +144,22 @@ Finding none_missed(const Scene& scene, Subject& subject) {
     return of_pairs_in_motion(asked, timeline, [&](const Scene& pair, const Segment& a, const Segment& b) {
       const double from = std::max(a.from, b.from), until = std::min(a.until, b.until);
       if (stay_apart(pair, until)) return judge::holds();
-      double slack = tolerance::moving_distance(pair, until, asked.precision);
-      const auto overlap = [&](double depth) {
-        return counted(is_decisive(pair, slack),
+      const double slack = tolerance::moving_distance(pair, until, asked.precision);
+      const auto overlap = [&](double depth, double allowed) {
+        return counted(is_decisive(pair, allowed),
                        judge::at_most(
-                           depth, in_ulps_of_place(asked, slack), Defect::missed,
+                           depth, in_ulps_of_place(asked, allowed), Defect::missed,
                            [&] { return "no impact of the pair until " + oracle::words::text(until) + " s"; },
                            [&] { return std::string("an impact before the bodies overlap"); }));
       };
       const Scene at_first = oracle::pair_at(pair, from);
-      if (const double depth = overlap_of(at_first); depth > 0) {
-        const double left = left_by_contact(asked, a.body, b.body, from);
-        if (left == 0 || depth > left + slack) return overlap(depth);
-        slack += depth;
-        return overlap(deepest_of_halves(pair, from, until));
+      if (truth::distance(at_first).verdict == Verdict::overlapping) {
+        const double depth = judge::overlap(at_first), left = left_by_contact(asked, a.body, b.body, from);
+        if (left == 0 || depth > left + slack) return overlap(depth, slack);
+        return overlap(deepest_of_halves(pair, from, until), slack + depth);
       }
       const std::optional<MotionCase> pair_case = motion_case(pair, asked.precision);
-      return overlap(pair_case ? -pair_case->deepest(until) : 0);
+      return overlap(pair_case ? -pair_case->deepest(until) : 0, slack);
     });
   });
 }
@@ -452,8 +446,7 @@ Finding solid(const Scene& scene, Subject& subject) {
           if (fixed || !asked.has_started(i, time) || !asked.has_started(j, time)) continue;
           if (spheres_apart(scene.bodies[i], states[i], scene.bodies[j], states[j])) continue;
           const Scene pair = posed_pair(scene, i, states[i].X_WB, j, states[j].X_WB);
-          const bool overlap = truth::distance(pair).verdict == Verdict::overlapping;
-          const double deep = overlap ? judge::margin(pair).lo : 0;
+          const double deep = judge::overlap(pair);
           const double way = asked.stepping ? tolerance::way_of_step(scene, asked.stepping->step) : 0;
           const double allowed =
               envelope(scene) + tolerance::distance(pair, asked.precision) + way + asked.distances.of(deep);

@@ -104,7 +104,7 @@ TEST_CASE("constraint.cone: a normal longer than 1 gives no more friction, and i
 
 TEST_CASE("constraint: a run that ends before the first sample holds nothing, and has no event after its end") {
   const Scene scene = thrown(Sphere{1}, {0, 1});
-  const auto outcome = [&](const char* property, double event_at) {
+  const auto outcome = [&](const char* property, double event_at, double complete_until = 0.5) {
     Event event;
     event.kind = Event::Kind::impact;
     event.time = event_at;
@@ -112,7 +112,8 @@ TEST_CASE("constraint: a run that ends before the first sample holds nothing, an
     event.nhat_BA_W = event.P_A_W = {0, 0, 1};
     tests::FixedSubject subject;
     Trajectory said;
-    said.complete_until = 0.5;
+    said.complete_until = complete_until;
+    if (complete_until >= 1) said.states = {{{scene.bodies[0].X_WB, {}}, {scene.bodies[1].X_WB, {}}}};
     said.events.emplace(1, event);
     subject.said_constraint = said;
     return find(property).check(scene, subject).outcome;
@@ -121,6 +122,8 @@ TEST_CASE("constraint: a run that ends before the first sample holds nothing, an
   CHECK(outcome("constraint.fixed", 0.5) == oracle::Outcome::abstains);
   CHECK(outcome("constraint.survives", 0.5) == oracle::Outcome::holds);
   CHECK(outcome("constraint.survives", 0.625) == oracle::Outcome::fails);
+  CHECK(outcome("constraint.survives", 1, 2) == oracle::Outcome::holds);
+  CHECK(outcome("constraint.survives", 1.5, 2) == oracle::Outcome::fails);  // after the last sample
 }
 
 // By Newton's rule a tetrahedron gained 1 % of its energy.

@@ -21,7 +21,8 @@ using namespace touchstone;
 
 namespace {
 
-/// The scene in units of length 2^-l, of mass 2^-m and of time 2^t; none if a number of it overflows or underflows.
+/// The scene with lengths times 2^l, masses times 2^(3l + m) and times by 2^-t; none if a number of it overflows or
+/// underflows.
 std::optional<Scene> in_units(Scene scene, int l, int m, int t) {
   const bool moves = scene.motion.has_value();
   if (!moves) scene.motion.emplace();

@@ -1,5 +1,4 @@
 // A family at a limit draws both of its sides: which verdicts each must have follows from its sentence.
-#include <string>
 #include <vector>
 
 #include "oracle/truth/truth.h"
@@ -10,21 +9,16 @@ using namespace touchstone;
 
 namespace {
 
-std::string verdict(const Scene& pair) {
-  const Verdict truth = oracle::truth::distance(pair).verdict;
-  return truth == Verdict::separated ? "separated" : truth == Verdict::touching ? "touching" : "overlapping";
-}
+Verdict verdict(const Scene& pair) { return oracle::truth::distance(pair).verdict; }
 
-std::string outcome(const Scene& motion) {
-  const TimeOfImpact::Status truth = oracle::truth::time_of_impact(motion).status;
-  return truth == TimeOfImpact::Status::hit ? "hit" : truth == TimeOfImpact::Status::miss ? "miss" : "undecided";
-}
+TimeOfImpact::Status outcome(const Scene& motion) { return oracle::truth::time_of_impact(motion).status; }
 
 /// Of 60 scenes each side has at least four.
-void draws_all(const char* family, const std::vector<std::string>& sides, std::string (*side_of)(const Scene&)) {
+template <class Side>
+void draws_all(const char* family, const std::vector<Side>& sides, Side (*side_of)(const Scene&)) {
   const std::vector<Scene> scenes = tests::drawn(family, 60);
-  for (const std::string& side : sides) {
-    INFO(family << ": " << side);
+  for (const Side side : sides) {
+    INFO(family << ": side " << static_cast<int>(side));
     CHECK(tests::count(scenes, [&](const Scene& scene) { return side_of(scene) == side; }) >= 4);
   }
 }
@@ -59,19 +53,19 @@ TEST_CASE("drawn pairs: families of small gaps have pairs that overlap, that tou
                              "spheres.on_summit",
                              "spheres.beside_corner",
                              "slender.needle_on_plate"})
-    draws_all(family, {"overlapping", "touching", "separated"}, verdict);
+    draws_all(family, std::vector{Verdict::overlapping, Verdict::touching, Verdict::separated}, verdict);
 }
 
 TEST_CASE("drawn pairs: families of gaps that are never 0 have both signs") {
   for (const char* family : {"touching.relative_gap", "touching.ulps", "parallel.nearly_edges", "parallel.nearly_faces",
                              "parallel.within_ulps", "spheres.within_ulps"})
-    draws_all(family, {"overlapping", "separated"}, verdict);
-  draws_all("compounds.touching_and_overlapping", {"overlapping", "touching"}, verdict);
+    draws_all(family, std::vector{Verdict::overlapping, Verdict::separated}, verdict);
+  draws_all("compounds.touching_and_overlapping", std::vector{Verdict::overlapping, Verdict::touching}, verdict);
 }
 
 TEST_CASE("drawn motions: families of near misses have hits too") {
   for (const char* family :
        {"flights.grazing", "flights.apex", "flights.tangent", "flights.grazing_twice", "flights.turning_points",
         "flights.touching", "flights.late_starts", "flights.needles", "flights.oblique"})
-    draws_all(family, {"hit", "miss"}, outcome);
+    draws_all(family, std::vector{TimeOfImpact::Status::hit, TimeOfImpact::Status::miss}, outcome);
 }
