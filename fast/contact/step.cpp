@@ -221,6 +221,13 @@ double residual_of_step(const std::vector<ContactConstraint>& constraints, const
   return greatest;
 }
 
+/// J.
+double kinetic_energy(const StepBody& body) {
+  const Velocity& V = body.state.velocity;
+  const Vec3 w_B = lin_canny::rotation(body.state.X_WB.q_WB).transpose() * V.w_WB;
+  return (body.model->mass * V.v_WBcm.squaredNorm() + w_B.dot(body.model->I_BBcm_B * w_B)) / 2;
+}
+
 Twist twist(const State& state) { return {state.velocity.v_WBcm, state.velocity.w_WB}; }
 
 void set_velocity(State& state, const Twist& twist) { state.velocity = {twist.v, twist.w}; }
@@ -347,7 +354,11 @@ Stepped step(const std::vector<StepBody>& step_bodies, std::vector<ContactConstr
   project_velocities(at_end, rows, mean, mobilities, twists);
   stepped.residual = residual_of_step(constraints, bodies, before, least_u_n, rows, mean, h);
   for (std::size_t i = 0; i < bodies.size(); ++i) {
-    if (!moved[i].is_fixed()) set_velocity(moved[i].state, twists[i]);
+    if (!moved[i].is_fixed()) {
+      set_velocity(moved[i].state, twists[i]);
+      const double work = moved[i].model->mass * h * moved[i].acceleration.dot(mean[i].v);
+      stepped.dissipated += kinetic_energy(step_bodies[i]) - kinetic_energy(moved[i]) + work;
+    }
     stepped.after.push_back(moved[i].state);
   }
   stepped.mean = std::move(mean);

@@ -38,6 +38,7 @@ struct Stepped {
   std::vector<State> after;
   std::vector<Twist> mean;  ///< over the step: takes each body from its pose before to its pose after
   std::vector<Slip> slips;  ///< of each contact; 0 where it does not press
+  double dissipated = 0;    ///< J; all energy that the bodies lost
   double residual = 0;      ///< m; how far the contacts are from what the step solves for
 };
 

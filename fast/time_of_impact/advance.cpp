@@ -104,7 +104,7 @@ class Advance {
       lin_canny::FeaturePair memory = memory_;
       // Mostly they overlap by then, and no plane separates them.
       const SeparationQuery next = after_wait(t, memory, h > 32 * first ? Planes::all : Planes::likely);
-      if (next.overlap(query)) return hit(query, sooner(query, h > first ? t - h / 2 : t_, t));
+      if (next.overlap(query)) return hit(query, sooner(query, h > first ? t - h / 2 : t_, t, is_deep(next)));
       if (next.plane().is_clear()) {
         if (may_have_met(next, t - t_)) doubt(query.at_most(), t);
         t_ = t;
@@ -121,12 +121,22 @@ class Advance {
     return {pair_, t, memory, known_, planes};
   }
 
-  /// A time of overlap: `hi`, or one of two that halve the interval from `lo`, at which none was proved.
-  double sooner(const SeparationQuery& query, double lo, double hi) {
-    for (int halvings = 0; halvings < 2; ++halvings) {
+  /// Whether the two overlap by more than rounding hides: after a grazing approach a long wait may end so.
+  static bool is_deep(const SeparationQuery& overlapping) {
+    return overlapping.plane().gap() < -8 * overlapping.plane().error();
+  }
+
+  /// A time of overlap: `hi`, or one that is found by halving the interval from `lo`, at which none was proved: twice,
+  /// and on as long as the overlap is deep.
+  double sooner(const SeparationQuery& query, double lo, double hi, bool deep) {
+    for (int halvings = 0; halvings < 2 || deep; ++halvings) {
       const double t = lo + (hi - lo) / 2;
+      if (!(lo < t && t < hi)) break;
       lin_canny::FeaturePair memory = memory_;
-      (after_wait(t, memory, Planes::likely).overlap(query) ? hi : lo) = t;
+      const SeparationQuery between = after_wait(t, memory, Planes::likely);
+      const bool overlap = between.overlap(query);
+      (overlap ? hi : lo) = t;
+      if (overlap) deep = is_deep(between);
     }
     return hi;
   }

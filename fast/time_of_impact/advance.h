@@ -13,7 +13,7 @@ namespace touchstone::fast::time_of_impact {
 /// plane of the closest features does (separating_plane.h): its bound misses the distance by less than a second-order
 /// term, so the remaining time shrinks quadratically. When rounding hides the gap, the parts are queried again a moment
 /// later, then twice that, and so on. This ends when they are proved to overlap (a hit, between the last time at which
-/// they were proved separated and this time, or an earlier one: the last interval is halved twice) or proved separated
+/// they were proved separated and this time, or an earlier one: the last interval is halved) or proved separated
 /// again (the interval is recorded as a doubt, and the advancement continues).
 FirstContact advance(const Pair& pair, double from, double until, double envelope, lin_canny::FeaturePair& memory);
 

@@ -18,6 +18,9 @@ constexpr double early_share = 0x1p-3;       // of a step: where corners hardly 
 constexpr double hardly_above = 64;          // times the distance that counts as touching
 constexpr int cuts_at_end_of_contact = 14;   // halvings of a step: it ends less than h/2¹⁴ after the contact does
 constexpr int most_slip_cuts = 8;            // of a step, in the search for the end of slip
+constexpr int most_friction_cuts = 10;       // of a step, in the search for the end of friction: to h/100
+constexpr double least_share_of_force = 1. / 3;  // of a contact's last force: it falls to 0 in a step, if linearly
+constexpr double golden = 0.61803398874989485;
 constexpr double share_of_rebound = 0x1p-4;  // the speed at which a body leaves what counts as touching and comes back
 constexpr int few_bodies = 2;                // that move: all of their slip is followed to its end
 constexpr double lost = 16;                  // times the distance that counts as touching: bodies farther apart
@@ -224,15 +227,18 @@ StepPlan until_one_slides_off(const ContactGraph& graph, StepPlan plan, double l
   return plan;
 }
 
+bool has_few_bodies(const ContactGraph& graph) {
+  return std::ranges::count_if(graph.bodies(), [](const IslandBody& body) { return !body.fixed(); }) <= few_bodies;
+}
+
 /// m/s: slip that a step of h need not end for. In a pile some slip ends in nearly each step, and a heap would take six
 /// times as long, so among many bodies only slip counts that is faster than what gravity makes in a step.
 double negligible_slip(const ContactGraph& graph, double h) {
   double greatest = 0;
   for (const IslandBody& island_body : graph.bodies())
     greatest = std::max(greatest, length(island_body.step_body.acceleration));
-  const auto moving = std::ranges::count_if(graph.bodies(), [](const IslandBody& body) { return !body.fixed(); });
   const double rebound = share_of_rebound * std::sqrt(2 * greatest * graph.near());
-  return std::max({graph.near() / h, rebound, moving > few_bodies ? greatest * h : 0});
+  return std::max({graph.near() / h, rebound, has_few_bodies(graph) ? 0 : greatest * h});
 }
 
 /// The share of a step after which the first contact has no slip, if friction reverses it then; 1 if none.
@@ -254,6 +260,35 @@ StepPlan until_slip_ends(const ContactGraph& graph, StepPlan plan, double longes
     plan = solve_step(graph, share * plan.h, longest);
   }
   return plan;
+}
+
+/// Whether a contact with friction stops pressing within the step, if its force changes linearly.
+bool loses_friction(const ContactGraph& graph, const StepPlan& plan) {
+  const std::vector<contact::ContactConstraint> last = constraints(graph);
+  for (std::size_t i = 0; i < last.size(); ++i) {
+    const auto force = [&](const contact::ContactConstraint& in) { return in.about.dot(in.contact_point.F_A_W); };
+    if (last[i].friction > 0 && force(plan.constraints[i]) < least_share_of_force * force(last[i])) return true;
+  }
+  return false;
+}
+
+bool slips(const StepPlan& plan, double negligible) {
+  return std::ranges::any_of(plan.stepped.slips, [=](const contact::Slip& slip) { return slip.before > negligible; });
+}
+
+/// A step that ends where a contact that slips stops pressing. Forces are solved for as means over a step, so in a longer
+/// one friction would take less energy: seen in between, energy would rise. It is least here (golden section).
+StepPlan until_friction_ends(const ContactGraph& graph, StepPlan plan, double longest) {
+  if (!has_few_bodies(graph) || !loses_friction(graph, plan)) return plan;
+  double low = 0, high = plan.h;
+  StepPlan best = solve_step(graph, golden * high, longest);
+  if (!slips(best, negligible_slip(graph, longest))) return plan;
+  for (int k = 0; k < most_friction_cuts; ++k) {
+    StepPlan other = solve_step(graph, low + (high - best.h), longest);
+    if (other.stepped.dissipated > best.stepped.dissipated) std::swap(best, other);
+    (other.h < best.h ? low : high) = other.h;
+  }
+  return best.stepped.dissipated > plan.stepped.dissipated ? best : plan;
 }
 
 /// A step that ends where the first corner comes down.
@@ -297,6 +332,7 @@ StepPlan until_one_comes_down(const ContactGraph& graph, StepPlan plan, double l
 
 StepPlan plan_step(const ContactGraph& graph, double h, double longest) {
   StepPlan plan = until_slip_ends(graph, solve_step(graph, h, longest), longest);
+  plan = until_friction_ends(graph, std::move(plan), longest);
   return until_one_slides_off(graph, until_one_comes_down(graph, std::move(plan), longest), longest);
 }
 

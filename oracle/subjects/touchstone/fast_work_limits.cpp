@@ -58,7 +58,7 @@ std::vector<WorkLimit> fast_work_limits() {
       {"time_of_impact", "exact_step", 8, {{"exact_proximity", 6}}},
 
       {"simulation", "toi_query", 128, {{"toi_search", 6}, {"radians", 4}, {"aspect", 0.0625}, {"contact_round", 0.5}}},
-      {"simulation", "tumble_step", 2048, {{"toi_query", 3}}},
+      {"simulation", "tumble_step", 2048, {{"toi_query", 3}, {"event", 16}}},
       {"simulation", "walk", 2048, {{"toi_query", 4}, {"contact_round", 16}}},
       {"simulation", "walk_step", 64, {{"walk", 7}}},
       {"simulation", "walk_in_doubles", 64, {{"walk", 4}}},
