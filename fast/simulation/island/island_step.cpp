@@ -276,8 +276,8 @@ bool slips(const StepPlan& plan, double negligible) {
   return std::ranges::any_of(plan.stepped.slips, [=](const contact::Slip& slip) { return slip.before > negligible; });
 }
 
-/// A step that ends where a contact that slips stops pressing. Forces are solved for as means over a step, so in a longer
-/// one friction would take less energy: seen in between, energy would rise. It is least here (golden section).
+/// A step that ends where a contact that slips stops pressing. Forces are solved for as means over a step, so in a
+/// longer one friction would take less energy: seen in between, energy would rise. It is least here (golden section).
 StepPlan until_friction_ends(const ContactGraph& graph, StepPlan plan, double longest) {
   if (!has_few_bodies(graph) || !loses_friction(graph, plan)) return plan;
   double low = 0, high = plan.h;

@@ -22,7 +22,8 @@ double step_length(const ContactGraph& graph, double steps, double most);
 StepPlan solve_step(const ContactGraph& graph, double h, double longest);
 
 /// A step of h, or a shorter one that ends where the first contact stops slipping, where one that slips stops pressing,
-/// where the first corner not yet in contact comes down, or where the first part slides off another (at most h/2¹⁴ later).
+/// where the first corner not yet in contact comes down, or where the first part slides off another (at most h/2¹⁴
+/// later).
 StepPlan plan_step(const ContactGraph& graph, double h, double longest);
 
 /// m; what the residual of a step should not exceed.
