@@ -218,20 +218,30 @@ Float grazes(const ImpactProblem<Float>& problem) {
   return u_n > 0 ? std::max(Float(1), Float(fast / u_n)) : Float(1);
 }
 
+/// ≥ 1: by how much an error of u_n, over K_nn, becomes greater as one of p, where u_n reaches its goal. In a regular
+/// contact du_n/dp ≥ K_nn − μ|K_tn| everywhere; otherwise it is known where compression ended.
+Float flatness(const ImpactProblem<Float>& problem, double flattest) {
+  const Three<Float> of_N = times(problem.K, problem.N);
+  const Float K_nn = inner(problem.N, of_N);
+  const Three<Float> K_tn = minus(of_N, scaled(K_nn, problem.N));
+  const Float slope = Float(K_nn - sqrt(problem.cone * inner(K_tn, K_tn)));
+  return slope > 0 ? Float(K_nn / slope) : Float(1 / Float(std::max(flattest, 0.0)));
+}
+
 /// For `many` digits: series are cut at 2^-165 and floats have 254 bits; 2^-150 is 45 digits and leaves a factor 2^15
 /// for errors that add up over the steps. For `some`: cut at 2^-84, 106 bits, 2^-75. The second term is the precision
 /// left for an ill-conditioned K. The third is the precision left at the end of Stronge's restitution, where W has
 /// risen by the fraction e² of itself and p by e; where the approach grazes, W is small beside the numbers from which
 /// it is computed, and an error δW is an error δW/u_n of p. All are relative to the energy norm, or to half of |P|_K if
 /// that is larger: only Newton's law can gain energy.
-double stated_error(const ImpactProblem<Float>& problem, const Triple& exact_P, Digits digits) {
+double stated_error(const ImpactProblem<Float>& problem, const Triple& exact_P, double flattest, Digits digits) {
   const Three<Float> P = {float_of(exact_P[0]), float_of(exact_P[1]), float_of(exact_P[2])};
   const Float size = std::max(energy_norm(problem), Float(sqrt(std::max(Float(0), inner(P, times(problem.K, P)))) / 2));
   const bool many = digits == Digits::many;
   const Float bits_left = ldexp(Float(1), many ? -240 : -95);
   const bool rises_little = problem.law == Law::stronge && problem.e > 0;
   const Float relative =
-      ldexp(Float(1), many ? -150 : -75) + condition(problem) * bits_left +
+      flatness(problem, flattest) * (ldexp(Float(1), many ? -150 : -75) + condition(problem) * bits_left) +
       (rises_little ? std::min(Float(bits_left * grazes(problem) / problem.e), Float(sqrt(bits_left))) : Float(0));
   return std::max(std::nextafter(static_cast<double>(Float(size * relative)), infinity),
                   std::numeric_limits<double>::denorm_min());
@@ -337,7 +347,7 @@ Triple solve_exactly(ImpulseTruth& truth, const ImpactProblem<mpq_class>& exact,
     set_ambiguous(truth, problem, float_of(*outcome.near_jump) / sqrt(float_of(exact.square)));
   }
   truth.certified = !truth.pi;
-  if (!truth.certified) truth.error = stated_error(problem, outcome.end.P, Digits::many);
+  if (!truth.certified) truth.error = stated_error(problem, outcome.end.P, truth.flattest, Digits::many);
   return outcome.end.P;
 }
 
@@ -352,8 +362,9 @@ std::optional<Triple> solve_shortly(ImpulseTruth& truth, const ImpactProblem<mpq
   for (const DoubleDouble& x : {P1, P2, P3, outcome.p_c, outcome.end.p, outcome.near_jump.value_or(0)}) {
     if (!is_number(x)) return {};
   }
+  if (!std::ranges::all_of(outcome.slopes, is_number)) return {};
   const Triple P = recorded(truth, exact, problem, outcome, scaled.shift, scaled.shift_of_u);
-  truth.error = stated_error(problem, P, Digits::some);
+  truth.error = stated_error(problem, P, truth.flattest, Digits::some);
   return P;
 } catch (const InputError&) {
   return {};
@@ -369,7 +380,7 @@ Triple solve(ImpulseTruth& truth, const ImpactProblem<mpq_class>& exact, Digits 
     }
     if (const auto P = solve_enclosed(truth, exact, problem)) return *P;
     const Triple P = recorded(truth, exact, problem, nearly(problem));
-    truth.error = stated_error(problem, P, Digits::many);
+    truth.error = stated_error(problem, P, truth.flattest, Digits::many);
     return P;
   }
 }
