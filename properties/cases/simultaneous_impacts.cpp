@@ -26,11 +26,30 @@ Velocity velocity_before(const TrajectoryCase& asked, const Timeline& timeline, 
       .velocity;
 }
 
+/// Points whose convex hull contains what of a convex part is within `near` of a plane through C: its vertices there,
+/// and where segments between two vertices enter or leave that layer. A face that tilts may have none of its vertices
+/// in it.
+oracle::Points near_plane(const oracle::Points& vertices, const oracle::Point& C, const oracle::Point& n, double near) {
+  oracle::Points all;
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const oracle::Real from = n.dot(vertices[i] - C);
+    if (std::abs(from) <= near) all.push_back(vertices[i]);
+    for (std::size_t j = 0; j < i; ++j) {
+      const oracle::Real to = n.dot(vertices[j] - C);
+      for (const double side : {-near, near}) {
+        if ((from < side) == (to < side)) continue;
+        all.push_back(vertices[i] + (side - from) / (to - from) * (vertices[j] - vertices[i]));
+      }
+    }
+  }
+  return all;
+}
+
 /// Whether two bodies in contact at C approach at C or elsewhere in their contact region. The region is in the convex
-/// hull of A's vertices near the plane through C, and in that of B's, and u_n is affine over it; so it does not
-/// approach if u_n ≥ 0 at all vertices of one of the two. Vertices count as near within four envelopes, and what
-/// rounding moves both bodies by: the bodies are within one of each other, C is within one of both, and the rest leaves
-/// room for the normal. A ball has no such vertices.
+/// hull of A's points near the plane through C, and in that of B's, and u_n is affine over it; so it does not approach
+/// if u_n ≥ 0 at all points that span one of the two. Points count as near within four envelopes, and what rounding
+/// moves both bodies by: the bodies are within one of each other, C is within one of both, and the rest leaves room for
+/// the normal. A ball has no vertices.
 bool region_approaches(const Scene& pair, double envelope, oracle::Precision precision) {
   constexpr oracle::Real infinite = std::numeric_limits<oracle::Real>::infinity();
   const oracle::Impact impact = oracle::impact(pair);
@@ -44,11 +63,8 @@ bool region_approaches(const Scene& pair, double envelope, oracle::Precision pre
     for (int part = 0;; ++part) {
       const oracle::Points vertices = oracle::world_points(pair.bodies[k], part);
       if (vertices.empty()) break;
-      for (const oracle::Point& vertex : vertices) {
-        const oracle::Point off = vertex - C;
-        const bool is_near = std::abs(impact.nhat_BA_W.dot(off)) <= near;
-        if (is_near) least = std::min(least, impact.nhat_BA_W.dot(impact.u + spin.cross(off)));
-      }
+      for (const oracle::Point& point : near_plane(vertices, C, impact.nhat_BA_W, near))
+        least = std::min(least, impact.nhat_BA_W.dot(impact.u + spin.cross(point - C)));
     }
     if (least == infinite) return false;
     bound = std::max(bound, least);
