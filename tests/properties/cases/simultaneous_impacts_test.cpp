@@ -107,5 +107,19 @@ TEST_CASE("simultaneous impacts: what contacts that come again did at a later ev
   CHECK(together(scene, events) == std::vector<bool>{false, true, true, false, true, false, true});
 }
 
+// The box turns, so beside C it approaches the bar's end. By its tilt none of its vertices is near the plane of
+// contact.
+TEST_CASE("simultaneous impacts: a region that approaches beside C, on a face that tilts") {
+  Scene scene = row({-2, 0, 2}, {1, -0x1p-10, 0});
+  scene.bodies[1].shape = Box{Vec3(1, 1, 1)};
+  scene.bodies[1].X_WB.q_WB = {1, 0, 0, 0x1p-32};
+  scene.bodies[1].velocity.w_WB.z() = -1;
+  scene.bodies[2].shape = Box{Vec3(1, 0x1p-9, 0x1p-9)};
+  const auto both = [&] { return together(scene, {impact(scene, 0, 0, 1), impact(scene, 1, 0, 1)}); };
+  CHECK(both() == std::vector<bool>{true, true});
+  scene.bodies[1].velocity.w_WB.z() = -0x1p-3;  // the bar is too thin for it to approach
+  CHECK(both() == std::vector<bool>{false, false});
+}
+
 }  // namespace
 }  // namespace touchstone::properties
