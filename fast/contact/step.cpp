@@ -21,7 +21,6 @@ constexpr int sweeps_of_a_round = 400;
 constexpr double of_recovery = 0x1p-10;  // of `recovery`: smaller changes of velocity count as converged
 constexpr int projection_sweeps = 8;
 constexpr double negligible_miss = 0x1p8;  // times the tolerance: how much curves may change a gap
-constexpr double gap_rounding = 0x1p-46;   // of distances from the origin (island_step.cpp: position_rounding)
 
 bool is_round(const motion::RigidBodyModel& model) {
   return model.I_BBcm_B == Mat3(model.I_BBcm_B(0, 0) * Mat3::Identity());
@@ -119,12 +118,12 @@ ContactRow row_of(const ContactConstraint& constraint, const Nearness& before, c
 /// is P·u, as with a discrete gradient, so the step adds no energy (Gonzalez 1996). Where it is negligible, or the
 /// point would move by more than of second order in h, or would turn a smooth ball, the row's bound is changed instead.
 void follow_curve(ContactRow& row, double missed, double negligible, double h, const std::vector<Twist>& mean,
-                  const std::vector<BodyStep>& bodies, bool is_of_ball) {
+                  const std::vector<BodyStep>& bodies) {
   const Vec3 across = row.n.cross(mean[index(row.a)].w - mean[index(row.b)].w);
   const Vec3 shift = missed / h / across.squaredNorm() * across;
   const double radius = std::min(bodies[index(row.a)].radius(), bodies[index(row.b)].radius());
   const bool is_small = shift.norm() <= radius * h * across.norm();
-  if (std::abs(missed) > negligible && (row.friction > 0 || !is_of_ball) && is_small) {
+  if (std::abs(missed) > negligible && row.friction > 0 && is_small) {
     row.arm_A += shift;
     row.arm_B += shift;
   } else {
@@ -322,9 +321,7 @@ Stepped step(const std::vector<StepBody>& step_bodies, std::vector<ContactConstr
       rows[i] = row_of(constraint, before[i], after, bodies);
       rows[i].P = guess;
       rows[i].least_u_n = least_u_n[i];
-      const bool is_of_ball = constraint.contact_point.a.radius > 0 || constraint.contact_point.b.radius > 0;
-      const double negligible = std::max(negligible_miss * tolerance, gap_rounding * after.p_WC.norm());
-      follow_curve(rows[i], missed[i], negligible, h, mean, bodies, is_of_ball);
+      follow_curve(rows[i], missed[i], negligible_miss * tolerance, h, mean, bodies);
       prepare(rows[i], mobilities);
     }
     std::vector<Twist> free;
