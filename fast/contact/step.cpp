@@ -221,13 +221,6 @@ double residual_of_step(const std::vector<ContactConstraint>& constraints, const
   return greatest;
 }
 
-/// J.
-double kinetic_energy(const StepBody& body) {
-  const Velocity& V = body.state.velocity;
-  const Vec3 w_B = lin_canny::rotation(body.state.X_WB.q_WB).transpose() * V.w_WB;
-  return (body.model->mass * V.v_WBcm.squaredNorm() + w_B.dot(body.model->I_BBcm_B * w_B)) / 2;
-}
-
 Twist twist(const State& state) { return {state.velocity.v_WBcm, state.velocity.w_WB}; }
 
 void set_velocity(State& state, const Twist& twist) { state.velocity = {twist.v, twist.w}; }
@@ -285,6 +278,12 @@ Mobility StepBody::mobility() const {
   if (is_round(*model)) return {1 / model->mass, inverse_inertia(*model)};
   const Mat3 R = lin_canny::rotation(state.X_WB.q_WB);
   return {1 / model->mass, R * inverse_inertia(*model) * R.transpose()};
+}
+
+double StepBody::kinetic_energy() const {
+  const Velocity& V = state.velocity;
+  const Vec3 w_B = lin_canny::rotation(state.X_WB.q_WB).transpose() * V.w_WB;
+  return (model->mass * V.v_WBcm.squaredNorm() + w_B.dot(model->I_BBcm_B * w_B)) / 2;
 }
 
 Stepped step(const std::vector<StepBody>& step_bodies, std::vector<ContactConstraint>& constraints, double h,
@@ -354,11 +353,7 @@ Stepped step(const std::vector<StepBody>& step_bodies, std::vector<ContactConstr
   project_velocities(at_end, rows, mean, mobilities, twists);
   stepped.residual = residual_of_step(constraints, bodies, before, least_u_n, rows, mean, h);
   for (std::size_t i = 0; i < bodies.size(); ++i) {
-    if (!moved[i].is_fixed()) {
-      set_velocity(moved[i].state, twists[i]);
-      const double work = moved[i].model->mass * h * moved[i].acceleration.dot(mean[i].v);
-      stepped.dissipated += kinetic_energy(step_bodies[i]) - kinetic_energy(moved[i]) + work;
-    }
+    if (!moved[i].is_fixed()) set_velocity(moved[i].state, twists[i]);
     stepped.after.push_back(moved[i].state);
   }
   stepped.mean = std::move(mean);

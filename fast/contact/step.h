@@ -19,6 +19,7 @@ struct StepBody {
   bool is_fixed() const { return model->is_fixed; }
   RigidTransform transform() const;
   Mobility mobility() const;
+  double kinetic_energy() const;  ///< J
 };
 
 /// A contact point between two bodies of the step, given by their indices.
@@ -38,7 +39,6 @@ struct Stepped {
   std::vector<State> after;
   std::vector<Twist> mean;  ///< over the step: takes each body from its pose before to its pose after
   std::vector<Slip> slips;  ///< of each contact; 0 where it does not press
-  double dissipated = 0;    ///< J; all energy that the bodies lost
   double residual = 0;      ///< m; how far the contacts are from what the step solves for
 };
 

@@ -51,11 +51,8 @@ double energy(const ContactGraph& graph) {
   double sum = 0;
   for (const IslandBody& island_body : graph.bodies()) {
     if (island_body.fixed()) continue;
-    const contact::RigidTransform transform = island_body.step_body.transform();
-    const Velocity& V = island_body.state().velocity;
-    const Vec3 w_B = transform.R_WB.transpose() * V.w_WB;
-    const double moving = V.v_WBcm.dot(V.v_WBcm) / 2 - island_body.step_body.acceleration.dot(transform.centre);
-    sum += moving * island_body.step_body.model->mass + w_B.dot(island_body.step_body.model->I_BBcm_B * w_B) / 2;
+    const contact::StepBody& body = island_body.step_body;
+    sum += body.kinetic_energy() - body.model->mass * body.acceleration.dot(body.transform().centre);
   }
   return sum;
 }

@@ -276,6 +276,20 @@ bool slips(const StepPlan& plan, double negligible) {
   return std::ranges::any_of(plan.stepped.slips, [=](const contact::Slip& slip) { return slip.before > negligible; });
 }
 
+/// J; the energy that the bodies lose in the step. As a difference: places far away would lose digits in a potential.
+double dissipated(const ContactGraph& graph, const StepPlan& plan) {
+  double sum = 0;
+  for (std::size_t i = 0; i < graph.bodies().size(); ++i) {
+    if (graph.bodies()[i].fixed()) continue;
+    contact::StepBody body = graph.bodies()[i].step_body;
+    const double before = body.kinetic_energy();
+    body.state = plan.stepped.after[i];
+    const double work = body.model->mass * plan.h * body.acceleration.dot(plan.stepped.mean[i].v);
+    sum += before - body.kinetic_energy() + work;
+  }
+  return sum;
+}
+
 /// A step that ends where a contact that slips stops pressing. Forces are solved for as means over a step, so in a
 /// longer one friction would take less energy: seen in between, energy would rise. It is least here (golden section).
 StepPlan until_friction_ends(const ContactGraph& graph, StepPlan plan, double longest) {
@@ -283,12 +297,16 @@ StepPlan until_friction_ends(const ContactGraph& graph, StepPlan plan, double lo
   double low = 0, high = plan.h;
   StepPlan best = solve_step(graph, golden * high, longest);
   if (!slips(best, negligible_slip(graph, longest))) return plan;
+  double most = dissipated(graph, best);
   for (int k = 0; k < most_friction_cuts; ++k) {
     StepPlan other = solve_step(graph, low + (high - best.h), longest);
-    if (other.stepped.dissipated > best.stepped.dissipated) std::swap(best, other);
+    if (const double more = dissipated(graph, other); more > most) {
+      std::swap(best, other);
+      most = more;
+    }
     (other.h < best.h ? low : high) = other.h;
   }
-  return best.stepped.dissipated > plan.stepped.dissipated ? best : plan;
+  return std::move(most > dissipated(graph, plan) ? best : plan);
 }
 
 /// A step that ends where the first corner comes down.
